@@ -1,1 +1,9 @@
 # SPDX-License-Identifier: MIT
+"""The language of statements: typed terms and formulas as plain data."""
+
+from exactkf.language import statement as _statement
+from exactkf.language import tree as _tree
+from exactkf.language.statement import *  # noqa: F403
+from exactkf.language.tree import *  # noqa: F403
+
+__all__ = [*_tree.__all__, *_statement.__all__]

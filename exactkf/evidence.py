@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: MIT
+"""Kinds of evidence a claim can ask for.
+
+Each function here returns plain data: which finder is to run, and its hints.
+A hint never decides anything; what a finder makes of it is replayed by the
+checker.
+
+==================  =========================================================  ==========================
+evidence            what it shows                                              best strength
+==================  =========================================================  ==========================
+`identity`          conclusion is an identity in all variables, per size       proved, proved-sizes
+`combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
+`induction`         base and step of ``always(t, ...)``, per size              proved, proved-sizes
+`positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
+`evaluation`        a closed statement, or every case of a finite one          proved
+`steps`             displayed steps proved; glue in prose; instances           steps
+`instances`         exact instances, random and degenerate                     instances
+`example`           one instance given by hand, tried before all others        instances
+==================  =========================================================  ==========================
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from exactkf.language import Expr, to_expr
+
+__all__ = [
+    "Evidence", "combination", "evaluation", "example", "identity", "induction", "instances", "positivity", "steps",
+]
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """A finder's name with its hints."""
+
+    kind: str
+    hints: Mapping[str, Any] = field(default_factory=dict)
+
+
+def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
+    return {name: (value,) if isinstance(value, int) else tuple(value) for name, value in sizes.items()}
+
+
+def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", **sizes: Iterable[int] | int) -> Evidence:
+    """The conclusion is an identity of rational functions for each of the sizes.
+
+    Parameters
+    ----------
+    given_by : mapping of variable to term
+        A parametrisation of the variables that hypotheses tie together; the terms may use
+        the other variables. It must reach every instance of the hypotheses, which is what
+        the claim named in ``covered_by`` says.
+    **sizes
+        Values of each size (and of each integer variable): ``n=range(1, 7)``.
+    """
+    return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by})
+
+
+def combination(terms: Sequence[tuple[Any, str, Any]], **sizes: Iterable[int] | int) -> Evidence:
+    """Left side minus right side of the conclusion = sum of L * (lhs - rhs of the hypothesis so labelled) * R.
+
+    A label ending in ``'`` names the transposed hypothesis.
+    """
+    rows = tuple((to_expr(left).tree, label, to_expr(right).tree) for left, label, right in terms)
+    return Evidence("combination", {"sizes": _ranges(sizes), "terms": rows})
+
+
+def induction(**sizes: Iterable[int] | int) -> Evidence:
+    """Base and step for a conclusion ``always(t, lhs == rhs)`` along recursions of the statement.
+
+    The induction hypothesis is used in the form lhs - rhs at t (times a cofactor that the finder
+    looks for); an invariant quantity has cofactor one.
+    """
+    return Evidence("induction", {"sizes": _ranges(sizes)})
+
+
+def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
+    """For a conclusion lhs >= rhs (or >): lhs - rhs = sum of c * q^2 * product of hypotheses.
+
+    Each term is ``(c, q, labels)``: a rational c >= 0, a scalar q, labels of hypotheses of the
+    form ``x > y`` or ``x >= y`` (their difference enters). For ``>`` one term with q = 1, c > 0
+    and only strict hypotheses must be there.
+    """
+    rows = tuple((to_expr(c).tree, to_expr(q).tree, tuple(labels)) for c, q, labels in terms)
+    return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
+
+
+def evaluation(**ranges: Iterable[int] | int) -> Evidence:
+    """A statement without free variables, or with integer variables of which every value is evaluated."""
+    return Evidence("evaluation", {"sizes": _ranges(ranges)})
+
+
+def instances(count: int = 24, *, made_by: Mapping[Expr | str, Any] | None = None, using: Mapping[Expr | str, tuple] | None = None,
+              horizon: int = 5, **sizes: Iterable[int] | int) -> Evidence:
+    """Exact instances: random by construction, and degenerate ones.
+
+    Parameters
+    ----------
+    count : int
+        How many instances the certificate carries; the search looks at many more.
+    made_by : mapping of variable to term
+        Variables that are computed from others so that the hypotheses hold.
+    using : mapping of name to type
+        Auxiliary variables that ``made_by`` uses and the statement does not have.
+    horizon : int
+        Last t tried for ``always(t, ...)``.
+    **sizes
+        Values of each size to draw from: ``n=(1, 2, 3)``.
+    """
+    aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
+    return Evidence("instances", {"count": count, "sizes": _ranges(sizes), "made_by": _named(made_by), "using": aux, "horizon": horizon})
+
+
+def example(values: Mapping[Expr | str, Any] | None = None, /, *, horizon: int = 5, **more: Any) -> Evidence:
+    """One instance by hand: sizes as ints, scalars as int or 'p/q', sequences and columns as lists, matrices as lists of rows."""
+    return Evidence("example", {"values": {**_plain(values or {}), **more}, "horizon": horizon})
+
+
+def steps(*ids: str, facts: Sequence[str] = (), prose: str = "") -> Evidence:
+    """The paper's proof: claims of its displayed steps, classical facts it leans on, the glue in a sentence or two."""
+    return Evidence("steps", {"ids": tuple(ids), "facts": tuple(facts), "prose": prose})
+
+
+def _name(key: Expr | str) -> str:
+    return key.tree[1] if isinstance(key, Expr) else key
+
+
+def _named(mapping: Mapping[Expr | str, Any] | None) -> dict[str, Any]:
+    return {_name(k): to_expr(v).tree for k, v in (mapping or {}).items()}
+
+
+def _plain(mapping: Mapping[Expr | str, Any]) -> dict[str, Any]:
+    return {_name(k): v for k, v in mapping.items()}

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: MIT
+"""Statements: variables with types, definitions, hypotheses, conclusion.
+
+Main definitions
+----------------
+`Statement`
+    One assertion, as printed: sizes, typed variables (``over``), definitions
+    (``where``), labelled hypotheses (``given``) and the conclusion (``says``).
+`let`, `function`, `rec`
+    Definitions: a name for a term; a function of indices (may call itself);
+    a sequence given by initial values and a step.
+Types
+    `scalar`, `integer`, `sequence`, `matrix`, `vector`, `polynomial` ... say
+    what a variable ranges over; a type is part of the hypotheses.
+
+A statement is plain data: `Statement.to_json` and `Statement.from_json` are
+inverse to each other and run no code.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from exactkf._errors import BadInput
+from exactkf.language.tree import OPERATIONS, Expr, to_expr
+
+__all__ = [
+    "TYPES", "Statement", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
+    "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
+    "standing", "symmetric_matrix", "vector",
+]
+
+#: type -> number of arguments
+TYPES = {
+    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "matrix": 2, "symmetric": 1,
+    "psd": 1, "pd": 1, "nonsingular": 1, "diagonal": 1, "poly": 1, "monic": 1,
+}
+
+
+def _type(name: str, doc: str):
+    def build(*args: Any) -> tuple:
+        if len(args) != TYPES[name]:
+            raise BadInput(f"type {name} takes {TYPES[name]} arguments, {len(args)} given")
+        return (name, *(to_expr(a).tree for a in args))
+    build.__doc__ = doc
+    return build
+
+
+scalar = _type("scalar", "A real number.")
+nonzero = _type("nonzero", "A real number that is not zero.")
+positive = _type("positive", "A real number greater than zero.")
+nonneg = _type("nonneg", "A real number, zero or greater.")
+integer = _type("integer", "integer(lo, hi): an integer with lo <= k <= hi.")
+sequence = _type("sequence", "sequence(lo, hi): scalars s_lo .. s_hi.")
+matrix = _type("matrix", "matrix(r, c): any r x c matrix.")
+symmetric_matrix = _type("symmetric", "symmetric_matrix(n): any symmetric n x n matrix.")
+positive_semidefinite = _type("psd", "positive_semidefinite(n): symmetric, n x n, x'Px >= 0.")
+positive_definite = _type("pd", "positive_definite(n): symmetric, n x n, x'Px > 0 for x != 0.")
+nonsingular = _type("nonsingular", "nonsingular(n): n x n with nonzero determinant.")
+diagonal = _type("diagonal", "diagonal(n): n x n diagonal matrix.")
+polynomial = _type("poly", "polynomial(n): polynomial in z of degree at most n.")
+monic = _type("monic", "monic(n): z^n + lower terms.")
+
+
+def vector(length: Any) -> tuple:
+    """vector(n): a column of n scalars, ``v[i]`` counted from 1."""
+    return matrix(length, 1)
+
+
+def let(name: Expr, body: Any) -> tuple:
+    """A name for a term."""
+    return ("let", name.tree[1], (), to_expr(body).tree)
+
+
+def function(name: Expr, params: Sequence[Expr], body: Any) -> tuple:
+    """A function of integer indices (or other values); it may call itself."""
+    return ("let", name.tree[1], tuple(p.tree[1] for p in params), to_expr(body).tree)
+
+
+def rec(name: Expr, index: Expr, initial: Any, step: Any, start: int = 0) -> tuple:
+    """A sequence: ``initial`` is the value at ``start`` (a list: the first values), ``step`` the value at index + 1."""
+    values = initial if isinstance(initial, (list, tuple)) else [initial]
+    return ("rec", name.tree[1], index.tree[1], start, tuple(to_expr(v).tree for v in values), to_expr(step).tree)
+
+
+def given(label: str, formula: Expr) -> tuple:
+    """A hypothesis that the statement needs: dropping it must make the statement false."""
+    return (label, formula.tree, "needed")
+
+
+def standing(label: str, formula: Expr) -> tuple:
+    """A hypothesis of the setting: not claimed to be necessary."""
+    return (label, formula.tree, "standing")
+
+
+@dataclass(frozen=True)
+class Statement:
+    """One assertion.
+
+    Parameters
+    ----------
+    says : Expr
+        The conclusion.
+    over : mapping of name to type
+        The free variables, in order.
+    sizes : sequence of str
+        Names of the sizes (integers >= 0) that types and terms mention.
+    where : sequence of definitions
+        From `let`, `function`, `rec`; each may use those before it (and itself).
+    given : sequence of hypotheses
+        From `given` and `standing`; a mapping of label to formula is read as `given`.
+    """
+
+    says: Any
+    over: Mapping[str, tuple] | Sequence = ()
+    sizes: Sequence[str] = ()
+    where: Sequence[tuple] = ()
+    given: Any = ()
+    tex: Mapping[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        set_ = object.__setattr__
+        over = self.over.items() if isinstance(self.over, Mapping) else self.over
+        set_(self, "over", tuple((n, tuple(t)) for n, t in over))
+        hyps = self.given.items() if isinstance(self.given, Mapping) else self.given
+        set_(self, "given", tuple(h if len(h) == 3 else (h[0], to_expr(h[1]).tree, "needed") for h in hyps))
+        set_(self, "sizes", tuple(self.sizes))
+        set_(self, "where", _flat(self.where))
+        set_(self, "says", self.says.tree if isinstance(self.says, Expr) else self.says)
+        _check(self)
+
+    def to_json(self) -> dict:
+        """Plain data, see the module's docstring."""
+        return {"sizes": list(self.sizes), "over": _lists(self.over), "where": _lists(self.where),
+                "given": _lists(self.given), "says": _lists(self.says)}
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Statement:
+        """Read what `to_json` wrote; anything else raises BadInput."""
+        try:
+            return cls(says=_tuples(data["says"]), over=_tuples(data["over"]), sizes=_tuples(data["sizes"]),
+                       where=_tuples(data["where"]), given=_tuples(data["given"]))
+        except (KeyError, TypeError, ValueError, IndexError) as error:
+            raise BadInput(f"argument 'data' is not a statement: {error!r}; write it with Statement.to_json") from error
+
+    def digest_text(self) -> str:
+        """One canonical line, the text that certificates hash."""
+        return json.dumps(self.to_json(), separators=(",", ":"), sort_keys=True)
+
+
+def _flat(items: Iterable) -> tuple:
+    """Allow groups of definitions inside ``where``."""
+    out: list = []
+    for item in items:
+        if isinstance(item[0], str):
+            out.append(tuple(item))
+        else:
+            out.extend(_flat(item))
+    names: dict[str, tuple] = {}
+    for item in out:
+        if names.setdefault(item[1], item) != item:
+            raise BadInput(f"definition of {item[1]!r} is given twice with different bodies; rename one")
+    return tuple(names.values())
+
+
+def _lists(value: Any) -> Any:
+    return [_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(_tuples(v) for v in value) if isinstance(value, (list, tuple)) else value
+
+
+def _check(statement: Statement) -> None:
+    known = set(statement.sizes) | {n for n, _ in statement.over} | {d[1] for d in statement.where}
+    for name, type_ in statement.over:
+        if type_[0] not in TYPES or len(type_) != TYPES[type_[0]] + 1:
+            raise BadInput(f"variable {name!r} has unknown type {type_!r}; see exactkf.language.TYPES")
+    for definition in statement.where:
+        if definition[0] == "let":
+            _check_tree(definition[3], known | set(definition[2]))
+        elif definition[0] == "rec":
+            _check_tree(definition[5], known | {definition[2]})
+        else:
+            raise BadInput(f"definition {definition!r} is neither let nor rec")
+    for _, formula, _kind in statement.given:
+        _check_tree(formula, known)
+    _check_tree(statement.says, known)
+
+
+_BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}
+
+
+def _check_tree(tree: Any, known: set[str]) -> None:
+    """Refuse unknown operations, wrong numbers of arguments and undeclared names."""
+    if isinstance(tree, bool) or not isinstance(tree, (int, tuple)):
+        raise BadInput(f"{tree!r} is not a term; expected an int or an operation")
+    if isinstance(tree, int):
+        return
+    op, args = (tree[0], tree[1:]) if tree else (None, ())
+    if op not in OPERATIONS:
+        raise BadInput(f"unknown operation {op!r}; see exactkf.language.OPERATIONS")
+    least, most = OPERATIONS[op]
+    if len(args) < least or (most is not None and len(args) > most):
+        raise BadInput(f"operation {op!r} takes {least}..{most} arguments, {len(args)} given")
+    if op == "sym" or op == "at":
+        if args[0] not in known:
+            raise BadInput(f"name {args[0]!r} is not declared; add it to sizes, over or where")
+        args = args[1:]
+    if op == "rat":
+        if not all(isinstance(a, int) for a in args) or args[1] <= 0:
+            raise BadInput(f"rational number {tree!r} needs two integers, the second positive")
+        return
+    if op == "prints":
+        args = args[:1]
+    if op in ("block", "rows"):
+        args = tuple(x for row in args for x in row)
+    bound = _BINDERS.get(op, 0)
+    for arg in args[bound:]:
+        _check_tree(arg, known | set(args[:bound]))
