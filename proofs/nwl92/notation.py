@@ -15,10 +15,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactkf.evidence import Evidence, instances
+from exactkf.evidence import Evidence, identity, instances
 from exactkf.language import (
-    Expr, Identity, T, Zero, block, given, hstack, inv, kernel_basis, let, matrix,
-    positive_semidefinite, rank, sym, symbols, symmetric_matrix, vstack,
+    Expr, Identity, T, Zero, block, diag, given, hstack, integer, inv, kernel_basis, let, matrix, matrix_of, positive_semidefinite,
+    rank, standing, sym, symbols, symmetric_matrix, vstack, when,
 )
 
 # sizes
@@ -79,10 +79,11 @@ W2, U2, T2, Y2, G2, Ze = symbols("W2 U2 T2 Y2 G2 Ze")
 SECOND = {W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
 SECOND_INVERSE = let(Ze, block([[W2, U2], [T(U2), T2]]))
 SECOND_GIVEN = given("second (1)-inverse", Zm * Ze * Zm == Zm)
-#: another linear estimate Ly that is unbiased, LH = I
-L = sym("L")
-UNBIASED = given("the other estimate is unbiased", L * H == Identity(n))
-OTHER = {L: T(U) + X * (Identity(p) - H * T(U))}
+#: another linear estimate Ly that is unbiased, LH = I; there is one only if H has full column rank
+L, L0 = symbols("L L0")
+UNBIASED = given("Ly is unbiased", L * H == Identity(n))
+IMPLIED_RANK = standing("H has full column rank", rank(H) == n)
+OTHER = {L0: inv(T(H) * H) * T(H), L: L0 + X * (Identity(p) - H * L0)}
 
 
 def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: Expr = Y, whole: Expr = G) -> tuple[dict, dict]:
@@ -103,11 +104,37 @@ def two_inverses(count: int = 24, *, made_by: dict | None = None, using: dict | 
     return inverses(count, made_by={**made, **(made_by or {})}, using={**free, **(using or {})}, **sizes)
 
 
-def excess(L: Expr, U: Expr, R: Expr) -> Expr:
-    """Error covariance of Ly as that of U'y plus a positive semidefinite matrix."""
-    return L * R * T(L) == T(U) * R * U + (L - T(U)) * R * T(L - T(U))
-
-
 def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
     """(x, w) satisfies y = Hx + Vw, and any other (x0, w0) that does has w0'w0 = w'w + |w0 - w|^2."""
     return (y == H * x + V * w) & (T(w0) * w0 == T(w) * w + T(w0 - w) * (w0 - w))
+
+
+# ------------------------------------------------------------------ coordinates
+S, F, E1, E0, P, Y3, Y4, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 rho ii jj")
+NORMAL_FORM = (
+    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where I has size "
+    "rank [R H] - n; there the symmetric (1)-inverses are [0, K'; K, M] and U = [I; L], T = -P, where diag(I, 0) annihilates K and L "
+    "and M is a symmetric (1)-inverse of diag(I, 0)")
+#: R, H, W, U, T in terms of S, P, the rank rho and free matrices
+COORDINATES = {
+    F: inv(S), E1: matrix_of(ii, jj, p - n, p - n, when((ii == jj) & (ii <= rho), 1, 0)), E0: Identity(p - n) - E1,
+    R: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
+    W: T(S) * block([[Zero(n, n), T(E0 * Y3)], [E0 * Y3, E1 + E0 * Y + T(Y) * E0]]) * S,
+    U: T(S) * vstack(Identity(n), E0 * Y4), Tb: -P,
+}
+PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n), Y3: matrix(p - n, n),
+              Y4: matrix(p - n, n)}
+Y5, Y6, Y7 = symbols("Y5 Y6 Y7")
+#: the same for a second (1)-inverse
+COORDINATES_2 = {
+    W2: T(S) * block([[Zero(n, n), T(E0 * Y5)], [E0 * Y5, E1 + E0 * Y6 + T(Y6) * E0]]) * S,
+    U2: T(S) * vstack(Identity(n), E0 * Y7), T2: -P,
+}
+PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
+
+
+def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
+    """The conclusion as an identity in all R >= 0, H of full column rank and all their symmetric (1)-inverses."""
+    return identity(given_by={**COORDINATES, **(COORDINATES_2 if second else {}), **(made or {})},
+                    using={**PARAMETERS, **(PARAMETERS_2 if second else {}), **(using or {})}, fact=NORMAL_FORM,
+                    **(sizes or {"p": (2, 3), "n": (1, 2)}))

@@ -42,8 +42,8 @@ from exactkf.language import (
     symmetric_matrix, vector, vstack, when,
 )
 from proofs.nwl92.notation import (
-    BLOCKS, FULL_COLUMN_RANK, ONE_INVERSE, OTHER, PAIR, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, TWO_BLOCK,
-    UNBIASED, W2, Y2, G, G2, H, L, R, Tb, U, U2, V, W, X, Y, Ze, Zd, Zm, any_one_inverse, blocks_of, excess, inverses, lam,
+    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, PAIR, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, TWO_BLOCK,
+    UNBIASED, W2, Y2, G, G2, H, L, R, Tb, U, U2, V, W, X, Y, Ze, Zd, Zm, any_one_inverse, blocks_of, inverses, lam,
     likeliest, lower, made_inverse, n, one_inverse, p, q, r, two_block, two_inverses, upper, w, w0, x, x0, y,
 )
 
@@ -287,7 +287,7 @@ claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and al
 
 claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
       (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & loewner(L * R * T(L), T(U) * R * U),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK, UNBIASED],
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
       by=[steps("NWL92-EA.11", "NWL92-EA.14", "NWL92-EA.15", facts=["XRX' >= 0 for R >= 0"],
                 prose="U'H = I and U'R = -TH' give LRL' = U'RU + (L - U')R(L - U')' for every unbiased L, and U'RU = -T."),
           inverses(made_by=OTHER, using={X: matrix(n, p)})],
@@ -335,10 +335,10 @@ claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
       note="k is a vector with Rk = 0 and H'k = 0, not zero if Z is singular; with it another (1)-inverse is written down in which both W and U differ. n >= 1.")
 
 claim("NWL92-E2.24", "the ML estimate is U'y",
-      (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & excess(L, U, R),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK, UNBIASED],
+      (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & (L * R * U == T(U) * R * U),
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
       by=[inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="Second equation: any other unbiased Ly has an error covariance that is larger by (L - U')R(L - U')'.")
+      note="Second equation: the errors of U'y and of any other unbiased Ly have the covariance U'RU, so that LRL' = U'RU + (L - U')R(L - U')'.")
 
 claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-inverses",
       eq(T(U) * R * U, -Tb, T(U2) * R * U2),
