@@ -24,7 +24,7 @@ from exactkf.language.tree import OPERATIONS, Expr, bottom, top
 __all__ = ["RANGES", "Bind", "Form", "Notation", "fill", "rows_of"]
 
 #: types whose arguments are bounds or a degree, not the sides of a matrix
-RANGES = ("integer", "sequence", "poly", "monic")
+RANGES = ("integer", "sequence", "signal", "poly", "monic")
 
 
 class Bind(IntEnum):

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Any
 
 from exactkf.language.notation import RANGES, Bind, Form, Notation, fill, rows_of
-from exactkf.language.statement import Statement
+from exactkf.language.statement import Statement, as_tuples
 
 __all__ = ["Text", "statement_text", "text"]
 
@@ -133,7 +133,8 @@ class Text(Notation):
 #: type -> text; #1 is the name, #2 and #3 the type's arguments
 _TYPES = {
     "scalar": "#1 real", "nonzero": "#1 real, not 0", "positive": "#1 > 0", "nonneg": "#1 >= 0",
-    "integer": "#1 in #2..#3", "sequence": "#1[#2..#3] real", "matrix": "#1 #2 x #3",
+    "integer": "#1 in #2..#3", "sequence": "#1[#2..#3] real",
+    "signal": "#1[#2], #1[#2 + 1], ... real", "matrix": "#1 #2 x #3",
     "symmetric": "#1 #2 x #2 symmetric", "psd": "#1 #2 x #2 psd", "pd": "#1 #2 x #2 pd",
     "nonsingular": "#1 #2 x #2 invertible", "diagonal": "#1 #2 x #2 diagonal",
     "poly": "#1 polynomial in z, degree <= #2", "monic": "#1 monic polynomial in z of degree #2",
@@ -148,6 +149,7 @@ def text(tree: Any) -> str:
     >>> text((Phi * P * T(Phi) + H).tree)
     "Phi*P*Phi' + H"
     """
+    tree = as_tuples(tree)
     return Text(functions=Text().functions_in(tree))(tree)
 
 

@@ -18,11 +18,21 @@ from exactkf.language import (
     symbols,
     vector,
 )
-from exactkf.language.latex import given_latex, over_latex, says_latex, statement_latex, where_latex
+from exactkf.language.latex import (
+    definition_latex,
+    given_latex,
+    latex,
+    over_latex,
+    says_latex,
+    statement_latex,
+    type_latex,
+    where_latex,
+)
 from exactkf.language.text import statement_text
 
 n, m, t, i, k, x, A, B, P, R, W, d, f, gamma, v = symbols("n m t i k x A B P R W d f gamma v")
 
+SEQUENCES = ("sequence", "signal")
 STATEMENT = Statement(
     sizes=["n", "m"],
     over={"A": matrix(n, m), "B": matrix(n, m), "P": positive_semidefinite(2 * n), "gamma": sequence(0, n - 1),
@@ -59,9 +69,17 @@ def test_whole_statement():
 
 def test_every_type_prints():
     for kind, count in TYPES.items():
-        statement = Statement(over={"x": (kind, *[3] * count)}, says=x == x if kind != "sequence" else x[3] == x[3])
+        statement = Statement(over={"x": (kind, *[3] * count)}, says=x[3] == x[3] if kind in SEQUENCES else x == x)
         assert convert(statement_latex(statement)).startswith("<math")
         assert statement_text(statement).startswith("for   x")
+        assert type_latex("x", ["matrix", 3, 3]) == r"x\in\mathbb{R}^{3\times 3}"
+        assert type_latex("x", [kind, *[3] * count]) == over_latex(statement)[0]
+
+
+def test_data_as_json_has_it():
+    data = STATEMENT.to_json()
+    assert [definition_latex(d) for d in data["where"]][:2] == where_latex(STATEMENT)[:2]
+    assert latex(data["says"]) == latex(STATEMENT.says)
 
 
 def test_names_overridden_by_the_statement():
