@@ -26,7 +26,8 @@ from exactkf.language.notation import RANGES, Bind, fill
 from exactkf.language.statement import Statement, as_tuples
 
 __all__ = [
-    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "statement_latex", "type_latex", "where_latex",
+    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "statement_latex", "type_latex",
+    "where_latex",
 ]
 
 #: type -> LaTeX; #1 is the names, #2 and #3 the type's arguments
