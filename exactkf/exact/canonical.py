@@ -147,7 +147,7 @@ def jordan_form(A: Any) -> tuple[fmpq_mat, fmpq_mat]:
     T, J, at = zero(n, 0), zero(n), 0
     for factor, sizes in elementary_divisors(A):
         if factor.degree() > 1:
-            raise Unsupported(f"the matrix has irrational eigenvalues, roots of {shown(factor)}; use elementary_divisors")
+            raise Unsupported(f"the matrix has eigenvalues outside Q: {shown(factor)}; use elementary_divisors")
         a = -factor[0]
         T = hstack(T, _chains(A - identity(n) * a, sizes))
         for size in sizes:
@@ -171,7 +171,7 @@ def _sizes(N: fmpq_mat, degree: int, multiplicity: int) -> tuple[int, ...]:
 
 
 def _chains(N: fmpq_mat, sizes: tuple[int, ...]) -> fmpq_mat:
-    """Return chains N**(k-1) v, ..., N v, v in columns, one for each k in `sizes` (decreasing), a basis of ker N**oo."""
+    """Return chains N**(k-1) v, ..., N v, v in columns, one for each k in `sizes`, which decrease."""
     n, longest = N.nrows(), sizes[0]
     kernels, P = [zero(n, 0)], identity(n)
     for _ in range(longest):

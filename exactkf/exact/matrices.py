@@ -116,7 +116,9 @@ def matrix(rows: Any, *, floats: str | int | None = None, name: str = "rows") ->
         raise bad(name, "is not a matrix", rows, "pass a list of rows")
     n_rows, n_cols = _shape(rows, name)
     table = rows.tolist() if getattr(rows, "is_Matrix", False) is True else rows
-    entries = [rational(x, floats=floats, name=f"{name}[{i}][{j}]") for i, r in enumerate(table) for j, x in enumerate(r)]
+    entries = [
+        rational(x, floats=floats, name=f"{name}[{i}][{j}]") for i, row in enumerate(table) for j, x in enumerate(row)
+    ]
     return fmpq_mat(n_rows, n_cols, entries)
 
 
@@ -175,7 +177,7 @@ def hstack(*parts: Any) -> fmpq_mat:
     n_rows = mats[0].nrows()
     for mat in mats:
         if mat.nrows() != n_rows:
-            raise bad("parts", f"holds a matrix that does not have {n_rows} rows", mat, "pass matrices of equal height")
+            raise bad("parts", f"holds a matrix that does not have {n_rows} rows", mat, "pass parts of equal height")
     tables = [mat.tolist() for mat in mats]
     entries = [x for i in range(n_rows) for table in tables for x in table[i]]
     return fmpq_mat(n_rows, sum(mat.ncols() for mat in mats), entries)
@@ -195,7 +197,7 @@ def vstack(*parts: Any) -> fmpq_mat:
     n_cols = mats[0].ncols()
     for mat in mats:
         if mat.ncols() != n_cols:
-            raise bad("parts", f"holds a matrix that does not have {n_cols} columns", mat, "pass matrices of equal width")
+            raise bad("parts", f"holds a matrix that does not have {n_cols} columns", mat, "pass parts of equal width")
     return fmpq_mat(sum(mat.nrows() for mat in mats), n_cols, [x for mat in mats for x in mat.entries()])
 
 
