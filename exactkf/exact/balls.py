@@ -25,7 +25,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 import flint
-from flint import acb, arb, fmpq
+from flint import arb, fmpq
 
 from exactkf._errors import Unsupported
 from exactkf.exact._messages import bad
@@ -88,8 +88,8 @@ def less(a: arb | fmpq | int, b: arb | fmpq | int) -> bool | None:
     return False if a >= b else None
 
 
-def equal(a: arb | acb, b: arb | acb) -> bool | None:
-    """Return False if the balls are disjoint, True if both are the same point, None otherwise."""
+def equal(a: Any, b: Any) -> bool | None:
+    """Return False if the balls (arb or acb) are disjoint, True if both are the same point, None otherwise."""
     if not a.overlaps(b):
         return False
     return True if a.is_exact() and b.is_exact() else None

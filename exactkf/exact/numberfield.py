@@ -405,8 +405,8 @@ def cyclotomic_real(n: int) -> CyclotomicRealField:
     Examples
     --------
     >>> field = cyclotomic_real(5)
-    >>> field.two_cos(1) * field.two_cos(2)
-    -1
+    >>> field.two_cos(1) * field.two_cos(2) == -1
+    True
     """
     return CyclotomicRealField(n)
 
