@@ -10,7 +10,9 @@ A Jordan block of size k has the eigenvalue on the diagonal and ones above it.
 
 Choice of algorithm
 -------------------
-The polynomials come from FLINT.  Block sizes come from ranks, chains of
+The characteristic polynomial comes from FLINT; the minimal polynomial does not, for
+``fmpq_mat.minpoly`` gives 1 for the zero matrix in python-flint 0.7.  Block sizes
+come from ranks, chains of
 generalised eigenvectors from one echelon form per chain length; everything is
 linear algebra over Q, and no irrational eigenvalue is ever written down.
 
@@ -62,8 +64,10 @@ def charpoly(A: Any) -> fmpq_poly:
 
 def minimal_polynomial(A: Any) -> fmpq_poly:
     """Return the monic polynomial of least degree that vanishes at A; BadInput if A is not square."""
-    A = _square(A, "A")
-    return fmpq_poly([1]) if A.nrows() == 0 else A.minpoly()
+    result = fmpq_poly([1])
+    for factor, sizes in elementary_divisors(A):
+        result *= factor ** sizes[0]
+    return result
 
 
 def polynomial_at(p: fmpq_poly, A: Any) -> fmpq_mat:

@@ -279,7 +279,9 @@ class RealNumber:
         for _ in range(n):
             rows.append([power[k] for k in range(n)])
             power = (power * fmpq_poly([0, 1])) % self.field.minpoly
-        return fmpq_mat(rows).minpoly()
+        p = fmpq_mat(rows).charpoly()  # a power of the minimal polynomial
+        p = p // p.gcd(p.derivative())
+        return p / p.leading_coefficient()
 
     def __bool__(self) -> bool:
         return self.poly != 0

@@ -340,7 +340,7 @@ def count_roots(p: Any) -> RootCount:
     """
     p = _nonzero(p)
     at_zero = next(k for k, c in enumerate(p.coeffs()) if c != 0)
-    p = p.right_shift(at_zero)
+    p = fmpq_poly(p.coeffs()[at_zero:])
     common = p.gcd(reversal(p))
     rest = fmpq_poly((p // common).numer())  # integer coefficients keep the matrix small
     n = rest.degree()

@@ -75,8 +75,14 @@ def test_jordan_blocks_are_found_again(blocks, data):
 
 
 @few
-@given(st.lists(st.tuples(st.sampled_from([[1, 0, 1], [-2, 0, 1], [0, 1], [1, 1, 0, 1]]), st.integers(1, 2)), min_size=1,
-                max_size=3), st.data())  # fmt: skip
+@given(
+    st.lists(
+        st.tuples(st.sampled_from([[1, 0, 1], [-2, 0, 1], [0, 1], [1, 1, 0, 1]]), st.integers(1, 2)),
+        min_size=1,
+        max_size=3,
+    ),
+    st.data(),
+)
 def test_elementary_divisors_of_companions_are_found_again(parts, data):
     """Companions of powers of irreducible polynomials give these powers, the charpoly and the minpoly."""
     A = data.draw(conjugated([companion(fmpq_poly(f) ** k) for f, k in parts]))

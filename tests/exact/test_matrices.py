@@ -66,16 +66,37 @@ def symplectics(draw):
 def test_constructor_reads_every_kind_of_matrix():
     """Lists, numpy arrays, sympy, fmpz and fmpq matrices give the same matrix."""
     want = fmpq_mat([[1, 2], [3, 4]])
-    for rows in ([[1, "2"], ["6/2", Fraction(4)]], np.array([[1, 2], [3, 4]]), sympy.Matrix([[1, 2], [3, 4]]),
-                 fmpz_mat([[1, 2], [3, 4]]), want, ((1, 2), (3, 4)), np.array([[1, 2], [3, 4]], dtype=object)):  # fmt: skip
+    for rows in (
+        [[1, "2"], ["6/2", Fraction(4)]],
+        np.array([[1, 2], [3, 4]]),
+        sympy.Matrix([[1, 2], [3, 4]]),
+        fmpz_mat([[1, 2], [3, 4]]),
+        want,
+        ((1, 2), (3, 4)),
+        np.array([[1, 2], [3, 4]], dtype=object),
+    ):
         assert m.matrix(rows) == want
     assert m.matrix(np.array([[0.5, 0.1]]), floats="decimal") == fmpq_mat([[fmpq(1, 2), fmpq(1, 10)]])
     assert m.matrix(np.array([[0.1]], dtype=np.float32), floats="decimal")[0, 0] == fmpq(1, 10)
     assert m.matrix([]).nrows() == 0 and m.matrix(np.zeros((0, 3))).ncols() == 3 and m.matrix([[], []]).nrows() == 2
 
 
-@pytest.mark.parametrize("rows", [[[1, 2], [3]], [[0.5]], [1, 2], "12", ["12", "34"], 5, None, np.zeros(3), [[None]],
-                                  np.zeros((2, 2, 2)), sympy.Matrix([[sympy.sqrt(2)]])])  # fmt: skip
+@pytest.mark.parametrize(
+    "rows",
+    [
+        [[1, 2], [3]],
+        [[0.5]],
+        [1, 2],
+        "12",
+        ["12", "34"],
+        5,
+        None,
+        np.zeros(3),
+        [[None]],
+        np.zeros((2, 2, 2)),
+        sympy.Matrix([[sympy.sqrt(2)]]),
+    ],
+)
 def test_constructor_refuses(rows):
     """What is not a matrix of rational numbers is refused by name, in one line."""
     with pytest.raises(BadInput, match="argument 'V") as error:
@@ -171,9 +192,18 @@ def test_ldlt_multiplies_back(A):
     assert m.inertia(D) == m.inertia(A)
 
 
-@pytest.mark.parametrize("A, counts", [([], (0, 0, 0)), ([[0]], (0, 0, 1)), ([[0, 0], [0, 0]], (0, 0, 2)),
-                                       ([[0, 1], [1, 0]], (1, 1, 0)), ([[0, 1, 0], [1, 0, 0], [0, 0, 0]], (1, 1, 1)),
-                                       ([[0, 0, 1], [0, 5, 0], [1, 0, 0]], (2, 1, 0)), ([["1/3"]], (1, 0, 0))])  # fmt: skip
+@pytest.mark.parametrize(
+    "A, counts",
+    [
+        ([], (0, 0, 0)),
+        ([[0]], (0, 0, 1)),
+        ([[0, 0], [0, 0]], (0, 0, 2)),
+        ([[0, 1], [1, 0]], (1, 1, 0)),
+        ([[0, 1, 0], [1, 0, 0], [0, 0, 0]], (1, 1, 1)),
+        ([[0, 0, 1], [0, 5, 0], [1, 0, 0]], (2, 1, 0)),
+        ([["1/3"]], (1, 0, 0)),
+    ],
+)
 def test_degenerate_symmetric_matrices(A, counts):
     """Zero diagonals, zero matrices and the empty matrix have the right inertia and factors."""
     assert tuple(m.inertia(A)) == counts

@@ -117,8 +117,17 @@ def test_enclosures_have_the_digits_asked_for():
             r.enclose(digits)
 
 
-@pytest.mark.parametrize("interval, problem", [((3, 4), "no real roots"), ((-2, 2), "2 real roots"), ((2, 1), "exchanged"),
-                                               (3, "not a pair"), ((1, 2, 3), "not a pair"), ((0.5, 2), "float")])  # fmt: skip
+@pytest.mark.parametrize(
+    "interval, problem",
+    [
+        ((3, 4), "no real roots"),
+        ((-2, 2), "2 real roots"),
+        ((2, 1), "exchanged"),
+        (3, "not a pair"),
+        ((1, 2, 3), "not a pair"),
+        ((0.5, 2), "float"),
+    ],
+)
 def test_intervals_are_checked(interval, problem):
     """An interval with no or several roots is refused in one line."""
     with pytest.raises(BadInput, match=problem) as error:
@@ -139,8 +148,13 @@ def test_bad_polynomials():
 
 
 @few
-@given(st.lists(st.sampled_from([(-2, 0, 1), (-3, 0, 1), (-1, 1), (-3, 2), (1, 0, 1), (-2, 0, 0, 1), (1, -3, 0, 1)]),
-                min_size=1, max_size=4))  # fmt: skip
+@given(
+    st.lists(
+        st.sampled_from([(-2, 0, 1), (-3, 0, 1), (-1, 1), (-3, 2), (1, 0, 1), (-2, 0, 0, 1), (1, -3, 0, 1)]),
+        min_size=1,
+        max_size=4,
+    )
+)
 def test_reducible_polynomials_give_the_right_factor(factors):
     """Each real root of a reducible polynomial generates the field of its own factor."""
     p = fmpq_poly([1])

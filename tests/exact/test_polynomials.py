@@ -30,13 +30,31 @@ from exactkf.exact.polynomials import (
 few = settings(max_examples=60, deadline=None)
 one = fmpq_poly([1])
 
+
+def place(square, n):
+    """Return the numbers of roots inside, on and outside for n roots of the given squared modulus."""
+    return n * (square < 1), n * (square == 1), n * (square > 1)
+
+
 # Factors with known roots: (polynomial, inside, on, outside).
-REAL = [(fmpq_poly([-fmpq(a, b), 1]), *((1, 0, 0) if abs(a) < b else (0, 1, 0) if abs(a) == b else (0, 0, 1)))
-        for a, b in [(0, 1), (1, 2), (-1, 2), (2, 1), (-2, 1), (1, 1), (-1, 1), (3, 5), (5, 3), (99, 100), (101, 100)]]  # fmt: skip
+REAL = [
+    (fmpq_poly([-fmpq(a, b), 1]), *place(fmpq(a * a, b * b), 1))
+    for a, b in [(0, 1), (1, 2), (-1, 2), (2, 1), (-2, 1), (1, 1), (-1, 1), (3, 5), (5, 3), (99, 100), (101, 100)]
+]
 # z^2 - 2 a z + a^2 + b^2 has the roots a +- bi.
-PAIRS = [(fmpq_poly([a * a + b * b, -2 * a, 1]), *((2, 0, 0) if a * a + b * b < 1 else (0, 2, 0) if a * a + b * b == 1 else (0, 0, 2)))
-         for a, b in [(fmpq(3, 5), fmpq(4, 5)), (fmpq(-5, 13), fmpq(12, 13)), (fmpq(0), fmpq(1)), (fmpq(0), fmpq(1, 2)),
-                      (fmpq(0), fmpq(2)), (fmpq(1, 2), fmpq(1, 3)), (fmpq(1), fmpq(1)), (fmpq(1, 2), fmpq(1, 2))]]  # fmt: skip
+PAIRS = [
+    (fmpq_poly([a * a + b * b, -2 * a, 1]), *place(a * a + b * b, 2))
+    for a, b in [
+        (fmpq(3, 5), fmpq(4, 5)),
+        (fmpq(-5, 13), fmpq(12, 13)),
+        (fmpq(0), fmpq(1)),
+        (fmpq(0), fmpq(1, 2)),
+        (fmpq(0), fmpq(2)),
+        (fmpq(1, 2), fmpq(1, 3)),
+        (fmpq(1), fmpq(1)),
+        (fmpq(1, 2), fmpq(1, 2)),
+    ]
+]
 CYCLOTOMIC = [(fmpq_poly(fmpz_poly.cyclotomic(n)), 0, fmpz_poly.cyclotomic(n).degree(), 0) for n in range(1, 13)]
 factor_lists = st.lists(st.tuples(st.sampled_from(REAL + PAIRS + CYCLOTOMIC), st.integers(1, 3)), max_size=4)
 coefficients = st.lists(st.fractions(-5, 5, max_denominator=4), max_size=6)
@@ -196,7 +214,7 @@ def test_isolation_of_close_roots_and_widths():
     assert all(r.hi - r.lo <= fmpq(1, 1000) for r in isolate_real_roots([-2, 0, 1], fmpq(1, 1000)))
     near = fmpq_poly([-2, 0, 1]) * fmpq_poly([-fmpq(141421356, 10**8), 1])
     (_, a, b) = isolate_real_roots(near)
-    assert (a.lo == a.hi) and not (b.lo == b.hi) and a.hi < b.lo
+    assert (a.lo == a.hi) and b.lo != b.hi and a.hi < b.lo
     for call in (lambda: isolate_real_roots([0, 1], 0), lambda: refine_root(isolate_real_roots([0, 1])[0], -1)):
         with pytest.raises(BadInput, match="argument 'width'"):
             call()
@@ -246,11 +264,27 @@ def test_pseudo_polynomial_refusals():
     assert PseudoPolynomial([1]) != 1 and repr(PseudoPolynomial([1, "1/2"])) == "PseudoPolynomial([1, 1/2])"
 
 
-x_factors = st.lists(st.tuples(st.sampled_from([
-    (fmpq_poly([0, 1]), "in"), (fmpq_poly([-1, 1]), "in"), (fmpq_poly([-2, 0, 1]), "in"), (fmpq_poly([-2, 1]), "end"),
-    (fmpq_poly([2, 1]), "end"), (fmpq_poly([-3, 1]), "out"), (fmpq_poly([5, 2]), "out"), (fmpq_poly([1, 0, 1]), "out"),
-    (fmpq_poly([-5, 0, 1]), "out"), (fmpq_poly([-fmpq(1999, 1000), 1]), "in"),
-]), st.integers(1, 4)), max_size=4, unique_by=lambda f: str(f[0][0]))  # fmt: skip
+x_factors = st.lists(
+    st.tuples(
+        st.sampled_from(
+            [
+                (fmpq_poly([0, 1]), "in"),
+                (fmpq_poly([-1, 1]), "in"),
+                (fmpq_poly([-2, 0, 1]), "in"),
+                (fmpq_poly([-2, 1]), "end"),
+                (fmpq_poly([2, 1]), "end"),
+                (fmpq_poly([-3, 1]), "out"),
+                (fmpq_poly([5, 2]), "out"),
+                (fmpq_poly([1, 0, 1]), "out"),
+                (fmpq_poly([-5, 0, 1]), "out"),
+                (fmpq_poly([-fmpq(1999, 1000), 1]), "in"),
+            ]
+        ),
+        st.integers(1, 4),
+    ),
+    max_size=4,
+    unique_by=lambda f: str(f[0][0]),
+)
 
 
 @settings(max_examples=120, deadline=None)
@@ -265,10 +299,19 @@ def test_sign_of_known_factors(factors, scale):
     odd = any(f[1] == "in" and m % 2 for f, m in factors)
     touches = any(f[1] != "out" for f, _ in factors)
     inner = h(fmpq(1234567, 10**7))
-    expected = "indefinite" if odd else ("nonnegative" if touches else "positive") if inner > 0 else ("nonpositive" if touches else "negative")  # fmt: skip
-    assert sign_on_circle(D) == expected and sign_on_circle(-D) == {
-        "indefinite": "indefinite", "positive": "negative", "negative": "positive",
-        "nonnegative": "nonpositive", "nonpositive": "nonnegative"}[expected]  # fmt: skip
+    words = ("nonnegative", "positive") if inner > 0 else ("nonpositive", "negative")
+    expected = "indefinite" if odd else words[not touches]
+    assert (
+        sign_on_circle(D) == expected
+        and sign_on_circle(-D)
+        == {
+            "indefinite": "indefinite",
+            "positive": "negative",
+            "negative": "positive",
+            "nonnegative": "nonpositive",
+            "nonpositive": "nonnegative",
+        }[expected]
+    )
     zeros = circle_zeros(D)
     degrees = {"in": 2, "end": 2, "out": 0}
     on = sum(degrees[f[1]] * (f[0].degree() if f[1] == "in" else 1) * m for f, m in factors)

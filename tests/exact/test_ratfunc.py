@@ -222,14 +222,19 @@ def test_plain_data_and_pickle(formula):
     assert copy + f == 2 * f and copy - f == 0 and (not f or copy / f == 1)
 
 
-@pytest.mark.parametrize("data", [
-    None, {}, {"names": ["x"], "numerator": 3, "denominator": []},
-    {"names": ["x"], "numerator": [[[0], "1"]], "denominator": []},
-    {"names": ["x"], "numerator": [[[0, 0], "1"]], "denominator": [[[0], "1"]]},
-    {"names": ["x"], "numerator": [[[-1], "1"]], "denominator": [[[0], "1"]]},
-    {"names": ["x"], "numerator": [[[0], "1.5"]], "denominator": [[[0], "1"]]},
-    {"names": ["x"], "numerator": [[[0], "1"], [[0], "1"]], "denominator": [[[0], "1"]]},
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "data",
+    [
+        None,
+        {},
+        {"names": ["x"], "numerator": 3, "denominator": []},
+        {"names": ["x"], "numerator": [[[0], "1"]], "denominator": []},
+        {"names": ["x"], "numerator": [[[0, 0], "1"]], "denominator": [[[0], "1"]]},
+        {"names": ["x"], "numerator": [[[-1], "1"]], "denominator": [[[0], "1"]]},
+        {"names": ["x"], "numerator": [[[0], "1.5"]], "denominator": [[[0], "1"]]},
+        {"names": ["x"], "numerator": [[[0], "1"], [[0], "1"]], "denominator": [[[0], "1"]]},
+    ],
+)
 def test_damaged_data_are_refused(data):
     """Data that do not describe an element are refused."""
     with pytest.raises(BadInput, match="argument 'data'"):

@@ -53,8 +53,18 @@ def test_numpy_scalars():
     assert to_fraction(rational(np.float32(0.1), floats="exact")) == Fraction(float(np.float32(0.1)))
 
 
-@pytest.mark.parametrize("text, value", [("3/4", fmpq(3, 4)), ("-6 / 4", fmpq(-3, 2)), ("1e-3", fmpq(1, 1000)),
-                                         (".5", fmpq(1, 2)), ("5.", fmpq(5)), (" +2 ", fmpq(2)), ("-0.25E1", fmpq(-5, 2))])  # fmt: skip
+@pytest.mark.parametrize(
+    "text, value",
+    [
+        ("3/4", fmpq(3, 4)),
+        ("-6 / 4", fmpq(-3, 2)),
+        ("1e-3", fmpq(1, 1000)),
+        (".5", fmpq(1, 2)),
+        ("5.", fmpq(5)),
+        (" +2 ", fmpq(2)),
+        ("-0.25E1", fmpq(-5, 2)),
+    ],
+)
 def test_strings(text, value):
     """Each accepted spelling has the value it says."""
     assert rational(text) == value
@@ -65,11 +75,39 @@ def test_huge_integers_pass():
     assert rational("1" + "0" * 5000) == fmpz(10) ** 5000
 
 
-@pytest.mark.parametrize("x", [
-    0.5, float("nan"), float("inf"), np.float64(0.5), np.float32(0.5), True, np.True_, None, 1j, "", ".", "e5", "1/0",
-    "1e999999", "1e-999999", "1e99999999999", "1_000", "٣", "1/2/3", "0x10", "__import__('os')", "nan", "1" * 200_000,
-    Decimal("NaN"), Decimal("1e999999"), sympy.sqrt(2), sympy.Float(0.5), [1],
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "x",
+    [
+        0.5,
+        float("nan"),
+        float("inf"),
+        np.float64(0.5),
+        np.float32(0.5),
+        True,
+        np.True_,
+        None,
+        1j,
+        "",
+        ".",
+        "e5",
+        "1/0",
+        "1e999999",
+        "1e-999999",
+        "1e99999999999",
+        "1_000",
+        "٣",
+        "1/2/3",
+        "0x10",
+        "__import__('os')",
+        "nan",
+        "1" * 200_000,
+        Decimal("NaN"),
+        Decimal("1e999999"),
+        sympy.sqrt(2),
+        sympy.Float(0.5),
+        [1],
+    ],
+)
 def test_refusals_are_one_line_and_name_the_argument(x):
     """What is not an exact rational number is refused in one line."""
     with pytest.raises(BadInput) as error:
