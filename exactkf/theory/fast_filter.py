@@ -11,14 +11,13 @@ Main definitions
 ``step_q``             one step in :math:`(q, q^*)` (BLM91 (2.25))
 ``step_polynomials``   one step in :math:`(Q, Q^*)` (BLM91 (2.27)), linear given :math:`\gamma_t`
 ``step_numerators``    one step without division, in homogeneous coordinates
-``orbit``              repeated steps, with the time of escape
 ``gain``               the Kalman gain :math:`k_t`
 
 Main statements
 ---------------
 * The four steps commute with the conversions below.
 * :math:`r_t (q_t, q_t^*)` satisfies the recursion of the Szegö polynomials.
-* The orbit ends at ``t`` exactly if :math:`\gamma_t^2 = 1`.
+* A state has no successor exactly if :math:`\gamma_t^2 = 1` (escape).
 
 Notation
 --------
@@ -32,8 +31,7 @@ BLZ94 (2.16)-(2.17), (4.4)-(4.9); BLM91 (2.20)-(2.28).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
 from exactkf._errors import BadInput
 from exactkf.theory._matrices import Matrix
@@ -41,7 +39,6 @@ from exactkf.theory._scalars import Scalar, Vector, check_length, shown, unify, 
 from exactkf.theory.kimura_georgiou import from_kimura_georgiou, to_kimura_georgiou
 
 __all__ = [
-    "Orbit",
     "State",
     "ag_from_alpha_gamma",
     "ag_from_q",
@@ -49,7 +46,6 @@ __all__ = [
     "alpha_matrix",
     "gain",
     "gamma_matrix",
-    "orbit",
     "q_from_ag",
     "step_ag",
     "step_alpha_gamma",
@@ -234,7 +230,7 @@ def step_alpha_gamma(alpha: Sequence[Scalar], gamma: Sequence[Scalar]) -> State:
     return new_alpha, (*gamma[1:], last)
 
 
-def _sum(terms) -> Scalar:
+def _sum(terms: Iterable[Scalar]) -> Scalar:
     terms = list(terms)
     return sum(terms[1:], terms[0])
 
@@ -278,57 +274,3 @@ def gain(a_t: Sequence[Scalar], g_t: Sequence[Scalar], a: Sequence[Scalar]) -> V
     check_length("g_t", g_t, len(a_t), "a_t")
     check_length("a", a, len(a_t), "a_t")
     return tuple(x + y - z for x, y, z in zip(a_t, g_t, a, strict=True))
-
-
-@dataclass(frozen=True)
-class Orbit:
-    """States ``0, 1, ..., len(states) - 1`` and the time of escape.
-
-    Attributes
-    ----------
-    states : tuple of State
-    escape : int or None
-        The ``t`` of the last state, if no state ``t + 1`` exists.
-    """
-
-    states: tuple[State, ...]
-    escape: int | None
-
-
-def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> Orbit:
-    """Return up to `steps` steps of the orbit of `state`.
-
-    Parameters
-    ----------
-    step : callable
-        `step_ag`, `step_q` or `step_alpha_gamma`.
-    state : pair of sequences of scalars, length n
-    steps : int
-        Number of steps, nonnegative.
-
-    Returns
-    -------
-    Orbit
-        An escape ends the orbit; it is reported, not raised.
-
-    Raises
-    ------
-    BadInput
-        If `steps` is negative or the state does not consist of two vectors of equal length.
-
-    Examples
-    --------
-    >>> orbit(step_ag, ([1], [1]), 5).escape
-    0
-    """
-    if steps < 0:
-        raise BadInput(f"steps = {steps}: cannot step backwards; pass a nonnegative number")
-    first, second = _pair(first=state[0], second=state[1])
-    states = [(first, second)]
-    # In (alpha, gamma) the step needs every gamma_k, in the other coordinates the first one.
-    watched = slice(None) if step is step_alpha_gamma else slice(1)
-    for _ in range(steps):
-        if any(1 - value * value == 0 for value in states[-1][1][watched]):
-            return Orbit(tuple(states), len(states) - 1)
-        states.append(step(*states[-1]))
-    return Orbit(tuple(states), None)
