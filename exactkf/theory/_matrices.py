@@ -16,6 +16,7 @@ accepted wherever a matrix is.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from numbers import Rational
 from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mat
@@ -59,7 +60,8 @@ def as_matrices(**named: Any) -> list[Matrix]:
         if not isinstance(rows, (list, tuple)) or not rows or not all(isinstance(r, (list, tuple)) for r in rows):
             raise BadInput(f"{name} = {shown(value)}: not a matrix; pass a nonempty list of rows")
         if not rows[0] or len({len(row) for row in rows}) != 1:
-            raise BadInput(f"{name} has rows of lengths {shown([len(r) for r in rows])}: pass rows of equal length >= 1")
+            lengths = shown([len(row) for row in rows])
+            raise BadInput(f"{name} has rows of lengths {lengths}: pass rows of equal length >= 1")
         widths.append(len(rows[0]))
         flat[name] = [entry for row in rows for entry in row]
     return [
@@ -77,13 +79,11 @@ def as_fmpq_mat(name: str, value: Any) -> fmpq_mat:
         If an entry is not a rational number.
     """
     (rows,) = as_matrices(**{name: value})
-    try:
-        return fmpq_mat([[fmpq(x.numerator, x.denominator) for x in row] for row in rows])
-    except (AttributeError, TypeError):
-        try:
-            return fmpq_mat([[fmpq(x.p, x.q) for x in row] for row in rows])
-        except (AttributeError, TypeError):
-            raise BadInput(f"{name} = {shown(value)}: entries must be rational numbers; pass fmpq or Fraction") from None
+    for row in rows:
+        for x in row:
+            if not isinstance(x, (fmpq, Rational)):
+                raise BadInput(f"{name} has the entry {shown(x)}: not a rational number; pass fmpq or Fraction")
+    return fmpq_mat([[x if isinstance(x, fmpq) else fmpq(x.numerator, x.denominator) for x in row] for row in rows])
 
 
 def identity(n: int, one: Scalar) -> Matrix:
@@ -170,12 +170,14 @@ def solved(matrix: Matrix, right: Matrix, name: str = "matrix") -> Matrix:
     """
     n = len(matrix)
     if len(matrix[0]) != n or len(right) != n:
-        raise BadInput(f"{name} has shape {n, len(matrix[0])}: pass a square matrix with as many rows as the right side")
+        raise BadInput(f"{name} has shape {n, len(matrix[0])}: pass a square matrix of order {len(right)}")
     work = [list(row) + list(extra) for row, extra in zip(matrix, right, strict=True)]
     for k in range(n):
         pivot = next((i for i in range(k, n) if work[i][k] != 0), None)
         if pivot is None:
-            raise BadInput(f"{name} is singular (rank {k if k else 0} < {n} in the first {k + 1} columns): pass an invertible one")
+            raise BadInput(
+                f"{name} is singular: its first {k + 1} columns are dependent; pass data that make it invertible"
+            )
         work[k], work[pivot] = work[pivot], work[k]
         work[k] = [x / work[k][k] for x in work[k]]
         for i in range(n):

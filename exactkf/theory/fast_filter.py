@@ -71,7 +71,7 @@ def _require_no_escape(name: str, gamma: Scalar) -> Scalar:
     """Return ``1 - gamma^2``; refuse zero."""
     rest = 1 - gamma * gamma
     if rest == 0:
-        raise BadInput(f"{name} = {shown(gamma)}: no next state exists when gamma_t^2 = 1; pass a value with square != 1")
+        raise BadInput(f"{name} = {shown(gamma)}: no next state exists when gamma_t^2 = 1; pass another value")
     return rest
 
 
@@ -201,7 +201,7 @@ def gamma_matrix(alpha: Sequence[Scalar]) -> Matrix:
 
 
 def step_alpha_gamma(alpha: Sequence[Scalar], gamma: Sequence[Scalar]) -> State:
-    r"""Return the next :math:`(\alpha, \gamma)`: :math:`\alpha^+ = A(\gamma)\alpha`, :math:`\gamma^+ = G(\alpha^+)\gamma`.
+    r"""Return the next :math:`(\alpha, \gamma)`, which is :math:`(A(\gamma)\alpha, G(A(\gamma)\alpha)\gamma)`.
 
     Parameters
     ----------

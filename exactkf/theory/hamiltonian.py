@@ -126,7 +126,8 @@ def _symplectic_defect(parts: Blocks) -> str | None:
         for i, row in enumerate(value):
             for j in range(i):
                 if row[j] != value[j][i]:
-                    return f"{name} is not symmetric: its entries ({i + 1}, {j + 1}) and ({j + 1}, {i + 1}) are {row[j]} and {value[j][i]}"
+                    places = f"({i + 1}, {j + 1}) and ({j + 1}, {i + 1})"
+                    return f"{name} is not symmetric: its entries {places} are {row[j]} and {value[j][i]}"
     rest = minus(product(transposed(A), D), product(transposed(C), B))
     for i, row in enumerate(rest):
         for j, value in enumerate(row):
@@ -209,17 +210,16 @@ def _search(S: Matrix, strict: bool) -> Vector | None:
         return (zero + 1,) + (zero,) * (n - 1)
     if pivot == 0:
         j = next((j for j, value in enumerate(row) if value != 0), None)
-        if j is not None:  # x = s e_0 + e_j has value 2 s b + c; choose s to make it -1
-            s = -(S[j + 1][j + 1] + 1) / (2 * row[j])
-            return (s, *(zero + int(k == j) for k in range(n - 1)))
+        if j is not None:  # x = s e_0 + e_j has value 2 s b + c; take the smallest integer s
+            b, c = row[j], S[j + 1][j + 1]
+            s = zero if c < 0 else zero + (c / (2 * abs(b))).floor() + 1
+            return (s if b < 0 else -s, *(zero + int(k == j) for k in range(n - 1)))
     if n == 1:
         return None
     if pivot == 0:
         y = _search(tuple(r[1:] for r in S[1:]), strict)
         return None if y is None else (zero, *y)
-    rest = tuple(
-        tuple(S[i][j] - S[i][0] * S[0][j] / pivot for j in range(1, n)) for i in range(1, n)
-    )
+    rest = tuple(tuple(S[i][j] - S[i][0] * S[0][j] / pivot for j in range(1, n)) for i in range(1, n))
     y = _search(rest, strict)
     return None if y is None else _lifted(y, row, pivot)
 

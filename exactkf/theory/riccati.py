@@ -82,9 +82,7 @@ def observer_form(a: Sequence[Scalar], g: Sequence[Scalar]) -> tuple[Matrix, Mat
     check_length("g", g, len(a), "a")
     zero, one = units(a)
     n = len(a)
-    F = tuple(
-        tuple((one if j == i + 1 else zero) - (a[i] if j == 0 else zero) for j in range(n)) for i in range(n)
-    )
+    F = tuple(tuple((one if j == i + 1 else zero) - (a[i] if j == 0 else zero) for j in range(n)) for i in range(n))
     return F, column(g), column([one] + [zero] * (n - 1))
 
 

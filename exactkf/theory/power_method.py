@@ -89,7 +89,7 @@ def symplectic_matrix_of(a: Sequence[Scalar], g: Sequence[Scalar]) -> fmpq_mat:
     a, g = rows
     n = len(a)
     if a[-1] + g[-1] == 0:
-        raise BadInput(f"a[{n - 1}] + g[{n - 1}] = 0: the symplectic matrix needs alpha_n != 0; use state_after, which reduces n")
+        raise BadInput(f"a[{n - 1}] + g[{n - 1}] = 0: S does not exist; use state_after, which reduces n")
     A = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
     for i in range(n):
         A[i][0] -= a[i] + g[i]
@@ -172,7 +172,8 @@ def _arrive(a: Vector, g: Vector, steps: int) -> State:
     g_numerator, g_denominator = fmpq_mat([[x] for x in g]).numer_denom()
     weight = common * characteristic.leading_coefficient() ** e
     rows = [
-        [x * g_denominator for x in row] + [weight * y] for row, (y,) in zip(total.tolist(), g_numerator.tolist(), strict=True)
+        [x * g_denominator for x in row] + [weight * y]
+        for row, (y,) in zip(total.tolist(), g_numerator.tolist(), strict=True)
     ]
     reduced, det, _ = fmpz_mat(rows).rref()
     u = [reduced[i, n] for i in range(n)]  # det * P_T h
@@ -215,7 +216,7 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
         return Arrival(None, escape)
     start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist())
     n = len(start)
-    if T <= 2 * n:
+    if 2 * n >= T:
         return Arrival(exact_orbit(start, g_start, T).states[-1], None)
     if start[-1] + g_start[-1] != 0:
         return Arrival(_arrive(start, g_start, T), None)

@@ -41,7 +41,7 @@ from typing import Any
 from flint import ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 
 from exactkf._errors import BadInput, Unsupported
-from exactkf.theory._matrices import Matrix, as_fmpq_mat, as_matrices
+from exactkf.theory._matrices import Matrix, as_fmpq_mat, as_matrices, is_symmetric
 from exactkf.theory._scalars import Scalar
 from exactkf.theory.riccati import duven_matrix
 
@@ -70,7 +70,7 @@ class Equilibrium:
     @property
     def is_symmetric(self) -> bool:
         """Whether `P` equals its transpose."""
-        return self.P == tuple(zip(*self.P, strict=True))
+        return is_symmetric(self.P)
 
     @property
     def eigenvalues(self) -> tuple[fmpq, ...]:
@@ -244,7 +244,7 @@ def equilibrium_from_basis(Phi: Any, H: Any, M: Any, V: Any, basis: Sequence[Seq
     gram = B.transpose() * B
     found = _equilibrium(B, gram.solve(B.transpose() * image).charpoly())
     if found is None:
-        raise BadInput("basis: the lower half Gamma is singular, so no equilibrium belongs to it; pass another subspace")
+        raise BadInput("basis: the lower half Gamma is singular, no equilibrium belongs to it; pass another subspace")
     return found
 
 
@@ -260,7 +260,8 @@ def _position(p: fmpq_poly) -> str:
     precision = ctx.prec
     try:
         while True:
-            sizes = [abs(root) for root, _ in fmpz_poly(p.numer().coeffs()).complex_roots()]
+            roots: Any = fmpz_poly(p.numer().coeffs()).complex_roots()
+            sizes = [abs(root) for root, _ in roots]
             if all(size > 1 for size in sizes):
                 return "outside"
             if all(size < 1 for size in sizes):
@@ -303,7 +304,9 @@ def stabilizing_equilibrium(Phi: Any, H: Any, M: Any, V: Any) -> Equilibrium:
         if place == "on":
             raise BadInput(f"R_p has the eigenvalue {-p[0] / p[1]} on the unit circle: pass data without such a mode")
         if place == "both":
-            raise Unsupported(f"R_p: the factor {p} does not lie on one side of the unit circle, so no rational one is stabilizing")
+            raise Unsupported(
+                f"R_p: the factor {p} has roots on both sides of the unit circle or on it; no rational solution"
+            )
         if place == "outside":
             divisor *= (p / p.leading_coefficient()) ** multiplicity
     basis = _kernel(_of_matrix(divisor, R))
