@@ -11,6 +11,7 @@ Modules
 ``invariants``       the pseudo-polynomial and the invariants it gives
 ``riccati``          Riccati recursions
 ``equilibrium``      rational equilibria of the covariance equation
+``definiteness``     nonnegative and positive matrices, with witnesses
 ``hamiltonian``      the semigroup of Hamiltonian matrices
 ``likelihood``       maximum-likelihood estimation with singular covariance
 
@@ -24,6 +25,7 @@ B93    P. Bougerol, SIAM J. Control Optim. 31 (1993).
 BLZ94  C. Byrnes, A. Lindquist, Y. Zhou, SIAM J. Control Optim. 32 (1994).
 """
 
+from exactkf.theory.definiteness import negative_direction, nonpositive_direction
 from exactkf.theory.equilibrium import (
     Equilibrium,
     EquilibriumSet,
@@ -53,8 +55,6 @@ from exactkf.theory.hamiltonian import (
     is_symplectic,
     membership,
     moebius,
-    negative_direction,
-    nonpositive_direction,
     to_factors,
 )
 from exactkf.theory.invariants import (

@@ -175,9 +175,7 @@ def solved(matrix: Matrix, right: Matrix, name: str = "matrix") -> Matrix:
     for k in range(n):
         pivot = next((i for i in range(k, n) if work[i][k] != 0), None)
         if pivot is None:
-            raise BadInput(
-                f"{name} is singular: its first {k + 1} columns are dependent; pass data that make it invertible"
-            )
+            raise BadInput(f"{name} is singular: its first {k + 1} columns are dependent; pass data that avoid this")
         work[k], work[pivot] = work[pivot], work[k]
         work[k] = [x / work[k][k] for x in work[k]]
         for i in range(n):

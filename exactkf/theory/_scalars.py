@@ -14,12 +14,14 @@ Main definitions
 Notation
 --------
 A *vector* is a tuple of scalars.  Python and FLINT integers are promoted to the
-type of the other entries, and to ``fmpq`` when all entries are integers.
+type of the other entries, and to ``fmpq`` when all entries are integers;
+Fractions are promoted to ``fmpq`` when they meet one.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 from flint import fmpq, fmpz
@@ -47,6 +49,10 @@ def _checked(name: str, value: Scalar) -> Scalar:
     return value
 
 
+def _as_fmpq(value: Fraction) -> fmpq:
+    return fmpq(value.numerator, value.denominator)
+
+
 def unify(**named: Iterable[Scalar]) -> list[Vector]:
     """Return the named vectors as tuples over one scalar type.
 
@@ -70,6 +76,8 @@ def unify(**named: Iterable[Scalar]) -> list[Vector]:
         if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
             raise BadInput(f"{name} = {shown(values)}: not a sequence; pass a tuple of scalars")
         vectors.append([_checked(f"{name}[{i}]", value) for i, value in enumerate(values)])
+    if any(isinstance(v, fmpq) for vector in vectors for v in vector):
+        vectors = [[_as_fmpq(v) if isinstance(v, Fraction) else v for v in vector] for vector in vectors]
     sample = next((v for vector in vectors for v in vector if not isinstance(v, int)), fmpq(0))
     zero = sample - sample
     return [tuple(zero + v if isinstance(v, int) else v for v in vector) for vector in vectors]

@@ -305,7 +305,7 @@ def stabilizing_equilibrium(Phi: Any, H: Any, M: Any, V: Any) -> Equilibrium:
             raise BadInput(f"R_p has the eigenvalue {-p[0] / p[1]} on the unit circle: pass data without such a mode")
         if place == "both":
             raise Unsupported(
-                f"R_p: the factor {p} has roots on both sides of the unit circle or on it; no rational solution"
+                f"R_p: the factor {p} has roots on both sides of or on the unit circle; no rational result"
             )
         if place == "outside":
             divisor *= (p / p.leading_coefficient()) ** multiplicity

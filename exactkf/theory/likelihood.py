@@ -51,8 +51,8 @@ from exactkf.theory._matrices import (
     transposed,
     zeros,
 )
-from exactkf.theory._scalars import Scalar, Vector, units
-from exactkf.theory.hamiltonian import negative_direction
+from exactkf.theory._scalars import Scalar, Vector, check_length, units
+from exactkf.theory.definiteness import negative_direction
 
 __all__ = [
     "error_covariance",
@@ -217,6 +217,7 @@ def estimate(H: Any, R: Any, y: Sequence[Scalar], choice: Any = None) -> Vector:
     """
     _require_estimable(H)
     U = likelihood_blocks(H, R, choice)[1]
+    check_length("y", tuple(y), len(U), "R")
     U, Y = as_matrices(U=U, y=column(tuple(y)))
     return tuple(value for (value,) in product(transposed(U), Y))
 
