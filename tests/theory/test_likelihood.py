@@ -36,7 +36,7 @@ def measurements(draw, singular=True):
 
 @given(measurements(), st.data())
 def test_any_symmetric_inverse(measurement, data):
-    """The identities of NWL92 Appendix A hold for every choice of the symmetric inverse, and T does not depend on it."""
+    """The identities of NWL92 Appendix A hold for every symmetric inverse, and T does not depend on it."""
     H, R = measurement
     Z = likelihood_matrix(H, R)
     size = len(Z)

@@ -56,8 +56,8 @@ def test_shifted_szego_polynomial():
     """BLZ94 (A-8) must read (pi - z rho) / (z (1 - gamma_0)); for t = 0 the print gives z/2 instead of 1."""
     for t in range(3):
         shifted = szego_polynomials(GAMMA[1:])[t]
-        difference = added(pi_polynomials(GAMMA)[t + 1], [-x for x in times(rho_polynomials(GAMMA)[t + 1], 1, 0)])
-        assert difference == added((), times([(1 - GAMMA[0]) * x for x in shifted], 1, 0))
+        difference = added(pi_polynomials(GAMMA)[t + 1], [-x for x in (*rho_polynomials(GAMMA)[t + 1][1:], 0)])
+        assert difference == times([(1 - GAMMA[0]) * x for x in shifted], 1, 0)
 
 
 def test_coefficients_of_the_shifted_polynomial():
@@ -96,12 +96,8 @@ def test_value_at_zero():
 
 def test_first_coefficient_of_rho():
     """In the proof of BLZ94 Lemma 3.3, rho_tt is -phi_tt and not phi_tt."""
-    assert (
-        rho_polynomials(GAMMA)[2][2]
-        == GAMMA[1]
-        == -szego_polynomials(GAMMA)[2][2]
-        == second_kind_polynomials(GAMMA)[2][2]
-    )
+    rho, phi, psi = (f(GAMMA)[2][2] for f in (rho_polynomials, szego_polynomials, second_kind_polynomials))
+    assert rho == psi == -phi == GAMMA[1]
 
 
 def test_transposed_symplectic_matrix():

@@ -129,7 +129,7 @@ def test_equilibria_solve_the_covariance_equation(problem):
 
 @given(diagonal_problems())
 def test_stabilizing_equilibrium(problem):
-    """The stabilising equilibrium is among the equilibria, symmetric and nonnegative; it fails as D71 Theorem 3.18 says."""
+    """The stabilising equilibrium is one of the equilibria, nonnegative, and fails as D71 Theorem 3.18 says."""
     Phi, _, M, _ = problem
     observability, power = [], mat(M)
     for _ in Phi:
