@@ -114,9 +114,12 @@ class Sampler:
                 args = [world.integer(a, {}) for a in kind[1:]]
                 values[name] = world.values[name] = self._value(kind[0], args, flavour)
         for name, tree in self.made_by.items():
-            values[name] = world.values[name] = world.value(tree)
+            made = world.value(tree)
+            if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
+                made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
+            values[name] = world.values[name] = made
         data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
-                "values": {name: plain(values[name]) for name in kinds}}
+                "values": {name: _full(plain(values[name]), kind, world) for name, kind in kinds.items()}}
         return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
 
     # ------------------------------------------------------------------ values
@@ -200,6 +203,14 @@ class Sampler:
 
 
 _MATRICES = {"matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal"}
+
+
+def _full(listed: Any, kind: tuple, world: World) -> Any:
+    """A polynomial lists its coefficients up to the degree of its type, leading zeros too."""
+    if kind[0] not in ("poly", "monic"):
+        return listed
+    listed = listed if isinstance(listed, list) else [listed]
+    return listed + [0] * (world.integer(kind[1], {}) + 1 - len(listed))
 
 
 def _tidy(x: Fraction) -> Any:

@@ -69,8 +69,8 @@ _SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
 
 def _changes(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     """Changed copies of a tree with the path to the change."""
-    if isinstance(tree, list) and tree[0] in _PREDICATES and not in_equivalence:
-        idle = (*_SIZE_CHANGES, "index shifted") if always else _SIZE_CHANGES
+    if isinstance(tree, list) and tree[0] in _PREDICATES and (always or not in_equivalence):
+        idle = (*(() if in_equivalence else _SIZE_CHANGES), *(("index shifted",) if always else ()))
         yield from (c for c in _every_change(tree, in_equivalence, always) if c[0] not in idle)
     else:
         yield from _every_change(tree, in_equivalence, always or isinstance(tree, list) and tree[0] == "always")
