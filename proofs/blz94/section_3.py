@@ -29,7 +29,7 @@ from proofs.blz94.notation import (
 )
 
 v, w, x, q, y = symbols("v w x q y")
-M, Phi, Psi, C, A, W, O = symbols("M Phi Psi C A W O")
+M, Phi, Psi, C, A, W, O, R, tau = symbols("M Phi Psi C A W O R tau")
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 GAMMA = {gamma: sequence(0, n - 1)}
 #: the matrices (3.14)
@@ -52,8 +52,9 @@ claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positi
            "q = 1 + z, that is c_1 = 1/2 and all other c_k = 0, v(-1) + v(-1) = 0.",
       repair=repair("boundary case", "Definite T_t for all t do not exclude zeros of v(z) + v(1/z) (or poles of v) on the unit circle; "
                     "without such zeros, and with a, b in lowest terms, the equivalence holds.",
-                    iff(always(m, pd(Toeplitz[m])), schur(a) & pos_on_circle(D)), sizes=["n"], over={a: monic(n), b: monic(n)},
-                    where=[let(v, b / (2 * a)), let(D, symmetric_part(a, b)), function(c, [k], laurent(v, k)), *TOEPLITZ],
+                    (R >> always(m, pd(Toeplitz[m]))) & iff(always(m, psd(Toeplitz[m])), R),
+                    sizes=["n"], over={a: monic(n), b: monic(n)},
+                    where=[let(R, schur(a) & pos_on_circle(D)), let(v, b / (2 * a)), let(D, symmetric_part(a, b)), function(c, [k], laurent(v, k)), *TOEPLITZ],
                     given=[given("lowest terms", coprime(a, b)), given("no zero on the circle", circle_roots(Z**n * D) == 0)],
                     by=[instances(n=(1, 2), horizon=12),
                         instances(12, n=(1, 2, 3), horizon=8, using={u: monic(n), x: monic(n)},
@@ -74,9 +75,9 @@ claim("BLZ94-E3.5b", "the second recursion gives the reversed polynomial",
       by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.6", "(3.6) is the choice of gamma_t that makes phi_{t+1} orthogonal to lower powers, with norm r_{t+1}",
-      forall(t, 1, n, forall(k, 0, t - 1, sum_of(j, 0, t, coeff(phi[t], j) * when(j == k, 1, c[abs(j - k)])) == 0)
-             & (sum_of(j, 0, t, coeff(phi[t], j) * when(j == t, 1, c[abs(j - t)])) == r[t])),
-      sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR],
+      forall(t, 1, n, forall(k, 0, t - 1, sum_of(j, 0, t, coeff(phi[t], j) * tau[j - k]) == 0)
+             & (sum_of(j, 0, t, coeff(phi[t], j) * tau[j - t]) == r[t])),
+      sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, function(tau, [k], when(k == 0, 1, c[abs(k)]))],
       by=[identity(n=range(1, 5)), instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that these gamma_t and r_t belong to the orthogonal polynomials of the sequence c.")
 
@@ -85,30 +86,28 @@ claim("BLZ94-P3.1", "det T_t = r_0 r_1 ... r_t",
       by=[identity(n=range(0, 5)), instances(n=(1, 2, 3, 4, 5))])
 
 claim("BLZ94-E3.8", "T_t is positive definite if and only if gamma_0, ..., gamma_{t-1} are less than one in modulus",
-      iff(pd(Toeplitz[n]), forall(k, 0, n - 1, abs(gamma[k]) < 1)), sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, *TOEPLITZ],
+      iff(pd(Toeplitz[n]), forall(k, 0, n - 1, abs(gamma[k]) < 1)), sizes=["n"], over={c: signal(1)}, where=[*SCHUR, *TOEPLITZ],
       given=[standing("gamma_0, ..., gamma_{n-1} are defined", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
       by=[steps("BLZ94-P3.1", facts=["Sylvester: a symmetric matrix is positive definite if and only if its leading minors are positive"],
                 prose="The leading minors of T_t are det T_0, ..., det T_t, so r_0, ..., r_t have to be positive."),
-          instances(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4), made_by={c: column(i, n, x[i] / 4)}, using={x: vector(n)})])
+          instances(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4), made_by={c: column(i, 8, x[i] / 4)}, using={x: vector(8)})])
 
 claim("BLZ94-S9", "for each t, sequences c with nonsingular T_1, ..., T_t correspond to sequences gamma without modulus one",
-      iff(forall(k, 1, n, invertible(Toeplitz[k])), forall(k, 0, n - 2, gamma[k] ** 2 != 1))
-      & (forall(k, 0, n - 2, gamma[k] ** 2 != 1) >> forall(k, 0, n - 1, eta[k] == gamma[k])),
-      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ, *BACK],
+      iff(prod(k, 1, n, det(Toeplitz[k])) != 0, prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
+      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ],
       by=[example(n=1, gamma=[1]), instances(n=(1, 2, 3))],
-      note="gamma is mapped to c by (3.10) and back to eta by (3.6); the two sets correspond if each description is that of the other.",
+      note="gamma is mapped to c by (3.10), which inverts (3.6); the two sets correspond if each description is that of the other.",
       repair=repair("index", "T_t is singular when gamma_{t-1} has modulus one (t = 1, c_1 = gamma_0 = 1), so the range is k = 0, ..., t-1; "
                     "with k = 0, ..., t-2 the condition on the other side would be on T_1, ..., T_{t-1}.",
-                    iff(forall(k, 1, n, invertible(Toeplitz[k])), forall(k, 0, n - 1, gamma[k] ** 2 != 1))
-                    & (forall(k, 0, n - 1, gamma[k] ** 2 != 1) >> forall(k, 0, n - 1, eta[k] == gamma[k])),
-                    sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ, *BACK],
+                    iff(prod(k, 1, n, det(Toeplitz[k])) != 0, prod(k, 0, n - 1, 1 - gamma[k] ** 2) != 0),
+                    sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ],
                     by=[steps("BLZ94-P3.1", "BLZ94-E3.10", prose="r_k vanishes exactly when one of gamma_0, ..., gamma_{k-1} has modulus one."),
                         instances(40, n=(1, 2, 3))]))
 
 claim("BLZ94-S10", "the Schur parameters go on as long as none has had modulus one",
-      forall(t, 0, n - 1, iff(defined(gamma[t]), forall(k, 0, t - 1, gamma[k] ** 2 != 1))), sizes=["n"], over={c: sequence(1, n)},
-      where=[*SCHUR], by=[instances(40, n=(1, 2, 3, 4)), example(n=3, c=[1, 2, 3]), example(n=3, c=[0, -1, 3]), example(n=4, c=[0, 0, 1, 1])],
-      note="gamma_t divides by r_t, which vanishes from the first gamma_k of modulus one on.")
+      iff(defined(gamma[n]), forall(k, 0, n - 1, gamma[k] ** 2 != 1)), sizes=["n"], over={c: sequence(1, n + 1)},
+      where=[*SCHUR], by=[instances(40, n=(1, 2, 3, 4)), example(n=2, c=[1, 2, 3]), example(n=2, c=[0, -1, 3]), example(n=3, c=[0, 0, 1, 1])],
+      note="gamma_t divides by r_t, which vanishes from the first gamma_k of modulus one on; t = n.")
 
 claim("BLZ94-E3.10", "(3.10) inverts (3.6)",
       forall(k, 0, n - 1, eta[k] == gamma[k]), sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *BACK],
@@ -193,7 +192,7 @@ claim("BLZ94-S17", "the first normal equation and the value of rho_kk give (3.17
                     coeff(rho, 0) == c[n] + sum_of(j, 1, n - 1, c[n - j] * coeff(phi, n - j)), sizes=["n"],
                     over={c: sequence(1, n), phi: monic(n), rho: polynomial(n - 1)}, given=[_FIRST, _VALUE],
                     by=[combination([(1, "value of rho_kk", 1), (-1, "first normal equation", 1)], n=range(1, 8)),
-                        instances(n=(1, 2, 3, 4), using={x: polynomial(n - 1), y: vector(n)},
+                        instances(n=(2, 3, 4), using={x: polynomial(n - 1), y: vector(n)},
                                   made_by={rho: x - coeff(x, 0) - coeff(phi, 0),
                                            c: column(i, n, when(i == n, -coeff(phi, 0) - sum_of(j, 1, n - 1, y[j] * coeff(phi, j)), y[i]))})]))
 
@@ -239,7 +238,7 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *A_MATRIX,
              function(alpha, [k], coeff(a, n - k) - co(phi, n, k) - sum_of(j, 1, k - 1, alpha[j] * coeff(phi[n - j], n - k)))],
       given=[_MATCH, standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[combination([[(column(i, n, Z ** (n - i)), "(3.11)", 1)], [], []], n=range(1, 5)),
+      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 6)),
           instances(n=(1, 2, 3), made_by={b: Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(a, n - k) + 2 * sum_of(
               j, 1, k, c[j] * coeff(a, n - k + j))))})],
       note="alpha is solved from a; det Phi = 1 says that it is the only one. The polynomials are needed for k = 0, ..., n, one more "
@@ -251,7 +250,9 @@ claim("BLZ94-S21", "(3.11) as a relation of matrices, hence beta = alpha",
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX, let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])),
              let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), *A_MATRIX],
       given=[_MATCH],
-      by=[instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})])
+      by=[combination([[(vstack(Zero(1, n), 2 * A), "(3.11)", 1)],
+                       [(2 * inv(matrix_of(i, j, n, n, coeff(psi[n - j], n - i))) * A, "(3.11)", 1)]], n=range(1, 5)),
+          instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})])
 
 claim("BLZ94-C3.4", "Psi(gamma) = Phi(-gamma), Phi(0) = Psi(0) = I, and (3.21)",
       (Psi == W) & (O == Identity(n + 1)) & (x == Identity(n + 1))
@@ -283,14 +284,11 @@ claim("BLZ94-E3.9", "every positive real v of degree n is given by exactly one a
            "v = 1/2 has gamma = 0 and any alpha will do.")
 
 claim("BLZ94-S11", "(alpha, gamma) without gamma_k of modulus one correspond to (a, g) with nonsingular T_1, ..., T_n",
-      (forall(k, 0, n - 1, gamma[k] ** 2 != 1) >> (forall(k, 1, n, invertible(Toeplitz[k])) & forall(k, 0, n - 1, eta[k] == gamma[k])
-                                                   & forall(k, 1, n, xi[k] == alpha[k])))
-      & (forall(k, 1, n, invertible(Toeplitz[k])) >> forall(k, 0, n - 1, gamma[k] ** 2 != 1)),
+      iff(prod(k, 0, n - 1, 1 - gamma[k] ** 2) != 0, prod(k, 1, n, det(Toeplitz[k])) != 0),
       sizes=["n"], over={alpha: sequence(1, n), gamma: sequence(0, n - 1)},
-      where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ, *BACK,
-             function(xi, [k], coeff(a, n - k) - coeff(w[n], n - k) - sum_of(j, 1, k - 1, xi[j] * coeff(w[n - j], n - k)))],
-      by=[steps("BLZ94-T3.2", "BLZ94-P3.1", "BLZ94-E3.10", "BLZ94-S22", facts=["the complement of the zero set of a nonzero polynomial is open and dense"],
-                prose="T3.2 makes the map onto the (a, g) for which gamma is defined; both conditions are that r_n is not zero."),
-          instances(40, n=(1, 2, 3))],
-      note="eta and xi are gamma and alpha recovered from (a, g); the set on the right is where the product of det T_1, ..., det T_n, "
-           "a polynomial in (a, g) equal to one at (0, 0), does not vanish.")
+      where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ],
+      by=[steps("BLZ94-P4.1", "BLZ94-P3.1", "BLZ94-S22", facts=["the complement of the zero set of a nonzero polynomial is open and dense"],
+                prose="Proposition 4.1 makes the map a bijection where gamma_0, ..., gamma_{n-2} have not modulus one; the condition on "
+                      "gamma_{n-1} is that on T_n, and det T_1 ... det T_n is a polynomial in (a, g) that is not zero at (0, 0)."),
+          instances(40, n=(1, 2, 3)), example(n=1, alpha=["3/2"], gamma=["1/2"])],
+      note="That the map is one-to-one there, and onto, is Proposition 4.1; what is checked here is that the two sets correspond.")
