@@ -173,6 +173,20 @@ def test_real_root_count_of_known_roots(known, lo, length):
     assert count_real_roots(p, None, hi) == sum(r <= hi for r, _ in known)
 
 
+@few
+@given(st.dictionaries(st.integers(0, 8), st.integers(-5, 5).filter(bool), min_size=2, max_size=4))
+def test_real_root_count_of_sparse_polynomials(terms):
+    """Sturm sequences with gaps in degree count as many real roots as certified complex root isolation."""
+    p = fmpz_poly([terms.get(k, 0) for k in range(9)])
+    assert count_real_roots(p) == sum(c.imag.is_zero() for c, _ in p.complex_roots())
+
+
+@pytest.mark.parametrize("a, b, n", [(4, 1, 2), (-4, 1, 2), (1, 1, 0), (4, -1, 2), (4, 3, 1)])
+def test_real_root_count_across_a_gap(a, b, n):
+    """The sequence of x**4 + a x + b, whose degrees are 4, 3, 1, 0, keeps its signs."""
+    assert count_real_roots([b, a, 0, 0, 1]) == n
+
+
 def test_real_root_count_refuses_an_empty_interval():
     """The ends must be in order."""
     with pytest.raises(BadInput, match="argument 'lo'"):
