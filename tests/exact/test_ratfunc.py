@@ -96,9 +96,10 @@ def test_lowest_terms_agree_with_sympy(p, q, r, s):
     assume(q and s)
     f = p / q + r / s
     oracle = sympy.cancel(sympy.sympify(f"({p})/({q})+({r})/({s})".replace("^", "**")))
-    num, den = (sympy.Poly(part, *sympy.symbols(NAMES)) for part in sympy.fraction(oracle))
+    symbols = sympy.symbols(NAMES)
+    num, den = (sympy.Poly(part, *symbols, domain="QQ") for part in sympy.fraction(oracle))
     mine = [
-        sympy.Poly(str(part).replace("^", "**"), *sympy.symbols(NAMES)) for part in (f.numerator(), f.denominator())
+        sympy.Poly(str(part).replace("^", "**"), *symbols, domain="QQ") for part in (f.numerator(), f.denominator())
     ]
     assert mine[0] * den == mine[1] * num
     assert mine[1].total_degree() == den.total_degree()
