@@ -27,7 +27,7 @@ from exactkf.exact.polynomials import (
     squarefree,
 )
 
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 one = fmpq_poly([1])
 
 
@@ -76,7 +76,7 @@ def q(x):
     return fmpq(x.numerator, x.denominator)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(factor_lists, st.sampled_from([1, -3, fmpq(2, 7)]))
 def test_root_count_of_known_factors(factors, scale):
     """Roots inside, on and outside the circle are counted with multiplicity."""
@@ -301,7 +301,7 @@ x_factors = st.lists(
 )
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=70, deadline=None)
 @given(x_factors, st.sampled_from([1, -2]))
 def test_sign_of_known_factors(factors, scale):
     """The sign on the circle and the zeros with multiplicity follow from known zeros in x."""

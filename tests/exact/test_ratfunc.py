@@ -16,7 +16,7 @@ from exactkf.exact.ratfunc import RatField, RatFunc
 
 NAMES = ("x", "y", "z")
 FIELD = RatField(NAMES)
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 
 coefficients = st.integers(-4, 4)
 polys = st.dictionaries(st.tuples(*[st.integers(0, 2)] * 3), coefficients, max_size=3).map(
@@ -55,7 +55,7 @@ def is_canonical(f):
     return num.gcd(den).is_one() and den.leading_coefficient() > 0 and (den.is_one() == (den is f.field._one))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(formulas(), points)
 def test_arithmetic_agrees_with_fractions_at_points(formula, point):
     """A formula in the variables, evaluated at a point, is the formula of the values."""
