@@ -187,16 +187,17 @@ def exact_orbit(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> Orbit:
     return Orbit(tuple(states), len(states) - 1)
 
 
-def _escape_modulo(Q: list[int], star: list[int], steps: int, p: int) -> int | None:
-    """Return the first ``t < steps`` at which the leading coefficient of the next state vanishes modulo `p`."""
-    for t in range(steps):
+def _may_escape(state: IntegerState, steps: int, p: int) -> bool:
+    """Say whether a leading coefficient vanishes modulo `p` at the start or after one of the `steps` steps."""
+    Q, star = ([int(x % p) for x in part] for part in state)
+    for _ in range(steps):
+        if Q[0] == 0:
+            return True
         lead, first = Q[0], star[0]
         shifted = [*star, 0]
         star = [(lead * y - first * x) % p for x, y in zip(Q[1:], shifted[1:], strict=True)]
         Q = [(lead * x - first * y) % p for x, y in zip(Q, shifted, strict=True)]
-        if Q[0] == 0:
-            return t
-    return None
+    return Q[0] == 0
 
 
 def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | None:
@@ -224,9 +225,8 @@ def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | 
     1
     """
     _check_steps(steps)
-    Q, star = _integer_start(a, g)
-    for p in _PRIMES:
-        if Q[0] % p != 0 and _escape_modulo([int(x % p) for x in Q], [int(x % p) for x in star], steps, p) is None:
-            return None
+    start = _integer_start(a, g)
+    if not all(_may_escape(start, steps, p) for p in _PRIMES):
+        return None
     last = max(t for t, _ in zip(range(steps + 1), integer_orbit(a, g), strict=False))
     return last if last < steps else None
