@@ -69,7 +69,7 @@ def test_a_hundred_thousand_steps_at_once(a, g, limit):
     part = best(lambda: [None for _, _ in zip(range(sample), integer_orbit(a, g), strict=False)], 2)
     stepping = part * (T / sample) ** 2
     print(
-        f"\nstate after {T} steps, n = {len(a)}: {ours:.2f} s; one matrix power {power:.2f} s, ratio {ours / power:.2f}; "
+        f"\nstate after {T} steps, n = {len(a)}: {ours:.2f} s; matrix power {power:.2f} s, ratio {ours / power:.2f}; "
         f"stepping {part:.2f} s for {sample} steps, extrapolated {stepping:.0f} s, ratio {stepping / ours:.0f}"
     )
     assert ours <= limit * power and stepping >= 100 * ours
