@@ -17,10 +17,18 @@ coefficient of :math:`\hat Q_t`.  Then
 .. math:: \hat Q_{t+1} = (D_t \hat Q_t - \hat Q^*_{t,1} z \hat Q^*_t) / D_{t-1}, \qquad
           \hat Q^*_{t+1} = (D_t z \hat Q^*_t - \hat Q^*_{t,1} \hat Q_t) / D_{t-1}
 
-are integers for all `t` (with the divisor one in the first two steps), since
-:math:`\hat Q_t = d^{2t} \det(T_{t-1}) Q_t` for :math:`t \ge 1` in the
-notation of BLM91 (2.26), as in Bareiss' elimination.  The leading coefficient
-is :math:`d^{2t} \det T_t`; the first one to vanish marks the escape.
+are integers for all `t` (with the divisor one in the first two steps), as in Bareiss'
+elimination: :math:`\hat Q_t = d^{2t} \det(T_{t-1}) Q_t` for :math:`t \ge 1` in the
+notation of BLM91 (2.26), and likewise with stars.  The leading coefficient is
+:math:`d^{2t} \det T_t`; the first one to vanish marks the escape.
+
+Proof of integrality.  By Cramer's rule :math:`\det(T_{t-1}) \varphi_t` is an integer
+polynomial in the :math:`c_k = h'F^{k-1}g`, so with BLM91 (2.18), (2.19) the coefficients of
+:math:`\bar Q_t = \det(T_{t-1}) Q_t` and :math:`\bar Q^*_t` are integer polynomials in `a`, `g`.
+Their degree is at most `2t`: by induction, since the recursion with `d = 1` divides a
+polynomial of degree at most `4t` by :math:`\det T_{t-1}`, whose degree is exactly `2(t - 1)`
+(already for `n = 1` the leading form of :math:`\det T_t`, :math:`t \ge 1`, is plus or minus
+:math:`\gamma^2 (\gamma^2 - \alpha^2)^{t-1}`).
 
 Notation
 --------
