@@ -30,12 +30,12 @@ from exactkf.language.tree import OPERATIONS, Expr, to_expr
 __all__ = [
     "TYPES", "Statement", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
     "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
-    "standing", "symmetric_matrix", "vector",
+    "signal", "standing", "symmetric_matrix", "vector",
 ]
 
 #: type -> number of arguments
 TYPES = {
-    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "matrix": 2, "symmetric": 1,
+    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "signal": 1, "matrix": 2, "symmetric": 1,
     "psd": 1, "pd": 1, "nonsingular": 1, "diagonal": 1, "poly": 1, "monic": 1,
 }
 
@@ -55,6 +55,7 @@ positive = _type("positive", "A real number greater than zero.")
 nonneg = _type("nonneg", "A real number, zero or greater.")
 integer = _type("integer", "integer(lo, hi): an integer with lo <= k <= hi.")
 sequence = _type("sequence", "sequence(lo, hi): scalars s_lo .. s_hi.")
+signal = _type("signal", "signal(lo): scalars s_lo, s_lo+1, ... without end; instances list the first few.")
 matrix = _type("matrix", "matrix(r, c): any r x c matrix.")
 symmetric_matrix = _type("symmetric", "symmetric_matrix(n): any symmetric n x n matrix.")
 positive_semidefinite = _type("psd", "positive_semidefinite(n): symmetric, n x n, x'Px >= 0.")
