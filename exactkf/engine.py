@@ -269,22 +269,22 @@ def _steps(e: Evidence, found: Findings) -> None:
 
 # ---------------------------------------------------------------------- the result as plain data
 def _result(claim: Claim, found: Findings, repaired: Findings | None, report: MutantReport, repair: Any, started: float) -> dict[str, Any]:
-    from exactkf.language.latex import definition_latex, latex, type_latex
+    from exactkf.language.latex import given_latex, over_latex, says_latex, where_latex
 
-    data = claim.statement.to_json() if claim.statement else None
+    printed = claim.statement
     fixed = None
     if found.verdict == "fails" and repair is not None and repaired is not None:
-        fixed = {"statement_latex": latex(repair.statement.says), "verdict": repaired.verdict, "strength": repaired.strength,
+        fixed = {"statement_latex": says_latex(repair.statement), "verdict": repaired.verdict, "strength": repaired.strength,
                  "kind": repair.kind, "wrong": repair.wrong, "reason": repaired.reason, "evidence": repaired.evidence,
                  "sizes": repaired.sizes, "witness": repaired.witness}
     certificates = found.certificates + (repaired.certificates if repaired else [])
     return {
         "id": claim.id, "paper": claim.paper, "section": claim.section, "title": claim.title, "note": claim.note,
         "verdict": found.verdict, "strength": found.strength, "sizes": found.sizes, "reason": found.reason or None, "repair": fixed,
-        "statement_latex": latex(data["says"]) if data else "",
-        "over_latex": [type_latex(n, t) for n, t in data["over"]] if data else [],
-        "where_latex": [definition_latex(d) for d in data["where"]] if data else [],
-        "given_latex": [[label, latex(f), kind] for label, f, kind in data["given"]] if data else [],
+        "statement_latex": says_latex(printed) if printed else "",
+        "over_latex": over_latex(printed) if printed else [],
+        "where_latex": where_latex(printed) if printed else [],
+        "given_latex": given_latex(printed) if printed else [],
         "certificates": certificates,
         "mutants": {"made": report.made, "rejected": report.rejected, "equal": report.equal, "survivors": report.survivors},
         "mutant_rows": report.rows,

@@ -14,12 +14,18 @@ from typing import Any
 
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler
-from exactkf.kernel.meaning import World, generic
-from exactkf.kernel.numbers import SymbolicField, Undefined, Unknown
+from exactkf.finders.equal import says_nothing_new
+from exactkf.finders.prove import PROOFS, candidates
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.replay import NotACertificate, Rejected, replay
 from exactkf.language.mutate import Mutant, mutants, rewritings
 
 __all__ = ["MutantReport", "judge_mutants"]
 
+_MATRIX_CHANGES = ("factors exchanged", "transpose added", "transpose removed")
+_BINDERS = ("forall", "exists", "sum", "prod", "always")
 _TRIES = 200
 _MOST = 48  # mutants looked at per claim, spread evenly over the tree
 
@@ -53,6 +59,7 @@ class MutantReport:
 def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampler: Sampler | None) -> MutantReport:
     """Make the mutants of a statement and judge each on the statement's own instances."""
     from exactkf.language.latex import latex
+    from exactkf.language.statement import as_tuples
     from exactkf.language.text import text
 
     report = MutantReport()
@@ -66,7 +73,8 @@ def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampl
     for mutant in chosen:
         outcome = _drop(data, mutant, sampler, by, report) if mutant.drops else _judge(data, mutant, order, by, report)
         if outcome != "void":
-            report.rows.append({"kind": mutant.kind, "text": text(mutant.says), "latex": latex(mutant.says), "outcome": outcome})
+            says = as_tuples(mutant.says)
+            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says), "outcome": outcome})
     for _kind, new in rewritings(data):
         report.neighbours_made += 1
         report.neighbours_accepted += _accepted(data, new, worlds[:6], report)
@@ -94,53 +102,37 @@ def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidenc
             return "void"
     if not meaningful:
         return "void"
-    if _same_everywhere(data, mutant, by):
-        return "void" if mutant.kind == "factors exchanged" and not _has_matrix(data, mutant, worlds[0]) else "equal"
-    return "survived"
+    if mutant.kind in _MATRIX_CHANGES and _only_scalars(data, mutant, worlds[0]):
+        return "void"
+    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _also_proved(data, mutant, by) else "survived"
 
 
-def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
-    for k in path:
-        tree = tree[k]
-    return tree
-
-
-def _has_matrix(data: dict, mutant: Mutant, world: World) -> bool:
-    from exactkf.kernel.linear import Matrix
-
+def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
+    """The operands of the changed node are scalars or polynomials on this instance: order and transposes mean nothing."""
+    tree, local = data["says"], {}
     try:
-        factors = _subtree(data["says"], mutant.path)[1:]
-        return any(isinstance(world.value(f), Matrix) for f in factors)
+        for k in mutant.path:
+            if isinstance(tree, list) and tree and tree[0] in _BINDERS:
+                local[tree[1]] = 1 if tree[0] == "always" else world.integer(tree[2], local)
+            tree = tree[k]
+        values = [world.value(x, local) for x in tree[1:]]
     except (Undefined, Unknown, KeyError):
         return False
+    return not any(isinstance(v, Matrix) and not v.is_scalar for v in values)
 
 
-def _same_everywhere(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
-    """The changed subterm, or a term around it, is the same rational function as the original one."""
-    sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
-    made_by = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
-    using = next((e.hints["using"] for e in by if e.hints.get("using")), {})
-    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 3), default=2) for n in data["sizes"]}
-    statement = {**data, "over": [*([n, _listed(t)] for n, t in using.items()), *data["over"]]}
-    for cut in range(len(mutant.path), -1, -1):
-        path = mutant.path[:cut]
-        old, new = _subtree(data["says"], path), _subtree(mutant.says, path)
-        try:
-            field = SymbolicField()
-            integers = {n: 1 for n, t in data["over"] if t[0] == "integer"}
-            world, _ = generic(statement, {**case, **integers}, made_by, field.variable)
-            a, b = world.value(old), world.value(new)
-            if isinstance(a, bool):
-                return a is True and b is True and not integers
-            if a == b:
-                return not integers
-        except (Undefined, Unknown, KeyError, TypeError):
-            continue
+def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
+    """The same proof proves the changed statement: both are theorems."""
+    changed = {**data, "says": mutant.says}
+    for e in by:
+        if e.kind in PROOFS:
+            for certificate in candidates("mutant", changed, e):
+                try:
+                    replay(certificate)
+                    return True
+                except (Rejected, NotACertificate):
+                    continue
     return False
-
-
-def _listed(kind: Any) -> Any:
-    return [_listed(x) for x in kind] if isinstance(kind, (list, tuple)) else kind
 
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> str:

@@ -3,7 +3,10 @@
 
 A mutant changes the conclusion in one place, in the ways papers go wrong: a
 sign, a term, a factor, an index, the order of two factors, a transpose or an
-inverse, a relation, the last printed digit; or it drops a hypothesis. An
+inverse, a relation, the last printed digit; or it drops a hypothesis. Inside
+a predicate such as "is invertible" or "is at most", outside of equivalences,
+a factor two or a missing term mostly gives another true statement; there only
+signs, indices, orders, transposes and relations are changed. An
 equal rewriting (sums reversed, sides exchanged, names renamed) must change
 nothing.
 
@@ -59,8 +62,19 @@ def _key(tree: Any) -> str:
     return repr(tree)
 
 
+_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
+_SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
+
+
 def _changes(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     """Changed copies of a tree with the path to the change."""
+    if isinstance(tree, list) and tree[0] in _PREDICATES and not in_equivalence:
+        yield from (c for c in _every_change(tree, in_equivalence) if c[0] not in _SIZE_CHANGES)
+    else:
+        yield from _every_change(tree, in_equivalence)
+
+
+def _every_change(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     if isinstance(tree, (int, str)):
         return
     for kind, new in _here(tree, in_equivalence):
@@ -185,7 +199,7 @@ def _reordered(tree: Any) -> Any:
     if isinstance(tree, (int, str)) or tree[0] in _NOT_TERMS:
         return tree
     args = [_reordered(x) for x in tree[1:]] if tree[0] not in ("block", "rows") else [[_reordered(c) for c in r] for r in tree[1:]]
-    return [tree[0], *(args[::-1] if tree[0] in ("+", "and", "or") else args)]
+    return [tree[0], *(args[::-1] if tree[0] == "+" else args)]
 
 
 def _exchanged(tree: Any) -> Any:

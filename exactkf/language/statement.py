@@ -28,7 +28,7 @@ from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, to_expr
 
 __all__ = [
-    "TYPES", "Statement", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
+    "TYPES", "Statement", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
     "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
     "signal", "standing", "symmetric_matrix", "vector",
 ]
@@ -142,8 +142,8 @@ class Statement:
     def from_json(cls, data: Mapping[str, Any]) -> Statement:
         """Read what `to_json` wrote; anything else raises BadInput."""
         try:
-            return cls(says=_tuples(data["says"]), over=_tuples(data["over"]), sizes=_tuples(data["sizes"]),
-                       where=_tuples(data["where"]), given=_tuples(data["given"]))
+            return cls(says=as_tuples(data["says"]), over=as_tuples(data["over"]), sizes=as_tuples(data["sizes"]),
+                       where=as_tuples(data["where"]), given=as_tuples(data["given"]))
         except (KeyError, TypeError, ValueError, IndexError) as error:
             raise BadInput(f"argument 'data' is not a statement: {error!r}; write it with Statement.to_json") from error
 
@@ -171,8 +171,9 @@ def _lists(value: Any) -> Any:
     return [_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-def _tuples(value: Any) -> Any:
-    return tuple(_tuples(v) for v in value) if isinstance(value, (list, tuple)) else value
+def as_tuples(value: Any) -> Any:
+    """JSON lists as the tuples of trees."""
+    return tuple(as_tuples(v) for v in value) if isinstance(value, (list, tuple)) else value
 
 
 def _check(statement: Statement) -> None:
