@@ -165,8 +165,12 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
     _need(not given_by or bool(evidence.get("covered_by")), "a parametrisation needs the claim that says it reaches everything")
+    parameters = evidence.get("parameters") or []
+    taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
+    _need(not taken & {*given_by, *(name for name, _ in parameters)}, "a parametrisation redefines a name")
+    _need(not {name for name, _ in statement["over"]} & {name for name, _ in parameters}, "a parameter has the name of a variable")
     reached = 0
-    for world, field in _cases(statement, evidence, given_by):
+    for world, field in _cases({**statement, "over": [*parameters, *statement["over"]]}, evidence, given_by):
         _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
         reached += 1
