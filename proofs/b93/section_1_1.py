@@ -108,7 +108,7 @@ claim("B93-E7", "the Hamiltonian matrix is an observation update after a time up
 claim("B93-S5", "the symplectic matrices are a group",
       T(M * inv(N)) * J * (M * inv(N)) == J, sizes=["d"], over={M: matrix(2 * d, 2 * d), N: nonsingular(2 * d)}, where=[FORM],
       given=[given("M in Sp", preserves_form(M)), given("N in Sp", preserves_form(N))],
-      by=[combination([(T(inv(N)), "M in Sp", inv(N)), (-T(inv(N)), "N in Sp", inv(N))], d=(1, 2, 3)),
+      by=[combination([(T(inv(N)), "M in Sp", inv(N)), (-T(inv(N)), "N in Sp", inv(N))], d=(1, 2)),
           instances(d=(1, 2, 3), using={A: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d), A1: nonsingular(d), P1: symmetric_matrix(d), Q1: symmetric_matrix(d)},
                     made_by={M: J * block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]]), N: block([[A1, A1 * P1], [Q1 * A1, inv(T(A1)) + Q1 * A1 * P1]])})],
       note="A definition. What is checked is that it defines a group: with M and N the matrix M inv(N) is a member.")
@@ -129,19 +129,20 @@ claim("B93-S7", "the inverse of a symplectic matrix",
 
 claim("B93-S8", "the transpose of a symplectic matrix is symplectic",
       M * J * T(M) == J, sizes=["d"], over={M: nonsingular(2 * d)}, where=[FORM], given=[given("M in Sp", preserves_form(M))],
-      by=[combination([(-(M * J), "M in Sp", inv(M) * J)], d=(1, 2, 3)), instances(d=(1, 2, 3, 6), **SYMPLECTIC)],
+      by=[combination([(-(M * J), "M in Sp", inv(M) * J)], d=(1, 2)), instances(d=(1, 2, 3, 6), **SYMPLECTIC)],
       note="A symplectic matrix is nonsingular. The relation S7, from which the text deduces this, has a wrong sign; the conclusion is right.")
 
 claim("B93-S9", "the relations between the blocks of a symplectic matrix",
       (B * T(A) == A * T(B)) & (T(A) * C == T(C) * A) & (T(A) * D - T(C) * B == Identity(d)), sizes=["d"],
       over={A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}, where=[FORM, BLOCKS],
       given=[given("M in Sp", preserves_form(M))],
-      by=[combination([(T(UPPER) * M * J, "M in Sp", inv(M) * J * UPPER), (T(UPPER), "M in Sp", UPPER), (T(UPPER), "M in Sp", LOWER)], d=(1, 2, 3)),
+      by=[combination([[(T(UPPER) * M * J, "M in Sp", inv(M) * J * UPPER)], [(T(UPPER), "M in Sp", UPPER)],
+                       [(T(UPPER), "M in Sp", LOWER)]], d=(1, 2)),
           instances(d=(1, 2, 3, 6), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
                     made_by={A: L, B: L * P, C: Q * L, D: inv(T(L)) + Q * L * P}),
-          instances(d=(1, 2, 3), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
+          instances(8, d=(1, 2, 3), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
                     made_by={A: L * P, B: -L, C: inv(T(L)) + Q * L * P, D: -(Q * L)})],
-      note="The second way of making instances has every A = LP that vanishes or is singular with P.")
+      note="In the second family of instances A = LP vanishes or is singular with P.")
 
 claim("B93-S10", "a family of members of H",
       in_h(M, A, A * P, Q * A), sizes=["d"], over={A: nonsingular(d), P: positive_semidefinite(d), Q: positive_semidefinite(d)},
