@@ -44,7 +44,8 @@ def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
     return {name: (value,) if isinstance(value, int) else tuple(value) for name, value in sizes.items()}
 
 
-def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", **sizes: Iterable[int] | int) -> Evidence:
+def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", using: Mapping[Expr | str, tuple] | None = None,
+             fact: str = "", **sizes: Iterable[int] | int) -> Evidence:
     """The conclusion is an identity of rational functions for each of the sizes.
 
     Parameters
@@ -56,7 +57,9 @@ def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: st
     **sizes
         Values of each size (and of each integer variable): ``n=range(1, 7)``.
     """
-    return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by})
+    aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
+    return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by,
+                                 "parameters": aux, "fact": fact})
 
 
 def combination(terms: Sequence[tuple[Any, str, Any]], **sizes: Iterable[int] | int) -> Evidence:
