@@ -19,6 +19,7 @@ Main definitions
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -28,7 +29,7 @@ from typing import Any
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
-from exactkf.finders.membership import find_membership
+from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.meaning import World
@@ -231,16 +232,30 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
                 if _accept(certificate, found):
                     _credit(data, e, found)
                     break
-    if found.strength != "proved" and any(e.kind in ("identity", "combination") for e in by):
-        _every_size(id, data, found)
+    hint = next((e.hints["sums"] for e in by if e.kind == "order"), ())
+    if found.strength != "proved" and data["sizes"]:
+        _ordered(id, data, hint, found)
+    if found.strength != "proved" and data["sizes"]:
+        _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
     for e in by:
         if e.kind == "steps":
             _steps(e, found)
 
 
-def _every_size(id: str, data: dict, found: Findings) -> None:
+def _ordered(id: str, data: dict, sums: Any, found: Findings) -> None:
+    """Matrix order for every size, by congruences and sums."""
+    parts = find_order(data, json.loads(json.dumps(sums)))
+    if parts is not None and _accept(seal(id, "order", data, {"parts": parts}), found):
+        found.strength, found.sizes = "proved", None
+        found.evidence.append("for every size: a sum of terms that are semidefinite by their form; "
+                              "classical facts: sums, congruences and inverses of semidefinite matrices")
+    elif sums:
+        found.evidence.append("order: the terms given do not prove it")
+
+
+def _every_size(id: str, data: dict, found: Findings, seconds: float) -> None:
     """A proof in words of letters holds for every size at once."""
-    terms = find_membership(data)
+    terms = find_membership(data, seconds=seconds)
     if terms is not None and _accept(seal(id, "membership", data, {"terms": terms}), found):
         found.strength, found.sizes = "proved", None
         found.evidence.append(f"for every size: {sum(map(len, terms))} multiples of the assumptions, expanded in words")
