@@ -113,6 +113,8 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
         for k in mutant.path:
             if isinstance(tree, list) and tree and tree[0] in _BINDERS:
                 local[tree[1]] = 1 if tree[0] == "always" else world.integer(tree[2], local)
+            elif isinstance(tree, list) and tree and tree[0] in ("col", "mat"):
+                local.update(dict.fromkeys(tree[1:2] if tree[0] == "col" else tree[1:3], 1))
             tree = tree[k]
         values = [world.value(x, local) for x in tree[1:]]
     except (Undefined, Unknown, KeyError):
