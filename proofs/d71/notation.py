@@ -78,16 +78,16 @@ def slices(length: Expr) -> dict:
     return {PhiW: matrix(n, n * length), MW: matrix(p, n * length), GW: matrix(n, n * length), WW: matrix(p, p * length)}
 
 
-def _cut(wide: Expr, height: Expr, width: Expr, at: Expr) -> Expr:
+def cut(wide: Expr, height: Expr, width: Expr, at: Expr) -> Expr:
     return matrix_of(i, j, height, width, wide[i, width * at + j])
 
 
 #: Phi_k, M_k, H_k = G_k G_k', V_k = W_k W_k'
 VARYING = (
-    function(Phi, [k], _cut(PhiW, n, n, k)),
-    function(M, [k], _cut(MW, p, n, k)),
-    function(H, [k], _cut(GW, n, n, k) * T(_cut(GW, n, n, k))),
-    function(V, [k], _cut(WW, p, p, k) * T(_cut(WW, p, p, k))),
+    function(Phi, [k], cut(PhiW, n, n, k)),
+    function(M, [k], cut(MW, p, n, k)),
+    function(H, [k], cut(GW, n, n, k) * T(cut(GW, n, n, k))),
+    function(V, [k], cut(WW, p, p, k) * T(cut(WW, p, p, k))),
 )
 
 
