@@ -28,14 +28,14 @@ from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, to_expr
 
 __all__ = [
-    "TYPES", "Statement", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
+    "TYPES", "Statement", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
     "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
-    "standing", "symmetric_matrix", "vector",
+    "signal", "standing", "symmetric_matrix", "vector",
 ]
 
 #: type -> number of arguments
 TYPES = {
-    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "matrix": 2, "symmetric": 1,
+    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "signal": 1, "matrix": 2, "symmetric": 1,
     "psd": 1, "pd": 1, "nonsingular": 1, "diagonal": 1, "poly": 1, "monic": 1,
 }
 
@@ -55,6 +55,7 @@ positive = _type("positive", "A real number greater than zero.")
 nonneg = _type("nonneg", "A real number, zero or greater.")
 integer = _type("integer", "integer(lo, hi): an integer with lo <= k <= hi.")
 sequence = _type("sequence", "sequence(lo, hi): scalars s_lo .. s_hi.")
+signal = _type("signal", "signal(lo): scalars s_lo, s_lo+1, ... without end; instances list the first few.")
 matrix = _type("matrix", "matrix(r, c): any r x c matrix.")
 symmetric_matrix = _type("symmetric", "symmetric_matrix(n): any symmetric n x n matrix.")
 positive_semidefinite = _type("psd", "positive_semidefinite(n): symmetric, n x n, x'Px >= 0.")
@@ -141,8 +142,8 @@ class Statement:
     def from_json(cls, data: Mapping[str, Any]) -> Statement:
         """Read what `to_json` wrote; anything else raises BadInput."""
         try:
-            return cls(says=_tuples(data["says"]), over=_tuples(data["over"]), sizes=_tuples(data["sizes"]),
-                       where=_tuples(data["where"]), given=_tuples(data["given"]))
+            return cls(says=as_tuples(data["says"]), over=as_tuples(data["over"]), sizes=as_tuples(data["sizes"]),
+                       where=as_tuples(data["where"]), given=as_tuples(data["given"]))
         except (KeyError, TypeError, ValueError, IndexError) as error:
             raise BadInput(f"argument 'data' is not a statement: {error!r}; write it with Statement.to_json") from error
 
@@ -170,8 +171,9 @@ def _lists(value: Any) -> Any:
     return [_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
-def _tuples(value: Any) -> Any:
-    return tuple(_tuples(v) for v in value) if isinstance(value, (list, tuple)) else value
+def as_tuples(value: Any) -> Any:
+    """JSON lists as the tuples of trees."""
+    return tuple(as_tuples(v) for v in value) if isinstance(value, (list, tuple)) else value
 
 
 def _check(statement: Statement) -> None:

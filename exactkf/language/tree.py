@@ -81,7 +81,7 @@ class Expr:
     def __bool__(self) -> bool:
         raise TypeError("a formula is data and has no truth value; verify it, or compare .tree")
 
-    __hash__ = object.__hash__  # as a key of `over` an expression stands for itself: == builds a formula
+    __hash__ = object.__hash__  # names are keys of mappings
 
     def _nary(self, op: str, other: Any) -> Expr:
         left = self.tree

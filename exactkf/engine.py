@@ -1,0 +1,295 @@
+# SPDX-License-Identifier: MIT
+"""From a claim to its verdict.
+
+Cheap refutation comes first: exact instances, the small and the hand-made
+ones before the random ones. Only what survives is proved. Whatever a finder
+proposes becomes a certificate, and counts only after the checker has replayed
+it. Then the mutants: each must be refuted on an instance or be shown equal to
+the original, or the claim is `open`.
+
+Main definitions
+----------------
+`verify_claim`
+    The result of one claim, plain JSON.
+`mutate_claim`
+    Its mutants, one row each.
+`verify_statement`
+    The same for any `exactkf.language.Statement`, such as a user's own lemma.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+from exactkf.claims import Claim
+from exactkf.evidence import Evidence
+from exactkf.finders.draw import Sampler, examples_of
+from exactkf.finders.mutants import MutantReport, judge_mutants
+from exactkf.finders.prove import PROOFS, candidates
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.language import Statement
+
+__all__ = ["STRENGTHS", "mutate_claim", "verify_claim", "verify_statement"]
+
+#: strongest first
+STRENGTHS = ("proved", "proved-sizes", "steps", "instances", "enclosed")
+
+_TRIES = 150  # instances looked at in search of a counterexample
+_PATIENCE = 20.0  # seconds after which the search stops once it has what the certificate needs
+
+
+@dataclass
+class Findings:
+    """What is known of one statement."""
+
+    verdict: str = "open"
+    strength: str | None = None
+    sizes: dict[str, list[int]] | None = None
+    reason: str = ""
+    certificates: list[dict] = field(default_factory=list)
+    witness: dict | None = None
+    counterexample: dict | None = None
+    evidence: list[str] = field(default_factory=list)
+    denominators: list[str] = field(default_factory=list)
+    checks: int = 0
+    worlds: list[World] = field(default_factory=list)
+    sampler: Sampler | None = None
+
+
+def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
+    """Verify one claim.
+
+    Returns
+    -------
+    dict
+        Plain JSON: the fields of the contract and what the report shows beside them.
+    """
+    started = time.perf_counter()
+    if claim.statement is None:
+        return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
+    found = _find(claim.id, claim.statement, claim.by, seed)
+    repaired, report = None, MutantReport()
+    if found.verdict == "fails" and claim.repair is not None:
+        repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
+        if repaired.verdict == "holds":
+            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler)
+            _count_survivors(repaired, report)
+    elif found.verdict == "holds":
+        report = judge_mutants(claim.statement.to_json(), claim.by, found.worlds, found.sampler)
+        _count_survivors(found, report)
+    return _result(claim, found, repaired, report, claim.repair, started)
+
+
+def verify_statement(statement: Statement, by: Sequence[Evidence], *, id: str = "lemma", title: str = "", seed: int = 0) -> dict[str, Any]:
+    """Verify a statement that belongs to no paper."""
+    return verify_claim(Claim(id, title or id, "", statement, tuple(by)), seed=seed)
+
+
+def mutate_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
+    """The mutants of a claim (of its repair, where the print fails), one row each."""
+    result = verify_claim(claim, seed=seed)
+    return {"id": claim.id, "verdict": result["verdict"], **result["mutants"], "rows": result["mutant_rows"]}
+
+
+def _count_survivors(found: Findings, report: MutantReport) -> None:
+    found.checks += report.checks
+    survivors = report.survivors
+    if survivors:
+        found.verdict, found.strength = "open", None
+        found.reason = f"{len(survivors)} of {report.made} mutants survive: {survivors[0]}"
+    elif report.neighbours_accepted < report.neighbours_made:
+        found.verdict, found.strength, found.reason = "open", None, "an equal rewriting was not accepted"
+
+
+# ---------------------------------------------------------------------- one statement
+def _find(id: str, statement: Statement, by: Sequence[Evidence], seed: int) -> Findings:
+    data = statement.to_json()
+    found = Findings()
+    _search(id, data, by, seed, found)
+    if found.verdict == "fails":
+        return found
+    _prove(id, data, by, found)
+    if found.strength is None and not found.reason:
+        tried = found.sampler.rejected if found.sampler else {}
+        most = max(tried, key=lambda k: tried[k]) if tried else "no evidence of this kind applies"
+        found.reason = f"vacuous: no admissible instance in {sum(tried.values())} tries ({most})"
+    if found.strength is not None and not found.worlds and not _is_closed(data):
+        found.strength, found.certificates = None, []
+        found.reason = "vacuous: no instance satisfies the hypotheses"
+    found.verdict = "holds" if found.strength is not None else "open"
+    return found
+
+
+def _is_closed(data: Mapping[str, Any]) -> bool:
+    return all(kind[0] == "integer" for _, kind in data["over"])
+
+
+def _search(id: str, data: dict, by: Sequence[Evidence], seed: int, found: Findings) -> None:
+    """Look for a counterexample; keep the instances on the way."""
+    hints = next((e.hints for e in by if e.kind == "instances"), None)
+    wanted = hints["count"] if hints else 12
+    sampler = found.sampler = Sampler(data, hints or _default_hints(by), examples_of(tuple(by)), seed)
+    kept: list[dict] = []
+    seen: set[str] = set()
+    started = time.perf_counter()
+    undefined = unknown = ""
+    try:
+        for instance, world in sampler.stream(max(_TRIES, 4 * wanted)):
+            if len(kept) >= wanted and time.perf_counter() - started > _PATIENCE:
+                break
+            if repr(instance) in seen:
+                continue
+            seen.add(repr(instance))
+            try:
+                truth = world.value(data["says"])
+            except Undefined as error:
+                undefined = str(error)
+                sampler._refuse(f"conclusion has no value: {error}")
+                continue
+            found.checks += 1
+            if truth is False:
+                _refute(id, data, instance, found)
+                return
+            kept.append(instance)
+            found.worlds.append(world)
+    except Unknown as error:
+        unknown = str(error)
+        found.evidence.append(f"instances: {unknown}")
+    if not kept:
+        found.evidence.append(f"no admissible instance{': ' + undefined if undefined else ''}")
+        return
+    found.witness = kept[0]
+    if hints is not None or not any(e.kind in PROOFS for e in by):
+        certificate = seal(id, "instances", data, {"instances": kept[:wanted], "seed": seed, "searched": len(kept)})
+        if _accept(certificate, found):
+            found.strength = "instances"
+            found.evidence.append(f"{min(len(kept), wanted)} exact instances in the certificate, {len(kept)} searched (seed {seed})")
+
+
+def _default_hints(by: Sequence[Evidence]) -> dict[str, Any]:
+    """Sizes of the proofs asked for, small ones, where no `instances` says more."""
+    sizes: dict[str, list[int]] = {}
+    for e in by:
+        for name, values in e.hints.get("sizes", {}).items():
+            sizes.setdefault(name, [v for v in values if v <= 4] or list(values)[:1])
+    return {"sizes": sizes}
+
+
+def _refute(id: str, data: dict, instance: dict, found: Findings) -> None:
+    certificate = seal(id, "counterexample", data, {"instance": instance})
+    if _accept(certificate, found):
+        found.verdict, found.counterexample = "fails", instance
+        found.evidence.append("an exact counterexample")
+
+
+def _accept(certificate: dict, found: Findings) -> bool:
+    """Replay a candidate with the checker; keep it if it is accepted."""
+    try:
+        denominators = replay(certificate)
+    except (Rejected, NotACertificate) as error:
+        found.evidence.append(f"{certificate['kind']} not accepted: {error}")
+        return False
+    found.certificates.append(certificate)
+    found.denominators.extend(d for d in denominators if d not in found.denominators)
+    found.checks += 1
+    return True
+
+
+def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
+    """Try the proofs asked for, in order, until one is accepted; then the weaker kinds."""
+    for e in by:
+        if e.kind in PROOFS:
+            for certificate in candidates(id, data, e):
+                if _accept(certificate, found):
+                    _credit(data, e, found)
+                    break
+        elif e.kind == "steps":
+            _steps(e, found)
+
+
+def _better(found: Findings, strength: str) -> bool:
+    return found.strength is None or STRENGTHS.index(strength) < STRENGTHS.index(found.strength)
+
+
+def _credit(data: dict, e: Evidence, found: Findings) -> None:
+    """Strength of an accepted proof; a parametrisation is worth no more than the claim that covers it."""
+    strength = "proved-sizes" if data["sizes"] else "proved"
+    cover = e.hints.get("covered_by")
+    if cover:
+        other = _standing_of(cover)
+        if other not in ("proved", "proved-sizes"):
+            found.evidence.append(f"{e.kind}: the parametrisation rests on {cover}, which is {other or 'open'}")
+            found.certificates.pop()
+            return
+        found.evidence.append(f"parametrisation reaches everything by {cover}")
+    if _better(found, strength):
+        found.strength = strength
+        found.sizes = {k: list(v) for k, v in e.hints["sizes"].items() if k in data["sizes"]} or None
+        found.evidence.append(_PHRASES[e.kind])
+
+
+_PHRASES = {
+    "identity": "identity of rational functions, with a symbol in place of every variable",
+    "combination": "consequence of the hypotheses by an explicit combination of them",
+    "induction": "induction on t: base and step as identities",
+    "positivity": "difference of both sides as a sum of squares times hypotheses",
+    "evaluation": "evaluated exactly, every case",
+}
+
+
+@lru_cache(maxsize=None)
+def _standing_of(id: str) -> str | None:
+    """Strength of another claim, its mutants left aside; None if it does not hold."""
+    from exactkf.claims import load
+
+    other = load().get(id)
+    if other is None or other.statement is None:
+        return None
+    found = _find(id, other.statement, other.by, 0)
+    return found.strength if found.verdict == "holds" else None
+
+
+def _steps(e: Evidence, found: Findings) -> None:
+    standings = {id: _standing_of(id) for id in e.hints["ids"]}
+    weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes")]
+    if weak:
+        found.evidence.append(f"steps not proved: {', '.join(weak)}")
+    elif found.strength == "instances":
+        found.strength = "steps"
+        found.evidence.append(f"displayed steps {', '.join(standings)} proved; classical facts: {'; '.join(e.hints['facts']) or 'none'}")
+        if e.hints["prose"]:
+            found.evidence.append(f"between the steps: {e.hints['prose']}")
+
+
+# ---------------------------------------------------------------------- the result as plain data
+def _result(claim: Claim, found: Findings, repaired: Findings | None, report: MutantReport, repair: Any, started: float) -> dict[str, Any]:
+    from exactkf.language.latex import given_latex, over_latex, says_latex, where_latex
+
+    printed = claim.statement
+    fixed = None
+    if found.verdict == "fails" and repair is not None and repaired is not None:
+        fixed = {"statement_latex": says_latex(repair.statement), "verdict": repaired.verdict, "strength": repaired.strength,
+                 "kind": repair.kind, "wrong": repair.wrong, "reason": repaired.reason, "evidence": repaired.evidence,
+                 "sizes": repaired.sizes, "witness": repaired.witness}
+    certificates = found.certificates + (repaired.certificates if repaired else [])
+    return {
+        "id": claim.id, "paper": claim.paper, "section": claim.section, "title": claim.title, "note": claim.note,
+        "verdict": found.verdict, "strength": found.strength, "sizes": found.sizes, "reason": found.reason or None, "repair": fixed,
+        "statement_latex": says_latex(printed) if printed else "",
+        "over_latex": over_latex(printed) if printed else [],
+        "where_latex": where_latex(printed) if printed else [],
+        "given_latex": given_latex(printed) if printed else [],
+        "certificates": certificates,
+        "mutants": {"made": report.made, "rejected": report.rejected, "equal": report.equal, "survivors": report.survivors},
+        "mutant_rows": report.rows,
+        "neighbours": {"made": report.neighbours_made, "accepted": report.neighbours_accepted},
+        "checks": found.checks + (repaired.checks if repaired else 0), "seconds": round(time.perf_counter() - started, 3),
+        "witness": found.witness, "counterexample": found.counterexample, "evidence": found.evidence,
+        "denominators": found.denominators,
+    }

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: MIT
+"""Exact instances of a statement, random by construction and degenerate.
+
+Values are drawn so that types hold by construction: a positive semidefinite
+matrix is L D L' with unit triangular L and D >= 0, a nonsingular one a product
+of triangular factors. Each draw has a *flavour*: small integers, fractions,
+or a degenerate shape (zeros, units, repeated rows, low rank).
+
+Main definitions
+----------------
+`Sampler`
+    Admissible instances of one statement, small ones first, at most so many tries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from itertools import product
+from random import Random
+from typing import Any
+
+from exactkf.evidence import Evidence
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.meaning import World, admissible
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown
+
+__all__ = ["Sampler", "examples_of", "plain"]
+
+_FLAVOURS = ("small", "small", "fraction", "tiny", "degenerate", "fraction", "wide")
+
+
+class Sampler:
+    """Draws instances of one statement as an `instances` evidence asks for.
+
+    Parameters
+    ----------
+    statement : dict
+        JSON of the statement.
+    hints : mapping
+        Hints of an `exactkf.evidence.instances`; examples are tried first.
+    examples : sequence of mapping
+        Values given by hand.
+    seed : int
+        Same seed, same instances.
+    """
+
+    def __init__(self, statement: Mapping[str, Any], hints: Mapping[str, Any], examples: list[Mapping[str, Any]], seed: int) -> None:
+        self.statement, self.examples = statement, examples
+        self.sizes = {k: list(v) for k, v in hints.get("sizes", {}).items()}
+        self.made_by = hints.get("made_by", {})
+        self.using = hints.get("using", {})
+        self.horizon = hints.get("horizon", 5)
+        self.random = Random(f"{seed}")
+        self.rejected: dict[str, int] = {}
+
+    def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
+        """Admissible instances with their worlds; the hand-made examples come first."""
+        for example in self.examples:
+            yield from self._admit(self._from_example(example))
+        every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]
+        every.sort(key=lambda s: sum(s.values()))
+        for k in range(tries):
+            flavour = _FLAVOURS[self.random.randrange(len(_FLAVOURS))] if k >= len(every) else "small"
+            try:
+                made = self._draw(every[k % len(every)], flavour)
+            except (Undefined, ZeroDivisionError) as error:
+                self._refuse(f"construction: {error}")
+                continue
+            yield from self._admit(made)
+
+    def _refuse(self, reason: str) -> None:
+        self.rejected[reason] = self.rejected.get(reason, 0) + 1
+
+    def _admit(self, made: tuple[dict, dict]) -> Iterator[tuple[dict, World]]:
+        data, values = made
+        world = World(self.statement, values)
+        try:
+            fault = admissible(self.statement, world)
+        except Undefined as error:
+            fault = str(error)
+        if fault:
+            self._refuse(fault)
+        else:
+            yield data, world
+
+    def _from_example(self, example: Mapping[str, Any]) -> tuple[dict, dict]:
+        """Complete a hand-made instance (columns as lists, missing horizon) to JSON."""
+        from exactkf.kernel.meaning import read_instance
+
+        sizes = {n: example[n] for n in self.statement["sizes"]}
+        data: dict[str, Any] = {"sizes": {**sizes, "horizon": example.get("horizon", self.horizon)}, "values": {}}
+        if "field" in example:
+            data["field"] = example["field"]
+        for name, kind in self.statement["over"]:
+            data["values"][name] = _listed(example[name], kind[0] in _MATRICES)
+        return data, read_instance(self.statement, data)
+
+    def _draw(self, sizes: Mapping[str, int], flavour: str) -> tuple[dict, dict]:
+        values: dict[str, Any] = {**sizes, "horizon": self.horizon}
+        world = World(self.statement, values)
+        kinds = dict(self.statement["over"])
+        for name, kind in [*self.using.items(), *kinds.items()]:
+            if name not in self.made_by and name not in values:
+                args = [world.integer(a, {}) for a in kind[1:]]
+                values[name] = world.values[name] = self._value(kind[0], args, flavour)
+        for name, tree in self.made_by.items():
+            values[name] = world.values[name] = world.value(tree)
+        data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
+                "values": {name: plain(values[name]) for name in kinds}}
+        return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
+
+    # ------------------------------------------------------------------ values
+    def number(self, flavour: str) -> Any:
+        r = self.random
+        match flavour:
+            case "degenerate":
+                return r.choice((0, 0, 0, 1, -1, Fraction(1, 2)))
+            case "tiny":
+                return r.choice((-1, 0, 1, 2))
+            case "small":
+                return r.choice((-3, -2, -1, 1, 2, 3, 0, Fraction(1, 2), Fraction(-1, 2)))
+            case "wide":
+                return _tidy(Fraction(r.randint(-12, 12), r.randint(1, 7)))
+        return _tidy(Fraction(r.randint(-5, 5), r.randint(1, 5)))
+
+    def _nonzero(self, flavour: str) -> Any:
+        while (x := self.number("small" if flavour == "degenerate" else flavour)) == 0:
+            pass
+        return x
+
+    def _value(self, kind: str, args: list[int], flavour: str) -> Any:
+        match kind:
+            case "scalar":
+                return self.number(flavour)
+            case "nonzero":
+                return self._nonzero(flavour)
+            case "positive":
+                return abs(self._nonzero(flavour))
+            case "nonneg":
+                return abs(self.number(flavour))
+            case "integer":
+                return self.random.randint(args[0], max(args[0], args[1]))
+            case "sequence":
+                return {k: self.number(flavour) for k in range(args[0], args[1] + 1)}
+            case "signal":
+                return {k: self.number(flavour) for k in range(args[0], args[0] + self.horizon + 3)}
+            case "poly" | "monic":
+                top = {args[0]: 1} if kind == "monic" else {args[0]: self.number(flavour)}
+                return Laurent({k: self.number(flavour) for k in range(args[0])} | top)
+            case "matrix":
+                return self._matrix(args[0], args[1], flavour)
+        return getattr(self, f"_{kind}")(args[0], flavour)
+
+    def _matrix(self, nrows: int, ncols: int, flavour: str) -> Matrix:
+        m = Matrix.build(nrows, ncols, lambda i, j: self.number(flavour))
+        if flavour == "degenerate" and nrows > 1 and self.random.random() < 0.4:
+            m.rows[-1] = list(m.rows[0])  # dependent rows
+        return m
+
+    def _symmetric(self, n: int, flavour: str) -> Matrix:
+        m = self._matrix(n, n, flavour)
+        return Matrix.build(n, n, lambda i, j: m.rows[max(i, j)][min(i, j)])
+
+    def _unit_lower(self, n: int, flavour: str) -> Matrix:
+        return Matrix.build(n, n, lambda i, j: 1 if i == j else self.number(flavour) if i > j else 0)
+
+    def _psd(self, n: int, flavour: str) -> Matrix:
+        keep = self.random.choice((0.0, 0.35, 0.7)) if flavour != "degenerate" else 0.8
+        pivots = [0 if self.random.random() < keep else abs(self._nonzero(flavour)) for _ in range(n)]
+        lower = self._unit_lower(n, flavour)
+        return lower * Matrix.build(n, n, lambda i, j: pivots[i] if i == j else 0) * lower.transpose()
+
+    def _pd(self, n: int, flavour: str) -> Matrix:
+        if flavour == "degenerate":
+            return Matrix.identity(n)
+        pivots = [abs(self._nonzero(flavour)) for _ in range(n)]
+        lower = self._unit_lower(n, flavour)
+        return lower * Matrix.build(n, n, lambda i, j: pivots[i] if i == j else 0) * lower.transpose()
+
+    def _nonsingular(self, n: int, flavour: str) -> Matrix:
+        if flavour == "degenerate":
+            order = self.random.sample(range(n), n)
+            return Matrix.build(n, n, lambda i, j: int(order[i] == j) * self.random.choice((1, -1)))
+        pivots = [self._nonzero(flavour) for _ in range(n)]
+        upper = self._unit_lower(n, flavour).transpose()
+        return self._unit_lower(n, flavour) * Matrix.build(n, n, lambda i, j: pivots[i] if i == j else 0) * upper
+
+    def _diagonal(self, n: int, flavour: str) -> Matrix:
+        return Matrix.build(n, n, lambda i, j: self.number(flavour) if i == j else 0)
+
+
+_MATRICES = {"matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal"}
+
+
+def _tidy(x: Fraction) -> Any:
+    return int(x) if x.denominator == 1 else x
+
+
+def _listed(value: Any, is_matrix: bool) -> Any:
+    """Hand-made values as JSON: a flat list given for a matrix is a column."""
+    if isinstance(value, (list, tuple)):
+        if is_matrix and value and not isinstance(value[0], (list, tuple)):
+            return [[_listed(x, False)] for x in value]
+        return [_listed(x, False) for x in value]
+    return str(value) if isinstance(value, Fraction) else value
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON: ints, 'p/q', lists."""
+    if isinstance(value, Matrix):
+        return [[plain(x) for x in r] for r in value.rows]
+    if isinstance(value, Laurent):
+        return [plain(x) for x in value.dense()]
+    if isinstance(value, dict):
+        return [plain(value[k]) for k in sorted(value)]
+    if isinstance(value, Ratio):
+        raise Unknown("a rational function of z as a drawn value")
+    if isinstance(value, Fraction):
+        return int(value) if value.denominator == 1 else str(value)
+    if isinstance(value, int):
+        return value
+    raise Unknown(f"a drawn value of type {type(value).__name__}")
+
+
+def examples_of(by: tuple[Evidence, ...]) -> list[Mapping[str, Any]]:
+    """Instances given by hand among the evidence."""
+    return [{"horizon": e.hints["horizon"], **e.hints["values"]} for e in by if e.kind == "example"]

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""Showing that a changed statement says nothing new.
+
+Two ways, both with a symbol in place of every variable. The changed term, or
+one around it, is the same rational function as before. Or the changed
+statement is the original one after a substitution that maps the types of the
+variables to themselves: a scaling of a positive semidefinite matrix, two
+variables of one type exchanged, a nonsingular matrix transposed; it is then a
+special case of the original and no wrong neighbour. Predicates are compared
+by their arguments, up to the factors they do not see (a positive factor for
+definiteness, any nonzero factor for invertibility).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations
+from typing import Any
+
+from exactkf.evidence import Evidence
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.meaning import World, generic
+from exactkf.kernel.numbers import Laurent, SymbolicField, Undefined, Unknown
+from exactkf.kernel.replay import _integers
+
+__all__ = ["says_nothing_new"]
+
+_FACTORS: dict[str, tuple] = {
+    "psd": (1, 2, Fraction(1, 2)), "pd": (1, 2, Fraction(1, 2)), "invertible": (1, 2, Fraction(1, 2), -1),
+    "pos_circle": (1, 2, Fraction(1, 2)), "nonneg_circle": (1, 2, Fraction(1, 2)),
+}
+_CONNECTIVES = {"and", "or", "not", "=>", "<=>"}
+
+
+def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[Evidence]) -> bool:
+    """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
+    made_by = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
+    using = next((e.hints["using"] for e in by if e.hints.get("using")), {})
+    statement = {**data, "over": [*([n, _lists(t)] for n, t in using.items()), *data["over"]]}
+    worlds = list(_worlds(statement, data, by, made_by))
+    if not worlds:
+        return False
+    if any(_same_term(worlds, _subtree(data["says"], path[:cut]), _subtree(says, path[:cut])) for cut in range(len(path), -1, -1)):
+        return True
+    if made_by or data["given"]:
+        return False
+    return any(_is_special_case(worlds, data, says, change) for change in _substitutions(data))
+
+
+def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
+    sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
+    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 3), default=2) for n in data["sizes"]}
+    for integers in _integers(data, case):
+        try:
+            yield generic(statement, integers, made_by, SymbolicField().variable)[0]
+        except (Undefined, Unknown):
+            return
+
+
+def _same_term(worlds: list[World], old: Any, new: Any) -> bool:
+    try:
+        for world in worlds:
+            a, b = world.value(old), world.value(new)
+            if isinstance(a, bool):
+                if not (a is True and b is True):
+                    return False
+            elif not _equal(a, b):
+                return False
+    except (Undefined, Unknown, KeyError, TypeError):
+        return False
+    return True
+
+
+def _equal(a: Any, b: Any) -> bool:
+    try:
+        return bool(a == b)
+    except Undefined:
+        return False
+
+
+# ---------------------------------------------------------------------- substitutions that respect types
+def _maps(kind: str) -> list[tuple[str, Callable[[Any], Any]]]:
+    """Maps of a type into itself."""
+    scale = [("halved", lambda x: _scaled(x, Fraction(1, 2))), ("doubled", lambda x: _scaled(x, 2))]
+    zero = [("zero", lambda x: _scaled(x, 0))]
+    minus = [("negated", lambda x: _scaled(x, -1))]
+    turn = [("transposed", lambda x: x.transpose())]
+    match kind:
+        case "scalar" | "sequence" | "poly" | "symmetric" | "diagonal":
+            return scale + zero + minus
+        case "matrix":
+            return scale + zero + minus
+        case "psd" | "nonneg":
+            return scale + zero
+        case "pd" | "positive":
+            return scale
+        case "nonsingular":
+            return scale + minus + turn + [("inverted", lambda x: x.inverse())]
+        case "nonzero":
+            return scale + minus
+    return []
+
+
+def _scaled(x: Any, c: Any) -> Any:
+    return {k: v * c for k, v in x.items()} if isinstance(x, dict) else x * c
+
+
+def _substitutions(data: dict) -> Iterator[Callable[[dict], dict]]:
+    """Changes of the values of variables, singly and two at a time, and exchanges."""
+    single = [(name, f) for name, kind in data["over"] for _, f in _maps(kind[0])]
+
+    def change(pairs: tuple) -> Callable[[dict], dict]:
+        return lambda values: {**values, **{name: f(values[name]) for name, f in pairs}}
+
+    def exchange(x: str, y: str) -> Callable[[dict], dict]:
+        return lambda values: {**values, x: values[y], y: values[x]}
+
+    yield lambda values: values
+    yield from (change((s,)) for s in single)
+    for (x, s), (y, t) in combinations(data["over"], 2):
+        if s == t and s[0] != "integer":
+            yield exchange(x, y)
+    yield from (change((s, t)) for s, t in combinations(single, 2) if s[0] != t[0])
+
+
+def _is_special_case(worlds: list[World], data: dict, says: Any, change: Callable[[dict], dict]) -> bool:
+    try:
+        for world in worlds:
+            moved = World(data, {**change(world.values), "horizon": 0})
+            moved.symbolic = True
+            if not _same_formula(moved, data["says"], world, says, {}):
+                return False
+    except (Undefined, Unknown, KeyError, TypeError, AttributeError):
+        return False
+    return True
+
+
+def _same_formula(w: World, f: Any, v: World, g: Any, local: dict) -> bool:
+    """f in world w says the same as g in world v."""
+    if isinstance(f, int) or isinstance(g, int) or f[0] != g[0] or len(f) != len(g):
+        return False
+    op = f[0]
+    if op in _CONNECTIVES:
+        return all(_same_formula(w, a, v, b, local) for a, b in zip(f[1:], g[1:], strict=True))
+    if op in ("forall", "exists"):
+        low, high = (w.integer(f[k], local) for k in (2, 3))
+        if f[1] != g[1] or (v.integer(g[2], local), v.integer(g[3], local)) != (low, high):
+            return False
+        return all(_same_formula(w, f[4], v, g[4], {**local, f[1]: k}) for k in range(low, high + 1))
+    if op == "always":
+        return False
+    a = [w.value(x, local) for x in f[1:]]
+    b = [v.value(x, local) for x in g[1:]]
+    if op in ("<", "<=", ">", ">=", "loewner"):
+        a, b, op = [a[0] - a[1]], [b[0] - b[1]], "psd"
+    if op == "=" and len(a) == 2:
+        a, b = [a[0] - a[1]], [b[0] - b[1]]
+        return any(_equal(a[0], b[0] * c) for c in (1, -1, 2, Fraction(1, 2)))
+    return all(any(_equal(x, y * c) if isinstance(y, (Matrix, Laurent)) or not isinstance(y, int) else x == y
+                   for c in _FACTORS.get(op, (1,))) for x, y in zip(a, b, strict=True))
+
+
+def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
+    for k in path:
+        tree = tree[k]
+    return tree
+
+
+def _lists(kind: Any) -> Any:
+    return [_lists(x) for x in kind] if isinstance(kind, (list, tuple)) else kind

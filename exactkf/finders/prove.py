@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""Candidates for proof certificates.
+
+A finder here only proposes: it turns hints into certificates, cheapest first,
+and for inductions it tries the usual uses of the induction hypothesis. The
+checker decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations, product
+from typing import Any
+
+from exactkf.evidence import Evidence
+from exactkf.kernel.replay import seal
+
+__all__ = ["PROOFS", "candidates"]
+
+PROOFS = ("identity", "combination", "induction", "positivity", "evaluation")
+
+
+def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Iterator[dict]:
+    """Certificates to try for one piece of evidence."""
+    cases = _cases(statement, evidence.hints["sizes"])
+    match evidence.kind:
+        case "identity":
+            yield seal(id, "identity", statement, {"cases": cases, "given_by": evidence.hints["given_by"], "covered_by": evidence.hints["covered_by"]})
+        case "combination":
+            yield seal(id, "combination", statement, {"cases": cases, "terms": _per_equation(evidence.hints["terms"])})
+        case "positivity":
+            yield seal(id, "positivity", statement, {"cases": cases, "terms": evidence.hints["terms"]})
+        case "evaluation":
+            yield seal(id, "evaluation", statement, {"cases": cases})
+        case "induction":
+            for use in _uses(statement):
+                yield seal(id, "induction", statement, {"cases": cases, **use})
+
+
+def _cases(statement: Mapping[str, Any], sizes: Mapping[str, Any]) -> list[dict[str, int]]:
+    names = list(statement["sizes"])
+    return [dict(zip(names, values, strict=True)) for values in product(*(sizes.get(n, (1,)) for n in names))]
+
+
+def _per_equation(terms: Any) -> list:
+    """A list of terms for one equation, or a list of such lists."""
+    if not terms:
+        return [[]]
+    first = terms[0]
+    nested = bool(first) and isinstance(first[0], (list, tuple)) and len(first[0]) == 3 and isinstance(first[0][1], str)
+    return [list(t) for t in terms] if nested else [list(terms)]
+
+
+def _uses(statement: Mapping[str, Any]) -> Iterator[dict]:
+    """Ways to use the induction hypothesis: not at all, as an invariant, solved for states, both."""
+    if statement["says"][0] != "always":
+        return
+    body = statement["says"][2]
+    parts = body[1:] if body[0] == "and" else [body]
+    invariant = [[[1, k, 1]] for k in range(len(parts))]
+    solvable = [k for k, p in enumerate(parts) if p[0] == "=" and len(p) == 3 and isinstance(p[1], list) and p[1][0] == "at"]
+    for supports in _supports(statement):
+        yield {**supports}
+        yield {**supports, "cofactors": invariant}
+        for size in range(1, len(solvable) + 1):
+            for chosen in combinations(solvable, size):
+                yield {**supports, "solve": list(chosen)}
+                yield {**supports, "solve": list(chosen), "cofactors": [[] if k in chosen else t for k, t in enumerate(invariant)]}
+
+
+def _supports(statement: Mapping[str, Any]) -> Iterator[dict]:
+    """Exponents of z a polynomial state may have: as at t = 0."""
+    yield {}

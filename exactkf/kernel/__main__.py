@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+"""Replay certificates with the standard library alone: ``python -m exactkf.kernel FILE ...``."""
+
+from __future__ import annotations
+
+import json
+import sys
+
+from exactkf.kernel.replay import NotACertificate, Rejected, replay
+
+
+def main(paths: list[str]) -> int:
+    """Exit status 0: all replay; 1: one does not; 2: not a certificate, or unreadable."""
+    worst = 0
+    for path in paths:
+        try:
+            with open(path, encoding="utf-8") as file:
+                replay(json.load(file))
+        except Rejected as error:
+            print(f"{path}: rejected: {error}")
+            worst = max(worst, 1)
+        except (NotACertificate, OSError, ValueError, RecursionError) as error:
+            print(f"{path}: {error}", file=sys.stderr)
+            worst = 2
+    return worst
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

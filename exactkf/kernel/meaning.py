@@ -1,0 +1,590 @@
+# SPDX-License-Identifier: MIT
+"""What a statement means: its value on an instance, over any exact scalars.
+
+A statement is the JSON object of `exactkf.language.Statement`: sizes, typed
+variables, definitions, labelled hypotheses, conclusion. An instance gives
+every size an integer and every variable a value. `World` evaluates trees on
+an instance; `admissible` says whether types and hypotheses hold.
+
+Truth follows classical logic with two conventions. A term that divides by
+zero has no value (`Undefined`), and an instance on which the conclusion has
+no value is outside the statement: denominators are hypotheses. ``always(t,
+p)`` looks at t = 0 .. horizon, up to the first t at which p has no value, and
+needs at least t = 0 and 1 (t = 0 for horizon 0).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from math import isqrt
+from typing import Any
+
+from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar
+from exactkf.kernel.numbers import Algebraic, AlgebraicField, Laurent, Ratio, Symbolic, SymbolicField, Undefined, Unknown, divide, sign
+from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
+
+__all__ = ["Signal", "World", "admissible", "generic", "read_instance", "read_number", "variables"]
+
+_DEEPEST = 400  # levels of recursion a definition may take
+
+
+class Signal(dict):
+    """A sequence without end: entries appear when they are asked for."""
+
+    def __init__(self, start: int, entry: Callable[[int], Any]) -> None:
+        super().__init__()
+        self.start, self.entry = start, entry
+
+    def __contains__(self, k: object) -> bool:
+        return isinstance(k, int) and k >= self.start
+
+    def __missing__(self, k: int) -> Any:
+        self[k] = value = self.entry(k)
+        return value
+
+
+class World:
+    """Values of names, with memory for definitions."""
+
+    def __init__(self, statement: Mapping[str, Any], values: Mapping[str, Any]) -> None:
+        self.values = dict(values)
+        self.horizon = self.values.pop("horizon", 5)
+        self.definitions = {d[1]: d for d in statement["where"]}
+        self.memory: dict[tuple, Any] = {}
+        self.depth = 0
+        self.symbolic = False  # set by `generic`: conditions may then compare indices only
+
+    def value(self, tree: Any, local: Mapping[str, Any] | None = None) -> Any:
+        """Value of a term or truth of a formula; `local` binds indices."""
+        if isinstance(tree, int):
+            return tree
+        op = tree[0]
+        special = _SPECIAL.get(op)
+        if special is not None:
+            return special(self, tree, local or {})
+        if self.symbolic and op in _NOT_GENERIC:
+            args = [self.value(arg, local) for arg in tree[1:]]
+            if not all(isinstance(a, int) and not isinstance(a, bool) for a in args):
+                raise Unknown(f"{op!r} of quantities with variables")
+            return _PLAIN[op](*args)
+        try:
+            return _PLAIN[op](*(self.value(arg, local) for arg in tree[1:]))
+        except ZeroDivisionError as error:
+            raise Undefined("division by zero") from error
+
+    def integer(self, tree: Any, local: Mapping[str, Any]) -> int:
+        """Value of an index."""
+        k = self.value(tree, local)
+        if isinstance(k, Fraction) and k.denominator == 1:
+            k = int(k)
+        if not isinstance(k, int):
+            raise Undefined(f"index {tree!r} is not an integer")
+        return k
+
+    # ------------------------------------------------------------------ names
+    def name(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        name = tree[1]
+        if name in local:
+            return local[name]
+        if name in self.values:
+            return self.values[name]
+        return self.call(name, ())
+
+    def at(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        name = tree[1]
+        if name in self.definitions and name not in self.values:
+            return self.call(name, tuple(self.value(a, local) for a in tree[2:]))
+        sequence = local[name] if name in local else self.values[name]
+        if not isinstance(sequence, dict):
+            raise Undefined(f"{name} is not a sequence")
+        k = self.integer(tree[2], local)
+        if k not in sequence:
+            raise Undefined(f"{name}[{k}] is outside the sequence")
+        return sequence[k]
+
+    def call(self, name: str, args: tuple) -> Any:
+        """Value of a definition, remembered when its arguments are integers."""
+        key = (name, args) if all(isinstance(a, int) for a in args) else None
+        if key in self.memory and key is not None:
+            found = self.memory[key]
+            if isinstance(found, Undefined):
+                raise found
+            return found
+        if self.depth > _DEEPEST:
+            raise Undefined(f"definition of {name} does not end")
+        self.depth += 1
+        try:
+            result = self._define(name, args)
+        except Undefined as error:
+            result = error
+        finally:
+            self.depth -= 1
+        if key is not None:
+            self.memory[key] = result
+        if isinstance(result, Undefined):
+            raise result
+        return result
+
+    def _define(self, name: str, args: tuple) -> Any:
+        definition = self.definitions[name]
+        if definition[0] == "let":
+            params, body = definition[2], definition[3]
+            if len(params) != len(args):
+                raise Undefined(f"{name} takes {len(params)} arguments, not {len(args)}")
+            return self.value(body, dict(zip(params, args, strict=True)))
+        _, _, index, start, initial, step = definition
+        (k,) = args
+        if not isinstance(k, int) or k < start:
+            raise Undefined(f"{name}[{k}] lies before the start of the recursion")
+        if k < start + len(initial):
+            return self.value(initial[k - start], {})
+        return self.value(step, {index: k - 1})
+
+
+# ---------------------------------------------------------------------- operations that bind, choose or short-cut
+def _range(world: World, tree: Any, local: Mapping[str, Any]) -> Iterator[dict]:
+    _, index, low, high, _body = tree
+    for k in range(world.integer(low, local), world.integer(high, local) + 1):
+        yield {**local, index: k}
+
+
+def _sum(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
+    acc = None
+    for inner in _range(world, tree, local):
+        term = world.value(tree[4], inner)
+        acc = term if acc is None else acc + term
+    return 0 if acc is None else acc
+
+
+def _prod(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
+    acc: Any = 1
+    for inner in _range(world, tree, local):
+        acc = _times(acc, world.value(tree[4], inner))
+    return acc
+
+
+def _truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    result = world.value(tree, local)
+    if not isinstance(result, bool):
+        raise Undefined("a term stands where a formula is needed")
+    return result
+
+
+def _every(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    return all(_truth(world, tree[4], inner) for inner in _range(world, tree, local))
+
+
+def _some(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    return any(_truth(world, tree[4], inner) for inner in _range(world, tree, local))
+
+
+def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    _, index, body = tree
+    for t in range(world.horizon + 1):
+        try:
+            if not _truth(world, body, {**local, index: t}):
+                return False
+        except Undefined:
+            if t <= min(1, world.horizon):
+                raise
+            return True
+    return True
+
+
+def _condition(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    """Truth of what decides between cases. Where variables are symbols only indices may decide:
+    two expressions that differ as rational functions are still equal for some values."""
+    if not world.symbolic:
+        return _truth(world, tree, local)
+    if tree[0] in ("and", "or", "not", "<=>"):
+        parts = [_condition(world, x, local) for x in tree[1:]]
+        return {"and": all, "or": any, "not": lambda p: not p[0], "<=>": lambda p: p[0] == p[1]}[tree[0]](parts)
+    if tree[0] not in ("=", "!=", "<", "<=", ">", ">="):
+        raise Unknown(f"condition {tree[0]!r} on quantities with variables")
+    return _PLAIN[tree[0]](*(world.integer(x, local) for x in tree[1:]))
+
+
+def _implies(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    return not _condition(world, tree[1], local) or _truth(world, tree[2], local)
+
+
+def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    try:
+        world.value(tree[1], local)
+    except Undefined:
+        return False
+    return True
+
+
+def _mat(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
+    _, i, j, nrows, ncols, body = tree
+    return Matrix.build(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
+                        lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
+
+
+def _col(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
+    _, i, length, body = tree
+    return Matrix.build(_count(world.integer(length, local)), 1, lambda r, c: _scalar(world.value(body, {**local, i: r + 1})))
+
+
+def _entry(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
+    matrix = world.value(tree[1], local)
+    i = world.integer(tree[2], local)
+    j = world.integer(tree[3], local) if len(tree) > 3 else 1
+    if not isinstance(matrix, Matrix) or not (1 <= i <= matrix.nrows and 1 <= j <= matrix.ncols):
+        raise Undefined(f"no entry ({i}, {j})")
+    return matrix.rows[i - 1][j - 1]
+
+
+def _prints(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    value, printed = world.value(tree[1], local), tree[2]
+    if isinstance(printed, str):
+        return _rounds_to(_scalar(value), printed)
+    if not isinstance(value, Matrix) or [len(r) for r in printed] != [value.ncols] * value.nrows:
+        raise Undefined("printed table has another shape")
+    return all(_rounds_to(x, p) for row, prow in zip(value.rows, printed, strict=True) for x, p in zip(row, prow, strict=True))
+
+
+def _rounds_to(x: Any, printed: str) -> bool:
+    """|x - printed| is at most half a unit of the last printed digit."""
+    places = len(printed.partition(".")[2])
+    half = Fraction(1, 2 * 10**places)
+    return not (x - Fraction(printed) > half or x - Fraction(printed) < -half)
+
+
+# ---------------------------------------------------------------------- operations on values
+def _count(n: int) -> int:
+    if n < 0:
+        raise Undefined("negative size")
+    return n
+
+
+def _scalar(x: Any) -> Any:
+    if isinstance(x, Matrix):
+        if not x.is_scalar:
+            raise Undefined("a matrix stands where a scalar is needed")
+        return x.rows[0][0]
+    return x
+
+
+def _square(x: Any) -> Matrix:
+    m = x if isinstance(x, Matrix) else Matrix([[x]])
+    m._square()
+    return m
+
+
+def _matrix(x: Any) -> Matrix:
+    return x if isinstance(x, Matrix) else Matrix([[x]])
+
+
+def _plus(*xs: Any) -> Any:
+    acc = xs[0]
+    for x in xs[1:]:
+        acc = acc + x
+    return acc
+
+
+def _times(*xs: Any) -> Any:
+    acc = xs[0]
+    for x in xs[1:]:
+        acc = acc * x
+    return acc
+
+
+def _over(x: Any, y: Any) -> Any:
+    return divide(x, _scalar(y))
+
+
+def _power(x: Any, k: Any) -> Any:
+    if not isinstance(k, int):
+        raise Undefined("exponent is not an integer")
+    if isinstance(x, Matrix):
+        return x.power(k)
+    out: Any = 1
+    for _ in range(abs(k)):
+        out = out * x
+    return divide(1, out) if k < 0 else out
+
+
+def _sqrt(x: Any) -> Any:
+    """Square root of a rational square; Undefined where the field has none."""
+    x = _scalar(x)
+    if isinstance(x, (Symbolic, Laurent, Ratio, Algebraic)):
+        raise Unknown("square root of a quantity that is not rational")
+    p, q = int(x.numerator), int(x.denominator)
+    if p < 0 or isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
+        raise Undefined("no rational square root")
+    return x * 0 + Fraction(isqrt(p), isqrt(q)) if not isinstance(x, int) else isqrt(p)
+
+
+def _poly(x: Any) -> Laurent:
+    x = _scalar(x)
+    if isinstance(x, Ratio):
+        if len(x.den.c) == 1:
+            return x.num
+        raise Undefined("a quotient stands where a polynomial is needed")
+    return Laurent.of(x)
+
+
+def _reciprocal(x: Any) -> Any:
+    if isinstance(x, Matrix):
+        return x.map(_reciprocal)
+    return x.reciprocal() if isinstance(x, (Laurent, Ratio)) else x
+
+
+def _reverse(x: Any, n: Any) -> Any:
+    return _poly(x).reciprocal().shift(n)
+
+
+def _substitute(p: Any, x: Any) -> Any:
+    p = _scalar(p)
+    if isinstance(p, Ratio):
+        return _over(_substitute(p.num, x), _substitute(p.den, x))
+    p = Laurent.of(p)
+    matrix = isinstance(x, Matrix)
+    acc = x * 0 if matrix else 0
+    for k, c in p.c.items():
+        acc = acc + _power(x, k) * c
+    return acc
+
+
+def _at_infinity(f: Any, k: Any) -> Any:
+    return Ratio.of(_scalar(f)).at_infinity(k)
+
+
+def _charpoly(m: Any) -> Laurent:
+    return Laurent(dict(enumerate(char_coefficients(_square(m)))))
+
+
+def _is_symmetric(m: Any) -> bool:
+    m = _matrix(m)
+    return m.nrows == m.ncols and m == m.transpose()
+
+
+def _is_psd(m: Any) -> bool:
+    return _is_symmetric(m) and inertia(_matrix(m))[1] == 0
+
+
+def _is_pd(m: Any) -> bool:
+    return _is_symmetric(m) and inertia(_matrix(m))[1:] == (0, 0)
+
+
+def _is_invertible(m: Any) -> bool:
+    m = _matrix(m)
+    return m.nrows == m.ncols and m.determinant() != 0
+
+
+def _is_symplectic(m: Any) -> bool:
+    m = _square(m)
+    d, odd = divmod(m.nrows, 2)
+    if odd:
+        return False
+    j = Matrix.build(2 * d, 2 * d, lambda r, c: int(c == r + d) - int(r == c + d))
+    return m.transpose() * j * m == j
+
+
+def _roots(which: int) -> Callable:
+    return lambda p: count_circle(_poly(p).dense())[which]
+
+
+def _is_schur(x: Any) -> bool:
+    p = _charpoly(x) if isinstance(x, Matrix) else _poly(x)
+    inside, on, outside = count_circle(p.dense())
+    return on == outside == 0
+
+
+def _coprime(p: Any, q: Any) -> bool:
+    return len(gcd_poly(_poly(p).dense(), _poly(q).dense())) == 1
+
+
+def _rank(m: Any) -> int:
+    return len(echelon(_matrix(m))[1])
+
+
+def _diag(*xs: Any) -> Matrix:
+    parts = [_matrix(x) for x in xs]
+    return block([[p if i == j else Matrix.build(p.nrows, q.ncols, lambda r, c: 0) for j, q in enumerate(parts)]
+                  for i, p in enumerate(parts)])
+
+
+def _chain(test: Callable[[Any, Any], bool]) -> Callable:
+    def holds(*xs: Any) -> bool:
+        if any(isinstance(x, bool) for x in xs):
+            raise Undefined("a formula stands where a term is needed")
+        return all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
+    return holds
+
+
+def _ordered(test: Callable[[int], bool]) -> Callable:
+    return _chain(lambda x, y: test(sign(_scalar(x) - _scalar(y))))
+
+
+def _blocks(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
+    return block([[world.value(x, local) for x in row] for row in tree[1:]])
+
+
+def _table(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
+    return Matrix([[_scalar(world.value(x, local)) for x in row] for row in tree[1:]])
+
+
+_SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
+    "sym": World.name, "at": World.at, "sum": _sum, "prod": _prod, "forall": _every, "exists": _some, "always": _always,
+    "=>": _implies, "defined": _defined, "mat": _mat, "col": _col, "entry": _entry, "prints": _prints,
+    "block": _blocks, "rows": _table,
+    "rat": lambda w, t, loc: Fraction(t[1], t[2]),
+    "if": lambda w, t, loc: w.value(t[2] if _condition(w, t[1], loc) else t[3], loc),
+    "and": lambda w, t, loc: all(_truth(w, x, loc) for x in t[1:]),
+    "or": lambda w, t, loc: any(_truth(w, x, loc) for x in t[1:]),
+    "not": lambda w, t, loc: not _condition(w, t[1], loc),
+    "<=>": lambda w, t, loc: _condition(w, t[1], loc) == _condition(w, t[2], loc),
+}
+
+_PLAIN: dict[str, Callable] = {
+    "z": lambda: Laurent({1: 1}),
+    "+": _plus, "-": lambda x, y: x - y, "neg": lambda x: -x, "*": _times, "/": _over, "^": _power,
+    "sqrt": _sqrt, "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
+    "diag": _diag, "I": lambda n: Matrix.identity(_count(n)),
+    "O": lambda r, c: Matrix.build(_count(r), _count(c), lambda i, j: 0),
+    "T": lambda m: _matrix(m).transpose(), "inv": lambda m: _square(m).inverse(), "det": lambda m: _square(m).determinant(),
+    "tr": lambda m: sum((_square(m).rows[i][i] for i in range(_square(m).nrows)), 0),
+    "rank": _rank, "charpoly": _charpoly, "kernel": lambda m: null_basis(_matrix(m)),
+    "nrows": lambda m: _matrix(m).nrows, "ncols": lambda m: _matrix(m).ncols,
+    "coeff": lambda p, k: _poly(p).get(k), "deg": lambda p: _poly(p).degree, "rev": _reverse, "recip": _reciprocal,
+    "subst": _substitute, "laurent": _at_infinity,
+    "roots_in": _roots(0), "roots_on": _roots(1), "roots_out": _roots(2),
+    "real_roots": lambda p, lo, hi: count_real(_poly(p).dense(), _scalar(lo), _scalar(hi)),
+    "=": _chain(lambda x, y: x == y), "!=": _chain(lambda x, y: not x == y),
+    "<": _ordered(lambda s: s < 0), "<=": _ordered(lambda s: s <= 0), ">": _ordered(lambda s: s > 0), ">=": _ordered(lambda s: s >= 0),
+    "loewner": lambda a, b: _is_psd(_matrix(a - b)), "psd": _is_psd, "pd": _is_pd, "symmetric": _is_symmetric,
+    "invertible": _is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
+    "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur,
+    "pos_circle": lambda d: circle_sign(_poly(d)) == "+", "nonneg_circle": lambda d: circle_sign(_poly(d)) in ("+", "0+", "0"),
+}
+
+#: operations whose value for symbols does not carry over to every value of the symbols
+_NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
+                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "pos_circle", "nonneg_circle"}
+
+
+# ---------------------------------------------------------------------- instances
+def read_number(text: Any, field: AlgebraicField | None) -> Any:
+    """An int, 'p/q', or a list of coefficients in theta."""
+    if isinstance(text, list):
+        if field is None:
+            raise Undefined("an algebraic number needs the instance's field")
+        return field.element([Fraction(c) for c in text])
+    if isinstance(text, bool) or not isinstance(text, (int, str)):
+        raise Undefined(f"{text!r} is not an exact number")
+    value = Fraction(text)
+    return int(value) if value.denominator == 1 else value
+
+
+def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number: Callable[[Any], Any] | None = None) -> dict[str, Any]:
+    """Values of sizes and variables from JSON; shapes are checked here, the rest of a type in `admissible`."""
+    field = None
+    if data.get("field"):
+        modulus, lo, hi = data["field"]
+        field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    read = number or (lambda x: read_number(x, field))
+    values: dict[str, Any] = {}
+    for name in statement["sizes"]:
+        values[name] = data["sizes"][name]
+        if not isinstance(values[name], int) or values[name] < 0:
+            raise Undefined(f"size {name} is not a natural number")
+    values["horizon"] = data["sizes"].get("horizon", 5)
+    for name, kind in statement["over"]:
+        values[name] = _read_value(World({"where": statement["where"]}, values), kind, data["values"][name], read)
+    return values
+
+
+def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
+    args = [world.integer(a, {}) for a in kind[1:]]
+    match kind[0]:
+        case "integer":
+            if isinstance(data, bool) or not isinstance(data, int):
+                raise Undefined("an integer is needed")
+            return data
+        case "scalar" | "nonzero" | "positive" | "nonneg":
+            return read(data)
+        case "sequence":
+            return dict(zip(range(args[0], args[1] + 1), [read(x) for x in data], strict=True))
+        case "signal":
+            return {args[0] + k: read(x) for k, x in enumerate(data)}
+        case "poly" | "monic":
+            if len(data) != args[0] + 1:
+                raise Undefined("a polynomial lists its coefficients from z^0 to z^n")
+            return Laurent({k: read(x) for k, x in enumerate(data)})
+    nrows, ncols = args if kind[0] == "matrix" else args * 2
+    if len(data) != nrows or any(len(r) != ncols for r in data):
+        raise Undefined(f"a {nrows}x{ncols} matrix is needed")
+    return Matrix([[read(x) for x in r] for r in data], ncols)
+
+
+_TYPE_TESTS: dict[str, Callable[..., bool]] = {
+    "integer": lambda v, lo, hi: lo <= v <= hi, "nonzero": lambda v: v != 0, "positive": lambda v: v > 0, "nonneg": lambda v: v >= 0,
+    "symmetric": lambda v, n: _is_symmetric(v), "psd": lambda v, n: _is_psd(v), "pd": lambda v, n: _is_pd(v),
+    "nonsingular": lambda v, n: _is_invertible(v), "monic": lambda v, n: v.get(n) == 1,
+    "diagonal": lambda v, n: all(v.rows[i][j] == 0 for i in range(n) for j in range(n) if i != j),
+}
+
+
+def admissible(statement: Mapping[str, Any], world: World) -> str:
+    """'' if types and hypotheses hold, else what does not."""
+    for name, kind in statement["over"]:
+        test = _TYPE_TESTS.get(kind[0])
+        if test and not test(world.values[name], *(world.integer(a, {}) for a in kind[1:])):
+            return f"{name} is not of type {kind[0]}"
+    for label, formula, _kind in statement["given"]:
+        if not _truth(world, formula, {}):
+            return f"hypothesis {label!r} does not hold"
+    return ""
+
+
+def generic(statement: Mapping[str, Any], sizes: Mapping[str, int], given_by: Mapping[str, Any] | None = None,
+            new: Callable[[str], Any] | None = None) -> tuple[World, Callable[[str], Any]]:
+    """A world in which every variable is made of independent symbols, as far as its type is an equation.
+
+    Inequalities of types (positive, psd, nonsingular ...) are ignored, so that what is
+    true in this world is true for every value. Variables in ``given_by`` are computed from the others.
+    """
+    new = new or SymbolicField().variable
+    values: dict[str, Any] = {"horizon": 0, **{k: v for k, v in sizes.items()}}
+    given_by = given_by or {}
+    for name, kind in statement["over"]:
+        if name in values or name in given_by:
+            continue
+        args = [World({"where": statement["where"]}, values).integer(a, {}) for a in kind[1:]]
+        values[name] = _generic_value(name, kind[0], args, new)
+    world = World(statement, values)
+    world.symbolic = True
+    for name, tree in given_by.items():
+        world.values[name] = world.value(tree)
+    return world, new
+
+
+def _generic_value(name: str, kind: str, args: list[int], new: Callable[[str], Any]) -> Any:
+    match kind:
+        case "integer":
+            raise Unknown(f"integer variable {name} needs a value")
+        case "scalar" | "nonzero" | "positive" | "nonneg":
+            return new(name)
+        case "sequence":
+            return {k: new(f"{name}_{k}") for k in range(args[0], args[1] + 1)}
+        case "signal":
+            return Signal(args[0], lambda k: new(f"{name}_{k}"))
+        case "poly":
+            return Laurent({k: new(f"{name}_{k}") for k in range(args[0] + 1)})
+        case "monic":
+            return Laurent({k: new(f"{name}_{k}") if k < args[0] else 1 for k in range(args[0] + 1)})
+        case "matrix" | "nonsingular":
+            return Matrix.build(args[0], args[-1], lambda i, j: new(f"{name}_{i + 1}{j + 1}"))
+        case "diagonal":
+            return Matrix.build(args[0], args[0], lambda i, j: new(f"{name}_{i + 1}") if i == j else 0)
+    upper = {(i, j): new(f"{name}_{i + 1}{j + 1}") for i in range(args[0]) for j in range(i, args[0])}
+    return Matrix.build(args[0], args[0], lambda i, j: upper[min(i, j), max(i, j)])
+
+
+def variables(statement: Mapping[str, Any]) -> list[str]:
+    """Names of the free variables."""
+    return [name for name, _ in statement["over"]]

@@ -1,0 +1,383 @@
+# SPDX-License-Identifier: MIT
+"""Certificates and their replay.
+
+A certificate is a JSON object: format, version, claim id, kind, the statement,
+the evidence, and a digest of all that. `replay` accepts it or raises
+`Rejected` with the step that fails. Kinds:
+
+===============  ==================================================================
+``instances``    every listed instance satisfies types, hypotheses and conclusion
+``counterexample``  the instance satisfies types and hypotheses, not the conclusion
+``evaluation``   all values of integer variables and listed sizes, nothing else free
+``identity``     the conclusion is true with a symbol in place of every variable
+``combination``  lhs - rhs = sum of L (lhs - rhs of a hypothesis) R, with symbols
+``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
+``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
+===============  ==================================================================
+
+What is proved with symbols holds wherever the recorded denominators are not
+zero. `replay` returns them as text.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import Any
+
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.meaning import World, admissible, generic, read_instance
+from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
+
+__all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
+
+FORMAT, VERSION = "exactkf-certificate", 1
+_FIELDS = ("format", "version", "id", "kind", "statement", "evidence", "digest")
+_GENERIC_T = 10**6  # stands for "some t" in an induction step; no recursion can reach it from its start
+
+
+class NotACertificate(Exception):
+    """The object is no certificate of this version."""
+
+
+class Rejected(Exception):
+    """A step of the certificate does not replay."""
+
+
+def digest(certificate: Mapping[str, Any]) -> str:
+    """SHA-256 of everything but the digest itself, in canonical JSON."""
+    body = {k: certificate[k] for k in _FIELDS if k != "digest"}
+    return hashlib.sha256(json.dumps(body, sort_keys=True, separators=(",", ":")).encode()).hexdigest()
+
+
+def seal(id: str, kind: str, statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> dict[str, Any]:
+    """A certificate with its digest."""
+    made = {"format": FORMAT, "version": VERSION, "id": id, "kind": kind, "statement": statement, "evidence": evidence}
+    made = json.loads(json.dumps(made))
+    return {**made, "digest": digest(made)}
+
+
+def replay(certificate: Any) -> list[str]:
+    """Replay a certificate; return the denominators it assumes nonzero.
+
+    Raises
+    ------
+    NotACertificate
+        Wrong format, version or fields.
+    Rejected
+        With the step that fails.
+    """
+    if not isinstance(certificate, dict) or certificate.get("format") != FORMAT:
+        raise NotACertificate("not an exactkf certificate; pass a file that 'exactkf verify --certificates' wrote")
+    if certificate.get("version") != VERSION:
+        raise NotACertificate(f"version {certificate.get('version')!r} of the certificate format; this checker reads version {VERSION}")
+    if set(certificate) != set(_FIELDS) or certificate["kind"] not in _KINDS:
+        raise NotACertificate("fields or kind of the certificate are not those of version 1")
+    if digest(certificate) != certificate["digest"]:
+        raise Rejected("digest: the certificate was altered after it was written")
+    try:
+        return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
+    except (Undefined, Unknown) as error:
+        raise Rejected(f"{certificate['kind']}: {error}") from error
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError, AssertionError) as error:
+        raise Rejected(f"{certificate['kind']}: malformed data ({type(error).__name__}: {error})") from error
+
+
+# ---------------------------------------------------------------------- evidence on instances
+def _world(statement: Mapping[str, Any], instance: Mapping[str, Any]) -> World:
+    return World(statement, read_instance(statement, instance))
+
+
+def _instances(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    listed = evidence["instances"]
+    _need(len(listed) > 0, "no instance")
+    for number, instance in enumerate(listed, 1):
+        world = _world(statement, instance)
+        fault = admissible(statement, world)
+        _need(not fault, f"instance {number}: {fault}")
+        _need(world.value(statement["says"]) is True, f"instance {number}: the conclusion does not hold")
+    return []
+
+
+def _counterexample(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    world = _world(statement, evidence["instance"])
+    fault = admissible(statement, world)
+    _need(not fault, f"counterexample: {fault}")
+    _need(world.value(statement["says"]) is False, "counterexample: the conclusion holds there")
+    return []
+
+
+def _integers(statement: Mapping[str, Any], sizes: Mapping[str, int]) -> Iterator[dict[str, int]]:
+    """Every value of the integer variables, for given sizes."""
+    def extend(values: dict[str, int], rest: list) -> Iterator[dict[str, int]]:
+        if not rest:
+            yield values
+            return
+        (name, (_, low, high)), *later = rest
+        world = World(statement, values)
+        for k in range(world.integer(low, {}), world.integer(high, {}) + 1):
+            yield from extend({**values, name: k}, later)
+
+    yield from extend(dict(sizes), [v for v in statement["over"] if v[1][0] == "integer"])
+
+
+def _sizes(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[dict[str, int]]:
+    cases = [dict(c) for c in evidence["cases"]]
+    _need(len(cases) > 0, "no case")
+    for case in cases:
+        _need(set(case) == set(statement["sizes"]) and all(type(v) is int and v >= 0 for v in case.values()), f"case {case} does not set the sizes")
+    return cases
+
+
+def _evaluation(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    _need(all(kind[0] == "integer" for _, kind in statement["over"]), "a variable is not an integer")
+    reached = 0
+    for case in _sizes(statement, evidence):
+        for values in _integers(statement, case):
+            world = World(statement, {**values, "horizon": 0})
+            if admissible(statement, world):
+                continue
+            _need(world.value(statement["says"]) is True, f"the conclusion does not hold at {values}")
+            reached += 1
+    _need(reached > 0, "no admissible case")
+    return []
+
+
+# ---------------------------------------------------------------------- evidence with symbols
+def _cases(statement: Mapping[str, Any], evidence: Mapping[str, Any], given_by: Mapping[str, Any] | None = None) -> Iterator[tuple[World, SymbolicField]]:
+    for case in _sizes(statement, evidence):
+        for values in _integers(statement, case):
+            field = SymbolicField()
+            yield generic(statement, values, given_by, field.variable)[0], field
+
+
+def _denominators(field: SymbolicField) -> list[str]:
+    return [field.text(f) for f in field.factors]
+
+
+def _collect(into: list[str], field: SymbolicField) -> None:
+    into.extend(t for t in _denominators(field) if t not in into)
+
+
+def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    found: list[str] = []
+    given_by = evidence.get("given_by") or {}
+    _need(not given_by or bool(evidence.get("covered_by")), "a parametrisation needs the claim that says it reaches everything")
+    reached = 0
+    for world, field in _cases(statement, evidence, given_by):
+        _need(_generic_truth(world, statement["says"]), f"not an identity for {_ints(world)}")
+        _collect(found, field)
+        reached += 1
+    _need(reached > 0, "no case")
+    return found
+
+
+def _generic_truth(world: World, tree: Any, local: Mapping[str, Any] | None = None) -> bool:
+    if tree[0] == "always":
+        raise Unknown("a statement for all t needs an induction")
+    return world.value(tree, local) is True
+
+
+def _ints(world: World) -> dict[str, int]:
+    return {k: v for k, v in world.values.items() if isinstance(v, int) and k != "horizon"}
+
+
+def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) -> list[Any]:
+    """Left minus right side of every equation in a conjunction."""
+    op = tree[0]
+    if op == "and":
+        return [r for part in tree[1:] for r in _residuals(world, part, local)]
+    if op == "forall":
+        _, index, low, high, body = tree
+        return [r for k in range(world.integer(low, local or {}), world.integer(high, local or {}) + 1)
+                for r in _residuals(world, body, {**(local or {}), index: k})]
+    if op == "=":
+        values = [world.value(x, local) for x in tree[1:]]
+        return [x - y for x, y in zip(values, values[1:], strict=False)]
+    if op == "symmetric":
+        m = world.value(tree[1], local)
+        return [m - m.transpose()]
+    if op == "symplectic":
+        m = world.value(tree[1], local)
+        d = m.nrows // 2
+        j = Matrix.build(2 * d, 2 * d, lambda r, c: int(c == r + d) - int(r == c + d))
+        return [m.transpose() * j * m - j]
+    raise Unknown(f"{op!r} is not an equation")
+
+
+def _zero(x: Any) -> bool:
+    if isinstance(x, Matrix):
+        return all(y == 0 for r in x.rows for y in r)
+    return x == 0
+
+
+def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    found: list[str] = []
+    hypotheses = {label: formula for label, formula, _ in statement["given"]}
+    for world, field in _cases(statement, evidence):
+        goals = _residuals(world, statement["says"])
+        _need(len(goals) == len(evidence["terms"]), "as many lists of terms as equations are needed")
+        for goal, terms in zip(goals, evidence["terms"], strict=True):
+            rest = goal
+            for left, label, right in terms:
+                (h,) = _residuals(world, hypotheses[label.removesuffix("'")])
+                h = h.transpose() if label.endswith("'") else h
+                rest = rest - world.value(left) * h * world.value(right)
+            _need(_zero(rest), f"the combination does not add up for {_ints(world)}")
+        _collect(found, field)
+    return found
+
+
+def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    found: list[str] = []
+    op, lhs, rhs = statement["says"]
+    _need(op in (">", ">=", "<", "<="), "the conclusion is not an inequality between two terms")
+    if op in ("<", "<="):
+        lhs, rhs = rhs, lhs
+    hypotheses = {label: formula for label, formula, _ in statement["given"]}
+    hypotheses.update({name: [">" if kind[0] == "positive" else ">=", ["sym", name], 0]
+                       for name, kind in statement["over"] if kind[0] in ("positive", "nonneg")})
+    for world, field in _cases(statement, evidence):
+        rest, strict = world.value(lhs) - world.value(rhs), False
+        for c, q, labels in evidence["terms"]:
+            c = Fraction(world.value(c))
+            _need(c >= 0, "a coefficient is negative")
+            term, positive = world.value(q), c > 0
+            positive = positive and isinstance(term, (int, Fraction)) and term != 0
+            term = c * (term * term)
+            for label in labels:
+                relation, x, y = hypotheses[label]
+                _need(relation in (">", ">=", "<", "<="), f"hypothesis {label!r} is not an inequality")
+                gap = world.value(x) - world.value(y)
+                term = term * (gap if relation in (">", ">=") else -gap)
+                positive = positive and relation in (">", "<")
+            strict = strict or positive
+            rest = rest - term
+        _need(_zero(rest), f"the terms do not add up for {_ints(world)}")
+        _need(strict or op in (">=", "<="), "no term is strictly positive")
+        _collect(found, field)
+    return found
+
+
+# ---------------------------------------------------------------------- induction
+def _fresh(like: Any, name: str, field: SymbolicField) -> Any:
+    """A value of the same shape with a new symbol in every place."""
+    if isinstance(like, Matrix):
+        return Matrix.build(like.nrows, like.ncols, lambda i, j: _fresh(like.rows[i][j], f"{name}_{i + 1}{j + 1}", field))
+    if isinstance(like, Laurent):
+        return Laurent({k: field.variable(f"{name}_{k}") for k in like.c})
+    if isinstance(like, Ratio):
+        raise Unknown("a state with quotients in z")
+    return field.variable(name)
+
+
+def _fits(value: Any, like: Any) -> bool:
+    """The value is an instance of the shape."""
+    if isinstance(like, Matrix):
+        return isinstance(value, Matrix) and (value.nrows, value.ncols) == (like.nrows, like.ncols) and all(
+            _fits(x, y) for r, s in zip(value.rows, like.rows, strict=True) for x, y in zip(r, s, strict=True))
+    if isinstance(like, Laurent):
+        return not isinstance(value, (Matrix, Ratio)) and set(Laurent.of(value).c) <= set(like.c)
+    return not isinstance(value, (Matrix, Laurent, Ratio))
+
+
+def _index_only(tree: Any, index: str) -> bool:
+    """The index occurs in arguments of sequences and definitions alone."""
+    if isinstance(tree, (int, str)):
+        return True
+    if tree and tree[0] == "sym":
+        return tree[1] != index
+    if tree and tree[0] == "at":
+        return all(not _mentions(a, index) or _is_shift(a, index) for a in tree[2:])
+    return all(_index_only(x, index) for x in tree[1:] if not isinstance(x, str))
+
+
+def _mentions(tree: Any, index: str) -> bool:
+    if isinstance(tree, (int, str)):
+        return False
+    return tree[:2] == ["sym", index] or any(_mentions(x, index) for x in tree[1:])
+
+
+def _is_shift(tree: Any, index: str) -> bool:
+    """t, t + k or t - k for an integer k."""
+    return tree == ["sym", index] or (tree[0] in "+-" and len(tree) == 3 and tree[1] == ["sym", index] and isinstance(tree[2], int))
+
+
+def _called_with_index(statement: Mapping[str, Any], body: Any, index: str) -> list:
+    """Functions that may be handed the index, directly or through other functions."""
+    functions = {d[1]: d for d in statement["where"] if d[0] == "let" and d[2]}
+    reached: dict[str, Any] = {}
+    todo = [(body, {index}), *((d[5], {d[2]}) for d in statement["where"] if d[0] == "rec")]
+    while todo:
+        tree, names = todo.pop()
+        if isinstance(tree, (int, str)):
+            continue
+        if tree and tree[0] == "at" and tree[1] in functions and tree[1] not in reached \
+                and any(_mentions(a, n) for a in tree[2:] for n in names):
+            reached[tree[1]] = d = functions[tree[1]]
+            todo.append((d[3], set(d[2])))
+        todo.extend((x, names) for x in tree)
+    return list(reached.values())
+
+
+def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    found: list[str] = []
+    op, index, body = statement["says"]
+    _need(op == "always", "the conclusion is not of the form 'for all t'")
+    recursions = [d for d in statement["where"] if d[0] == "rec"]
+    _need(bool(recursions), "no recursion")
+    _need(_index_only(body, index), "the index is used other than as an index")
+    for d in recursions:
+        _need(d[3] == 0 and len(d[4]) == 1, f"recursion {d[1]} does not start with one value at 0")
+        _need(_index_only(d[5], d[2]), f"recursion {d[1]} uses its index other than as an index")
+    for d in _called_with_index(statement, body, index):
+        _need(all(_index_only(d[3], p) for p in d[2]), f"definition {d[1]} uses an index other than as an index")
+    for world, field in _cases(statement, evidence):
+        _need(all(_zero(r) for r in _residuals(world, body, {index: 0})), f"base: t = 0 fails for {_ints(world)}")
+        shapes = {d[1]: world.call(d[1], (0,)) for d in recursions}
+        for name, support in (evidence.get("support") or {}).items():
+            shapes[name] = Laurent({k: 1 for k in support})
+        _step(world, field, statement, evidence, index, body, recursions, shapes)
+        _collect(found, field)
+    return found
+
+
+def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evidence: Mapping[str, Any], index: str, body: Any,
+          recursions: list, shapes: Mapping[str, Any]) -> None:
+    """From t to t + 1, t generic."""
+    t = _GENERIC_T
+    for d in recursions:
+        _need(_fits(world.call(d[1], (0,)), shapes[d[1]]), f"step: {d[1]} at 0 does not have the shape of the state")
+    world.memory = {(name, (t,)): _fresh(shape, name, field) for name, shape in shapes.items()}
+    parts = body[1:] if body[0] == "and" else [body]
+    for k in evidence.get("solve") or []:
+        eq = parts[k]
+        _need(eq[0] == "=" and len(eq) == 3 and eq[1][0] == "at" and eq[1][2:] == [["sym", index]] and eq[1][1] in shapes,
+              "step: only an equation X[t] = term can be solved for X[t]")
+        del world.memory[eq[1][1], (t,)]
+        solved = world.value(eq[2], {index: t})
+        world.memory = {key: v for key, v in world.memory.items() if key[0] in shapes and key[1] == (t,)}
+        world.memory[eq[1][1], (t,)] = solved
+    before = [r for p in parts for r in _residuals(world, p, {index: t})]
+    after = [r for p in parts for r in _residuals(world, p, {index: t + 1})]
+    cofactors = evidence.get("cofactors") or [[] for _ in after]
+    _need(len(cofactors) == len(after), "step: as many lists of cofactors as equations are needed")
+    for rest, terms in zip(after, cofactors, strict=True):
+        for left, k, right in terms:
+            rest = rest - world.value(left, {index: t}) * before[k] * world.value(right, {index: t})
+        _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
+    for d in recursions:
+        _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
+
+
+def _need(condition: bool, step: str) -> None:
+    if not condition:
+        raise Rejected(step)
+
+
+_KINDS = {
+    "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
+    "combination": _combination, "positivity": _positivity, "induction": _induction,
+}

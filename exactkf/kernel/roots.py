@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""Root location for polynomials over an ordered field, exact, with multiplicities.
+
+A polynomial is its list of coefficients from x^0 up.
+
+Roots inside, on and outside the unit circle: zeros at 0 are split off; g =
+gcd(p, p*) holds the roots on the circle and those whose reciprocal is a root
+too. What is left has neither, so that the Schur-Cohn matrix is nonsingular
+and its inertia counts. In g the roots +-1 are split off, the rest is written
+in x = z + 1/z and its real roots in (-2, 2) are counted by Sturm chains of
+the square-free factors.
+
+References: Schur (1917), Cohn (1922), Sturm (1829), Yun (1976).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactkf.kernel.linear import Matrix, inertia
+from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
+
+__all__ = ["circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly"]
+
+
+def _trim(p: list) -> list:
+    p = list(p)
+    while p and p[-1] == 0:
+        p.pop()
+    return p
+
+
+def divmod_poly(p: list, q: list) -> tuple[list, list]:
+    """Quotient and remainder."""
+    p, q = _trim(p), _trim(q)
+    out: list[Any] = [0] * max(0, len(p) - len(q) + 1)
+    while len(p) >= len(q):
+        out[len(p) - len(q)] = f = divide(p[-1], q[-1])
+        for i in range(len(q) - 1):
+            p[len(p) - len(q) + i] = p[len(p) - len(q) + i] - f * q[i]
+        p.pop()
+        p = _trim(p)
+    return out, p
+
+
+def gcd_poly(p: list, q: list) -> list:
+    """Greatest common divisor, monic ([] for two zeros)."""
+    p, q = _trim(p), _trim(q)
+    while q:
+        p, q = q, divmod_poly(p, q)[1]
+        if q:
+            q = [divide(c, q[-1]) for c in q]
+    return [divide(c, p[-1]) for c in p]
+
+
+def _derivative(p: list) -> list:
+    return [k * c for k, c in enumerate(p)][1:]
+
+
+def _squarefree(p: list) -> list[tuple[list, int]]:
+    """Pairs (factor, multiplicity)."""
+    out = []
+    g = gcd_poly(p, _derivative(p))
+    w, k = divmod_poly(p, g)[0], 1
+    while len(w) > 1:
+        y = gcd_poly(w, g)
+        f = divmod_poly(w, y)[0]
+        if len(f) > 1:
+            out.append((f, k))
+        w, g, k = y, divmod_poly(g, y)[0], k + 1
+    return out
+
+
+def _at(p: list, x: Any) -> Any:
+    acc: Any = 0
+    for c in reversed(p):
+        acc = acc * x + c
+    return acc
+
+
+def count_real(p: list, lo: Any, hi: Any) -> int:
+    """Number of distinct real roots x with lo < x <= hi, by Sturm's theorem."""
+    p = _trim(p)
+    if not p:
+        raise Undefined("the zero polynomial has no root count")
+    p = divmod_poly(p, gcd_poly(p, _derivative(p)))[0] if len(p) > 1 else p
+    chain = [p, _derivative(p)]
+    while chain[-1]:
+        chain.append([-c for c in divmod_poly(chain[-2], chain[-1])[1]])
+    chain.pop()
+
+    def changes(x: Any) -> int:
+        signs = [s for s in (sign(_at(q, x)) for q in chain) if s]
+        return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
+
+    return changes(lo) - changes(hi)
+
+
+def _strip(p: list, root: int) -> tuple[list, int]:
+    """Divide out (x - root) as often as it goes."""
+    times = 0
+    while len(p) > 1 and _at(p, root) == 0:
+        p, times = divmod_poly(p, [-root, 1])[0], times + 1
+    return p, times
+
+
+def _chebyshev(palindrome: list) -> list:
+    """G with z^m G(z + 1/z) = g(z) for a palindromic g of degree 2m."""
+    m = (len(palindrome) - 1) // 2
+    previous, current = [2], [0, 1]  # z^k + z^-k as polynomials in x
+    out = [palindrome[m]] + [0] * m
+    for k in range(1, m + 1):
+        for i, c in enumerate(current):
+            out[i] = out[i] + c * palindrome[m + k]
+        following = [0, *current]
+        for i, c in enumerate(previous):
+            following[i] -= c
+        previous, current = current, following
+    return _trim(out)
+
+
+def _schur_cohn_inside(p: list) -> int:
+    """Roots in |z| < 1 of a polynomial that shares none with its reversal."""
+    n = len(p) - 1
+    if n == 0:
+        return 0
+    top = [[p[n - i + j] if j <= i else 0 for j in range(n)] for i in range(n)]
+    low = [[p[i - j] if j <= i else 0 for j in range(n)] for i in range(n)]
+    a, b = Matrix(top), Matrix(low)
+    plus, _minus, zero = inertia(a * a.transpose() - b * b.transpose())
+    if zero:
+        raise Undefined("Schur-Cohn matrix of a polynomial that shares a root with its reversal")
+    return plus
+
+
+def count_circle(p: list) -> tuple[int, int, int]:
+    """Roots with |z| < 1, = 1, > 1, with multiplicity."""
+    p = _trim(p)
+    if not p:
+        raise Undefined("the zero polynomial has no root count")
+    p, inside = _strip(p, 0)
+    g = gcd_poly(p, p[::-1])
+    rest = divmod_poly(p, g)[0]
+    mine = _schur_cohn_inside(rest)
+    outside = len(rest) - 1 - mine
+    g, ones = _strip(g, 1)
+    g, minus_ones = _strip(g, -1)
+    on = ones + minus_ones
+    pairs = 0
+    if len(g) > 1:
+        for factor, k in _squarefree(_chebyshev(g)):
+            pairs += 2 * k * count_real(factor, -2, 2)
+    half = (len(g) - 1 - pairs) // 2
+    return inside + mine + half, on + pairs, outside + half
+
+
+def circle_sign(d: Laurent) -> str:
+    """Sign of a pseudo-polynomial on |z| = 1: '+', '0+', '0', '-0', '-' or '+-'."""
+    if any(d.get(k) != d.get(-k) for k in d.c):
+        raise Undefined("not symmetric under z -> 1/z, so not real on the circle")
+    if not d.c:
+        return "0"
+    m = d.degree
+    g = _chebyshev([d.get(k - m) for k in range(2 * m + 1)])
+    odd = any(k % 2 and count_real(f, -2, 2) - (_at(f, 2) == 0) > 0 for f, k in (_squarefree(g) if len(g) > 1 else []))
+    if odd:
+        return "+-"
+    touches = _at(g, -2) == 0 or count_real(g, -2, 2) > 0
+    # g keeps one sign on (-2, 2): any point that is not a root shows it
+    x: Any = 0
+    while _at(g, x) == 0:
+        x = divide(x + 2, 3) if x else divide(1, 7)
+    positive = sign(_at(g, x)) > 0
+    return ("0+" if touches else "+") if positive else ("-0" if touches else "-")
