@@ -28,6 +28,7 @@ from typing import Any
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
+from exactkf.finders.membership import find_membership
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.meaning import World
@@ -209,8 +210,19 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
                 if _accept(certificate, found):
                     _credit(data, e, found)
                     break
-        elif e.kind == "steps":
+    if found.strength != "proved" and any(e.kind in ("identity", "combination") for e in by):
+        _every_size(id, data, found)
+    for e in by:
+        if e.kind == "steps":
             _steps(e, found)
+
+
+def _every_size(id: str, data: dict, found: Findings) -> None:
+    """A proof in words of letters holds for every size at once."""
+    terms = find_membership(data)
+    if terms is not None and _accept(seal(id, "membership", data, {"terms": terms}), found):
+        found.strength, found.sizes = "proved", None
+        found.evidence.append(f"for every size: {sum(map(len, terms))} multiples of the assumptions, expanded in words")
 
 
 def _better(found: Findings, strength: str) -> bool:

@@ -41,33 +41,42 @@ class Sampler:
         Hints of an `exactkf.evidence.instances`; examples are tried first.
     examples : sequence of mapping
         Values given by hand.
-    seed : int
-        Same seed, same instances.
+    seed : int or Random
+        Same seed, same instances. A `Random` of another kind may be given, such as one that shrinks.
     """
 
-    def __init__(self, statement: Mapping[str, Any], hints: Mapping[str, Any], examples: list[Mapping[str, Any]], seed: int) -> None:
+    def __init__(self, statement: Mapping[str, Any], hints: Mapping[str, Any], examples: list[Mapping[str, Any]], seed: int | Random) -> None:
         self.statement, self.examples = statement, examples
         self.sizes = {k: list(v) for k, v in hints.get("sizes", {}).items()}
         self.made_by = hints.get("made_by", {})
         self.using = hints.get("using", {})
         self.horizon = hints.get("horizon", 5)
-        self.random = Random(f"{seed}")
+        self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
         """Admissible instances with their worlds; the hand-made examples come first."""
         for example in self.examples:
             yield from self._admit(self._from_example(example))
-        every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]
-        every.sort(key=lambda s: sum(s.values()))
+        every = self._every_size()
         for k in range(tries):
-            flavour = _FLAVOURS[self.random.randrange(len(_FLAVOURS))] if k >= len(every) else "small"
-            try:
-                made = self._draw(every[k % len(every)], flavour)
-            except (Undefined, ZeroDivisionError) as error:
-                self._refuse(f"construction: {error}")
-                continue
-            yield from self._admit(made)
+            yield from self._try(every[k % len(every)], self.random.choice(_FLAVOURS) if k >= len(every) else "small")
+
+    def one(self) -> Iterator[tuple[dict, World]]:
+        """One draw of any size: an admissible instance with its world, or nothing."""
+        yield from self._try(self.random.choice(self._every_size()), self.random.choice(_FLAVOURS))
+
+    def _every_size(self) -> list[dict[str, int]]:
+        every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]
+        return sorted(every, key=lambda s: sum(s.values()))
+
+    def _try(self, sizes: Mapping[str, int], flavour: str) -> Iterator[tuple[dict, World]]:
+        try:
+            made = self._draw(sizes, flavour)
+        except (Undefined, ZeroDivisionError) as error:
+            self._refuse(f"construction: {error}")
+            return
+        yield from self._admit(made)
 
     def _refuse(self, reason: str) -> None:
         self.rejected[reason] = self.rejected.get(reason, 0) + 1
@@ -117,9 +126,9 @@ class Sampler:
             case "degenerate":
                 return r.choice((0, 0, 0, 1, -1, Fraction(1, 2)))
             case "tiny":
-                return r.choice((-1, 0, 1, 2))
+                return r.choice((0, 1, -1, 2))
             case "small":
-                return r.choice((-3, -2, -1, 1, 2, 3, 0, Fraction(1, 2), Fraction(-1, 2)))
+                return r.choice((0, 1, -1, 2, -2, 3, -3, Fraction(1, 2), Fraction(-1, 2)))
             case "wide":
                 return _tidy(Fraction(r.randint(-12, 12), r.randint(1, 7)))
         return _tidy(Fraction(r.randint(-5, 5), r.randint(1, 5)))

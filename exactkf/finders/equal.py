@@ -127,7 +127,7 @@ def _substitutions(data: dict) -> Iterator[Callable[[dict], dict]]:
 def _is_special_case(worlds: list[World], data: dict, says: Any, change: Callable[[dict], dict]) -> bool:
     try:
         for world in worlds:
-            moved = World(data, {**change(world.values), "horizon": 0})
+            moved = World(data, {**change(world.values), "horizon": None})
             moved.symbolic = True
             if not _same_formula(moved, data["says"], world, says, {}):
                 return False

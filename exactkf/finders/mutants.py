@@ -15,13 +15,17 @@ from typing import Any
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler
 from exactkf.finders.equal import says_nothing_new
+from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.replay import NotACertificate, Rejected, replay
 from exactkf.language.mutate import Mutant, mutants, rewritings
 
 __all__ = ["MutantReport", "judge_mutants"]
 
+_MATRIX_CHANGES = ("factors exchanged", "transpose added", "transpose removed")
+_BINDERS = ("forall", "exists", "sum", "prod", "always")
 _TRIES = 200
 _MOST = 48  # mutants looked at per claim, spread evenly over the tree
 
@@ -98,23 +102,37 @@ def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidenc
             return "void"
     if not meaningful:
         return "void"
-    if mutant.kind == "factors exchanged" and not _has_matrix(data, mutant, worlds[0]):
+    if mutant.kind in _MATRIX_CHANGES and _only_scalars(data, mutant, worlds[0]):
         return "void"
-    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) else "survived"
+    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _also_proved(data, mutant, by) else "survived"
 
 
-def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
-    for k in path:
-        tree = tree[k]
-    return tree
-
-
-def _has_matrix(data: dict, mutant: Mutant, world: World) -> bool:
+def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
+    """The operands of the changed node are scalars or polynomials on this instance: order and transposes mean nothing."""
+    tree, local = data["says"], {}
     try:
-        factors = _subtree(data["says"], mutant.path)[1:]
-        return any(isinstance(world.value(f), Matrix) for f in factors)
+        for k in mutant.path:
+            if isinstance(tree, list) and tree and tree[0] in _BINDERS:
+                local[tree[1]] = 1 if tree[0] == "always" else world.integer(tree[2], local)
+            tree = tree[k]
+        values = [world.value(x, local) for x in tree[1:]]
     except (Undefined, Unknown, KeyError):
         return False
+    return not any(isinstance(v, Matrix) and not v.is_scalar for v in values)
+
+
+def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
+    """The same proof proves the changed statement: both are theorems."""
+    changed = {**data, "says": mutant.says}
+    for e in by:
+        if e.kind in PROOFS:
+            for certificate in candidates("mutant", changed, e):
+                try:
+                    replay(certificate)
+                    return True
+                except (Rejected, NotACertificate):
+                    continue
+    return False
 
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> str:

@@ -93,9 +93,12 @@ class World:
 
     def at(self, tree: Any, local: Mapping[str, Any]) -> Any:
         name = tree[1]
-        if name in self.definitions and name not in self.values:
+        definition = self.definitions.get(name) if name not in self.values and name not in local else None
+        if definition is not None and (definition[0] == "rec" or definition[2]):
             return self.call(name, tuple(self.value(a, local) for a in tree[2:]))
-        sequence = local[name] if name in local else self.values[name]
+        sequence = self.name(tree, local)
+        if isinstance(sequence, Matrix):
+            return _pick(sequence, *(self.integer(a, local) for a in tree[2:]))
         if not isinstance(sequence, dict):
             raise Undefined(f"{name} is not a sequence")
         k = self.integer(tree[2], local)
@@ -181,6 +184,8 @@ def _some(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
     _, index, body = tree
+    if world.horizon is None:
+        raise Unknown("a statement for all t needs an induction")
     for t in range(world.horizon + 1):
         try:
             if not _truth(world, body, {**local, index: t}):
@@ -210,6 +215,8 @@ def _implies(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 
 def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    if world.symbolic:
+        raise Unknown("definedness of a quantity with variables")
     try:
         world.value(tree[1], local)
     except Undefined:
@@ -229,10 +236,12 @@ def _col(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
 
 
 def _entry(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
-    matrix = world.value(tree[1], local)
-    i = world.integer(tree[2], local)
-    j = world.integer(tree[3], local) if len(tree) > 3 else 1
-    if not isinstance(matrix, Matrix) or not (1 <= i <= matrix.nrows and 1 <= j <= matrix.ncols):
+    return _pick(_matrix(world.value(tree[1], local)), *(world.integer(a, local) for a in tree[2:]))
+
+
+def _pick(matrix: Matrix, i: int, j: int = 1) -> Any:
+    """Entry (i, j), counted from 1; one index is for a column."""
+    if not (1 <= i <= matrix.nrows and 1 <= j <= matrix.ncols):
         raise Undefined(f"no entry ({i}, {j})")
     return matrix.rows[i - 1][j - 1]
 
@@ -549,7 +558,7 @@ def generic(statement: Mapping[str, Any], sizes: Mapping[str, int], given_by: Ma
     true in this world is true for every value. Variables in ``given_by`` are computed from the others.
     """
     new = new or SymbolicField().variable
-    values: dict[str, Any] = {"horizon": 0, **{k: v for k, v in sizes.items()}}
+    values: dict[str, Any] = {"horizon": None, **sizes}
     given_by = given_by or {}
     for name, kind in statement["over"]:
         if name in values or name in given_by:

@@ -12,6 +12,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``identity``     the conclusion is true with a symbol in place of every variable
 ``combination``  lhs - rhs = sum of L (lhs - rhs of a hypothesis) R, with symbols
 ``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
+``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ===============  ==================================================================
 
@@ -30,6 +31,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World, admissible, generic, read_instance
 from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
+from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
 
@@ -136,7 +138,7 @@ def _evaluation(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
     reached = 0
     for case in _sizes(statement, evidence):
         for values in _integers(statement, case):
-            world = World(statement, {**values, "horizon": 0})
+            world = World(statement, {**values, "horizon": None})
             if admissible(statement, world):
                 continue
             _need(world.value(statement["says"]) is True, f"the conclusion does not hold at {values}")
@@ -167,17 +169,11 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
     _need(not given_by or bool(evidence.get("covered_by")), "a parametrisation needs the claim that says it reaches everything")
     reached = 0
     for world, field in _cases(statement, evidence, given_by):
-        _need(_generic_truth(world, statement["says"]), f"not an identity for {_ints(world)}")
+        _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
         reached += 1
     _need(reached > 0, "no case")
     return found
-
-
-def _generic_truth(world: World, tree: Any, local: Mapping[str, Any] | None = None) -> bool:
-    if tree[0] == "always":
-        raise Unknown("a statement for all t needs an induction")
-    return world.value(tree, local) is True
 
 
 def _ints(world: World) -> dict[str, int]:
@@ -259,6 +255,24 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
         _need(strict or op in (">=", "<="), "no term is strictly positive")
         _collect(found, field)
     return found
+
+
+def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    reader = Reader(statement)
+    goals = [(p, b.rows[i], b.cols[j]) for b in residual_blocks(reader, statement["says"])
+             for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+    assumed = relations(reader)
+    _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
+    for number, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
+        rest = goal
+        for c, left, name, right in terms:
+            one = Fraction(1)
+            product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
+            for _, word in product:
+                _need(word_sizes(reader, word, rows) == cols, f"block {number}: a word of relation {name} has other sizes than the block")
+            rest = add(rest, product, -Fraction(c))
+        _need(not rest, f"block {number}: the terms do not add up")
+    return [f"det({text(p)})" for p, _ in reader.inverses]
 
 
 # ---------------------------------------------------------------------- induction
@@ -379,5 +393,5 @@ def _need(condition: bool, step: str) -> None:
 
 _KINDS = {
     "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
-    "combination": _combination, "positivity": _positivity, "induction": _induction,
+    "combination": _combination, "positivity": _positivity, "membership": _membership, "induction": _induction,
 }
