@@ -58,9 +58,15 @@ def step(pp: Expr = P, phi: Expr = Phi, m: Expr = M, v: Expr = V, h: Expr = H) -
     return phi * (update(pp, m, v)) * T(phi) + h
 
 
-def projection(vector: Expr, size: Expr = n) -> Expr:
-    """Orthogonal projection along a vector that is not zero."""
-    return Identity(size) - vector * T(vector) / (T(vector) * vector)
+def across(vector: Expr, turn: Expr) -> Expr:
+    """A vector at right angles to ``vector``: (U - U')v for any square U."""
+    return (turn - T(turn)) * vector
+
+
+def annihilating(vector: Expr, turn: Expr, other: Expr) -> Expr:
+    """A nonnegative definite matrix that has ``vector`` as a null vector."""
+    a, b = across(vector, turn), across(vector, other)
+    return a * T(a) + b * T(b)
 
 
 def r_matrix(a: Expr, b: Expr, c: Expr, d: Expr) -> Expr:

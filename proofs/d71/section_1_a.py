@@ -53,7 +53,7 @@ claim("D71-E1.20", "what the filter does to the estimation error",
       sizes=["n", "p"],
       over={x: vector(n), xh: vector(n), h: vector(n), dy: vector(p), Phi: matrix(n, n), M: matrix(p, n), K: matrix(n, p)},
       where=[let(y, M*x + dy), let(x1, Phi*x + h), let(xt, xh + K*(y - M*xh)), let(xh1, Phi*xt)],
-      by=[identity(**SIZES), instances(**SMALL)],
+      by=[identity(**SIZES), instances(n=range(2, 4), p=range(2, 4))],
       note="The two filter equations define the estimates; the content checked is the error recursion they give with y = Mx + dy.")
 
 claim("D71-E1.22", "the gain leaves the least covariance",

@@ -51,6 +51,8 @@ from exactkf.language import (
     Zero,
 )
 from proofs.d71.notation import (
+    across,
+    annihilating,
     COVARIANCE,
     cut,
     GW,
@@ -75,7 +77,6 @@ from proofs.d71.notation import (
     k,
     n,
     p,
-    projection,
     slices,
     step,
     varying_step,
@@ -83,29 +84,32 @@ from proofs.d71.notation import (
 
 I = Identity(n)  # noqa: E741
 z, m, s, c = symbols("z m s c")
-RUN = {"n": range(1, 3), "p": range(1, 3)}
+RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]
 V_POSITIVE = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
 
 # --- existence -------------------------------------------------------------------------------------------------------
 
-claim("D71-S18", "nonnegative P_0 and V_k make every MPM' + V invertible",
-      forall(k, 0, N - 1, invertible(M(k)*P[k]*T(M(k)) + V(k))) & defined(P[N]),
+INVERTIBLE = forall(k, 0, N - 1, invertible(M(k)*P[k]*T(M(k)) + V(k)))
+
+claim("D71-S18", "a solution up to P_N exists",
+      INVERTIBLE & forall(k, 0, N, defined(P[k])),
       sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
-      by=[example(n=1, p=1, N=1, P0=[[0]], PhiW=[[1]], MW=[[1]], GW=[[1]], WW=[[0]]), instances(**RUN, N=range(1, 4))],
+      by=[example(n=1, p=1, N=1, P0=[[0]], PhiW=[[1]], MW=[[1]], GW=[[1]], WW=[[0]]), instances(**RUN)],
       repair=repair(
           "missing hypothesis", "V_k >= 0 allows P_0 = 0 and V_0 = 0, where MPM' + V is zero; V_k > 0 is needed",
-          forall(k, 0, N - 1, invertible(M(k)*P[k]*T(M(k)) + V(k))) & defined(P[N]),
+          INVERTIBLE & forall(k, 0, N, defined(P[k])),
           sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE, given=[V_POSITIVE],
-          by=[instances(**RUN, N=range(1, 4))]),
-      note="H_k = G_k G_k' and V_k = W_k W_k' run over all nonnegative definite matrices.")
+          by=[instances(**RUN)]),
+      note="H_k = G_k G_k' and V_k = W_k W_k' run over all nonnegative definite matrices. "
+           "That the solution is unique while every MPM' + V is invertible is how a recursion is read.")
 
 # --- symmetry and definiteness ---------------------------------------------------------------------------------------
 
 claim("D71-T3.1", "symmetry is kept",
       forall(k, 1, N, T(P[k]) == P[k]),
       sizes=["n", "p", "N"], over={**slices(N), P0: symmetric_matrix(n)}, where=WHERE,
-      by=[identity(n=range(1, 3), p=(1,), N=(1,)), instances(**RUN, N=range(1, 4))])
+      by=[identity(n=range(1, 3), p=(1,), N=(1,)), instances(**RUN)])
 
 claim("D71-E3.1", "the covariance equation in symmetric form",
       step() == Phi*(joseph(K))*T(Phi) + H,
@@ -115,15 +119,15 @@ claim("D71-E3.1", "the covariance equation in symmetric form",
       by=[identity(n=range(1, 4), p=(1,)), instances(n=range(1, 4), p=range(1, 4))])
 
 claim("D71-T3.2", "nonnegative definiteness is kept",
-      forall(k, 1, N, psd(P[k])),
+      forall(k, 0, N, psd(P[k])),
       sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
       by=[steps("D71-E3.1", facts=["A sum of nonnegative definite matrices and a congruence of one are nonnegative definite."],
                 prose="The symmetric form is such a sum, so each step keeps P >= 0; repeat."),
-          instances(**RUN, N=range(1, 4))])
+          instances(**RUN)])
 
 # --- completely driven processes -------------------------------------------------------------------------------------
 
-P1, P2, Y, Y1, Y2, Z0 = symbols("P1 P2 Y Y1 Y2 Z0")
+P1, P2, Y, Y1, Y2, y = symbols("P1 P2 Y Y1 Y2 y")
 Phi0, Phi1, M0, M1, V0, V1, H0, H1, K0, K1 = symbols("Phi0 Phi1 M0 M1 V0 V1 H0 H1 K0 K1")
 Zn, Zp = Zero(n, 1), Zero(p, 1)
 w = T(Phi)*z
@@ -135,8 +139,8 @@ claim("D71-E3.2", "a null vector of the next covariance, one step back",
             H: positive_semidefinite(n), z: vector(n)},
       where=[let(K, gain()), let(P1, step())],
       given=[given("P_m z = 0", P1*z == Zn)],
-      by=[instances(n=range(1, 4), p=range(1, 3), using={Y: matrix(n, n), Y1: matrix(n, n)},
-                    made_by={P: projection(w)*Y*T(Y)*projection(w), H: projection(z)*Y1*T(Y1)*projection(z)})])
+      by=[instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
+                    made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})])
 
 TWO_STEPS = {
     P: positive_semidefinite(n), z: vector(n),
@@ -156,9 +160,9 @@ claim("D71-S19", "a null vector carried back two steps",
           "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' is missing",
           (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
           sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
-          by=[instances(n=range(1, 4), p=range(1, 3), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
-                        made_by={P: projection(w0)*Y*T(Y)*projection(w0), H0: projection(w1)*Y1*T(Y1)*projection(w1),
-                                 H1: projection(z)*Y2*T(Y2)*projection(z)})]),
+          by=[instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
+                        made_by={P: annihilating(w0, Y, Y1), H0: annihilating(w1, Y1, Y2),
+                                 H1: annihilating(z, Y2, Y)})]),
       note="P is P_{m-2}, with the data of the instants m-2 and m-1 named 0 and 1.")
 
 Rd, YW = symbols("Rd YW")
@@ -167,10 +171,10 @@ RUN_TO_M = {**slices(m), P0: positive_semidefinite(n), z: vector(n)}
 #: noise and initial covariance that annihilate what z becomes on its way back
 BACK = {
     GW: matrix_of(i, c, n, n*m, sum_of(k, 0, m - 1, when(
-        (c > n*k) & (c <= n*k + n), (projection(T(Tr(m, k + 1))*z)*cut(YW, n, n, k))[i, c - n*k], 0))),
-    P0: projection(T(Tr(m, 0))*z)*Y*T(Y)*projection(T(Tr(m, 0))*z),
+        (c > n*k) & (c <= n*k + n), (across(T(Tr(m, k + 1))*z, cut(YW, n, n, k))*T(y))[i, c - n*k], 0))),
+    P0: annihilating(T(Tr(m, 0))*z, Y, Y1),
 }
-BACKWARDS = [instances(n=range(1, 4), p=range(1, 3), m=range(1, 4), made_by=BACK, using={Y: matrix(n, n), YW: matrix(n, n*m)})]
+BACKWARDS = [instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK, using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)})]
 NULL = given("P_m z = 0", P[m]*z == Zn)
 V_POSITIVE_TO_M = given("V_k > 0", forall(k, 0, m - 1, pd(V(k))))
 
@@ -225,7 +229,7 @@ claim("D71-T3.4", "the order of two solutions is kept",
       given=[standing("V_k > 0", forall(k, 0, N - 1, pd(V(k)))), given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
       by=[steps("D71-E3.4", facts=["0 < A <= B implies B^{-1} <= A^{-1}.", "The nonnegative definite matrices are a closed cone."],
                 prose="Shifted by eps I the update is the inverse of a decreasing function of P, so the shifted steps are ordered; let eps go to 0 and repeat."),
-          instances(**RUN, N=range(1, 4), made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})])
+          instances(**RUN, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})])
 
 claim("D71-E3.4", "one step from a shifted covariance",
       (step(P + e*I) == Phi*inv(inv(P + e*I) + gram())*T(Phi) + H)
