@@ -19,6 +19,7 @@ Main definitions
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -28,7 +29,7 @@ from typing import Any
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
-from exactkf.finders.membership import find_membership
+from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.meaning import World
@@ -59,6 +60,7 @@ class Findings:
     evidence: list[str] = field(default_factory=list)
     denominators: list[str] = field(default_factory=list)
     checks: int = 0
+    shown: int = 0  # instances at the head of the list that go into the certificate
     worlds: list[World] = field(default_factory=list)
     sampler: Sampler | None = None
 
@@ -133,16 +135,42 @@ def _is_closed(data: Mapping[str, Any]) -> bool:
 
 def _search(id: str, data: dict, by: Sequence[Evidence], seed: int, found: Findings) -> None:
     """Look for a counterexample; keep the instances on the way."""
-    hints = next((e.hints for e in by if e.kind == "instances"), None)
-    wanted = hints["count"] if hints else 12
-    sampler = found.sampler = Sampler(data, hints or _default_hints(by), examples_of(tuple(by)), seed)
+    asked = [e.hints for e in by if e.kind == "instances"]
     kept: list[dict] = []
-    seen: set[str] = set()
+    undefined = ""
+    examples = examples_of(tuple(by))
+    for hints in asked or [_default_hints(by)]:
+        sampler = Sampler(data, hints, examples, seed)
+        found.sampler = found.sampler or sampler
+        examples = []
+        fault = _draw_from(sampler, id, data, hints.get("count", 12), kept, found)
+        if found.verdict == "fails":
+            return
+        undefined = undefined or fault
+        if sampler is not found.sampler:
+            for reason, times in sampler.rejected.items():
+                found.sampler.rejected[reason] = found.sampler.rejected.get(reason, 0) + times
+    if not kept:
+        found.evidence.append(f"no admissible instance{': ' + undefined if undefined else ''}")
+        return
+    found.witness = kept[0]
+    if asked or not any(e.kind in PROOFS for e in by):
+        wanted = sum(h["count"] for h in asked) if asked else 12
+        certificate = seal(id, "instances", data, {"instances": kept[:wanted], "seed": seed, "searched": len(kept)})
+        if _accept(certificate, found):
+            found.strength = "instances"
+            found.evidence.append(f"{min(len(kept), wanted)} exact instances in the certificate, {len(kept)} searched (seed {seed})")
+
+
+def _draw_from(sampler: Sampler, id: str, data: dict, wanted: int, kept: list[dict], found: Findings) -> str:
+    """Instances of one sampler: refute, or keep what is new. The first ``wanted`` of each sampler come before the others."""
+    seen = {repr(instance) for instance in kept}
+    fresh: list[dict] = []
+    undefined = ""
     started = time.perf_counter()
-    undefined = unknown = ""
     try:
         for instance, world in sampler.stream(max(_TRIES, 4 * wanted)):
-            if len(kept) >= wanted and time.perf_counter() - started > _PATIENCE:
+            if len(fresh) >= wanted and time.perf_counter() - started > _PATIENCE:
                 break
             if repr(instance) in seen:
                 continue
@@ -156,21 +184,15 @@ def _search(id: str, data: dict, by: Sequence[Evidence], seed: int, found: Findi
             found.checks += 1
             if truth is False:
                 _refute(id, data, instance, found)
-                return
-            kept.append(instance)
+                return undefined
+            fresh.append(instance)
             found.worlds.append(world)
     except Unknown as error:
-        unknown = str(error)
-        found.evidence.append(f"instances: {unknown}")
-    if not kept:
-        found.evidence.append(f"no admissible instance{': ' + undefined if undefined else ''}")
-        return
-    found.witness = kept[0]
-    if hints is not None or not any(e.kind in PROOFS for e in by):
-        certificate = seal(id, "instances", data, {"instances": kept[:wanted], "seed": seed, "searched": len(kept)})
-        if _accept(certificate, found):
-            found.strength = "instances"
-            found.evidence.append(f"{min(len(kept), wanted)} exact instances in the certificate, {len(kept)} searched (seed {seed})")
+        found.evidence.append(f"instances: {error}")
+    kept[found.shown:found.shown] = fresh[:wanted]
+    found.shown += len(fresh[:wanted])
+    kept.extend(fresh[wanted:])
+    return undefined
 
 
 def _default_hints(by: Sequence[Evidence]) -> dict[str, Any]:
@@ -210,16 +232,30 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
                 if _accept(certificate, found):
                     _credit(data, e, found)
                     break
-    if found.strength != "proved" and any(e.kind in ("identity", "combination") for e in by):
-        _every_size(id, data, found)
+    hint = next((e.hints["sums"] for e in by if e.kind == "order"), ())
+    if found.strength != "proved" and data["sizes"]:
+        _ordered(id, data, hint, found)
+    if found.strength != "proved" and data["sizes"]:
+        _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
     for e in by:
         if e.kind == "steps":
             _steps(e, found)
 
 
-def _every_size(id: str, data: dict, found: Findings) -> None:
+def _ordered(id: str, data: dict, sums: Any, found: Findings) -> None:
+    """Matrix order for every size, by congruences and sums."""
+    parts = find_order(data, json.loads(json.dumps(sums)))
+    if parts is not None and _accept(seal(id, "order", data, {"parts": parts}), found):
+        found.strength, found.sizes = "proved", None
+        found.evidence.append("for every size: a sum of terms that are semidefinite by their form; "
+                              "classical facts: sums, congruences and inverses of semidefinite matrices")
+    elif sums:
+        found.evidence.append("order: the terms given do not prove it")
+
+
+def _every_size(id: str, data: dict, found: Findings, seconds: float) -> None:
     """A proof in words of letters holds for every size at once."""
-    terms = find_membership(data)
+    terms = find_membership(data, seconds=seconds)
     if terms is not None and _accept(seal(id, "membership", data, {"terms": terms}), found):
         found.strength, found.sizes = "proved", None
         found.evidence.append(f"for every size: {sum(map(len, terms))} multiples of the assumptions, expanded in words")
@@ -232,8 +268,14 @@ def _better(found: Findings, strength: str) -> bool:
 def _credit(data: dict, e: Evidence, found: Findings) -> None:
     """Strength of an accepted proof; a parametrisation is worth no more than the claim that covers it."""
     strength = "proved-sizes" if data["sizes"] else "proved"
-    cover = e.hints.get("covered_by")
-    if cover:
+    cover, fact = e.hints.get("covered_by"), e.hints.get("fact")
+    if fact:
+        strength = "steps"
+        if found.strength is None:
+            found.evidence.append("identity: a parametrisation that rests on a classical fact needs instances beside it")
+            return
+        found.evidence.append(f"identity in suitable coordinates; classical fact: {fact}")
+    elif cover:
         other = _standing_of(cover)
         if other not in ("proved", "proved-sizes"):
             found.evidence.append(f"{e.kind}: the parametrisation rests on {cover}, which is {other or 'open'}")

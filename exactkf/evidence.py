@@ -12,6 +12,7 @@ evidence            what it shows                                              b
 `combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
 `induction`         base and step of ``always(t, ...)``, per size              proved, proved-sizes
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
+`order`             matrix order for every size: a sum of semidefinite terms   proved
 `evaluation`        a closed statement, or every case of a finite one          proved
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
@@ -28,7 +29,7 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "identity", "induction", "instances", "positivity", "steps",
+    "Evidence", "combination", "evaluation", "example", "identity", "induction", "instances", "order", "positivity", "steps",
 ]
 
 
@@ -44,7 +45,8 @@ def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
     return {name: (value,) if isinstance(value, int) else tuple(value) for name, value in sizes.items()}
 
 
-def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", **sizes: Iterable[int] | int) -> Evidence:
+def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", using: Mapping[Expr | str, tuple] | None = None,
+             fact: str = "", **sizes: Iterable[int] | int) -> Evidence:
     """The conclusion is an identity of rational functions for each of the sizes.
 
     Parameters
@@ -56,7 +58,9 @@ def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: st
     **sizes
         Values of each size (and of each integer variable): ``n=range(1, 7)``.
     """
-    return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by})
+    aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
+    return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by,
+                                 "parameters": aux, "fact": fact})
 
 
 def combination(terms: Sequence[tuple[Any, str, Any]], **sizes: Iterable[int] | int) -> Evidence:
@@ -86,6 +90,16 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
     """
     rows = tuple((to_expr(c).tree, to_expr(q).tree, tuple(labels)) for c, q, labels in terms)
     return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
+
+
+def order(*sums: Sequence[Any]) -> Evidence:
+    """A conclusion psd, pd, loewner (or a conjunction of them) about matrices of every size.
+
+    For each part of the conclusion a list of terms that are semidefinite by their form (see
+    `exactkf.kernel.order`) and add up to its matrix under the hypotheses. Where the matrix is
+    such a term itself nothing need be given; the engine tries that for every claim.
+    """
+    return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums)})
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

@@ -22,9 +22,10 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.order import definiteness, goal_of
 from exactkf.kernel.words import Reader, relations, residual_blocks
 
-__all__ = ["find_membership"]
+__all__ = ["find_membership", "find_order"]
 
 Word = tuple[str, ...]
 Poly = dict[Word, Fraction]
@@ -65,6 +66,68 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
             return None
         out.append([[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()])
     return out
+
+
+def find_order(statement: dict, sums: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
+    """For a conclusion of order: semidefinite terms and multiples of assumptions that add up to its matrix, or None.
+
+    Parameters
+    ----------
+    sums : sequence of lists of terms
+        For each part of the conclusion the terms to try; without it, the matrix itself.
+    """
+    says = statement["says"]
+    parts = says[1:] if says[0] == "and" else [says]
+    out = []
+    for k, formula in enumerate(parts):
+        found = None
+        for trees in ([sums[k]] if k < len(sums) else _own_terms(formula)):
+            found = _complete(statement, formula, trees, degree, seconds)
+            if found is not None:
+                break
+        if found is None:
+            return None
+        out.append(found)
+    return out
+
+
+def _own_terms(formula: Any) -> list[list]:
+    """The matrix of the conclusion as it stands, with definitions left in."""
+    if formula[0] in ("psd", "pd"):
+        return [[formula[1]]]
+    if formula[0] == "loewner":
+        big, small = formula[1], formula[2]
+        return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)]]
+    return []
+
+
+def _without(big: Any, small: Any) -> Any:
+    """big - small where small is a summand of big."""
+    if isinstance(big, list) and big[0] == "+" and small in big[1:]:
+        rest = [x for x in big[1:]]
+        rest.remove(small)
+        return rest[0] if len(rest) == 1 else ["+", *rest]
+    return ["-", big, small]
+
+
+def _complete(statement: dict, formula: Any, trees: list, degree: int, seconds: float) -> dict | None:
+    """The sum, with the multiples of assumptions that make it equal to the matrix of the conclusion."""
+    try:
+        reader = Reader(statement)
+        goal, wanted = goal_of(reader, formula)
+        levels = [definiteness(reader, t) for t in trees]
+        if 0 in levels or max(levels, default=1) < wanted:
+            return None
+        for t in trees:
+            goal = reader._plus(goal, reader.read(t), -1)
+        assumed = {name: _plain(p) for name, p in relations(reader).items()}
+        rest = _plain(goal.grid[0][0])
+    except (Unknown, Undefined):
+        return None
+    found = _System(assumed, degree, time.perf_counter() + seconds).express(rest)
+    if found is None:
+        return None
+    return {"sum": trees, "terms": [[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()]}
 
 
 def _plain(p: dict) -> Poly:

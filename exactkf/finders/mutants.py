@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Judging mutants: refuted on an instance, shown equal to the original, or a survivor.
 
-A mutant whose conclusion has no value on any instance is no statement at all
-and is not counted. Two factors that are scalars on every instance commute, so
-exchanging them is no mutation either.
+A mutant whose conclusion has no value on any instance, or whose matrices do
+not fit each other on some, is no statement at all and is not counted. Where
+one of two factors is a scalar they commute, so exchanging them is no mutation
+there either.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -89,26 +90,24 @@ def _informative(worlds: list[World]) -> list[World]:
 
 
 def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidence], report: MutantReport) -> str:
-    meaningful = False
+    meaningful, fits = False, True
     for world in worlds:
         report.checks += 1
         try:
             if world.value(mutant.says) is False:
                 return "rejected"
-            meaningful = True
-        except Undefined:
-            continue
+            meaningful = meaningful or mutant.kind not in _MATRIX_CHANGES or not _only_scalars(data, mutant, world)
+        except Undefined as error:
+            fits = fits and not str(error).startswith("sizes ")
         except Unknown:
             return "void"
-    if not meaningful:
-        return "void"
-    if mutant.kind in _MATRIX_CHANGES and _only_scalars(data, mutant, worlds[0]):
+    if not meaningful or not fits:
         return "void"
     return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _also_proved(data, mutant, by) else "survived"
 
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
-    """The operands of the changed node are scalars or polynomials on this instance: order and transposes mean nothing."""
+    """Order and transposes mean nothing on this instance: operands (one of the exchanged factors) are scalars or polynomials."""
     tree, local = data["says"], {}
     try:
         for k in mutant.path:
@@ -118,7 +117,17 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
         values = [world.value(x, local) for x in tree[1:]]
     except (Undefined, Unknown, KeyError):
         return False
-    return not any(isinstance(v, Matrix) and not v.is_scalar for v in values)
+    scalars = [not isinstance(v, Matrix) or v.is_scalar for v in values]
+    if mutant.kind == "factors exchanged":
+        changed = _subtree(mutant.says, mutant.path)[1:]
+        return any(one for one, x, y in zip(scalars, tree[1:], changed, strict=True) if x != y)
+    return all(scalars)
+
+
+def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
+    for k in path:
+        tree = tree[k]
+    return tree
 
 
 def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
@@ -138,17 +147,28 @@ def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> str:
     """Without the hypothesis there must be an instance on which the conclusion is false."""
     weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
-    hints = next((e.hints for e in by if e.kind == "instances"), {"sizes": sampler.sizes if sampler else {}})
-    for made_by in ({}, hints.get("made_by", {})):
-        fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, [], 1)
-        for _, world in fresh.stream(_TRIES):
-            report.checks += 1
-            try:
-                if world.value(data["says"]) is False:
-                    return "rejected"
-            except (Undefined, Unknown):
-                continue
+    asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
+    for hints in asked:
+        for made_by in _partial(hints.get("made_by", {}), data):
+            fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, [], 1)
+            for _, world in fresh.stream(_TRIES):
+                report.checks += 1
+                try:
+                    if world.value(data["says"]) is False:
+                        return "rejected"
+                except (Undefined, Unknown):
+                    continue
     return "survived"
+
+
+def _partial(made_by: Mapping[str, Any], data: dict) -> Iterator[dict]:
+    """Ways to leave variables to chance: all of them, none, each alone."""
+    yield {}
+    if made_by:
+        yield dict(made_by)
+    for name, _ in data["over"]:
+        if name in made_by and len(made_by) > 1:
+            yield {k: v for k, v in made_by.items() if k != name}
 
 
 def _accepted(data: dict, new: dict, worlds: list[World], report: MutantReport) -> bool:

@@ -25,7 +25,11 @@ def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Ite
     cases = _cases(statement, evidence.hints["sizes"])
     match evidence.kind:
         case "identity":
-            yield seal(id, "identity", statement, {"cases": cases, "given_by": evidence.hints["given_by"], "covered_by": evidence.hints["covered_by"]})
+            hints = evidence.hints
+            made = {"cases": cases, "given_by": hints["given_by"], "covered_by": hints["covered_by"] or hints.get("fact", "")}
+            if hints.get("parameters"):
+                made["parameters"] = [[name, kind] for name, kind in hints["parameters"].items()]
+            yield seal(id, "identity", statement, made)
         case "combination":
             yield seal(id, "combination", statement, {"cases": cases, "terms": _per_equation(evidence.hints["terms"])})
         case "positivity":

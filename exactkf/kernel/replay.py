@@ -13,6 +13,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``combination``  lhs - rhs = sum of L (lhs - rhs of a hypothesis) R, with symbols
 ``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
+``order``        for every size: the matrix = sum of semidefinite terms + multiples of assumptions
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ===============  ==================================================================
 
@@ -31,6 +32,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World, admissible, generic, read_instance
 from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
+from exactkf.kernel.order import definiteness, goal_of
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -167,8 +169,12 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
     _need(not given_by or bool(evidence.get("covered_by")), "a parametrisation needs the claim that says it reaches everything")
+    parameters = evidence.get("parameters") or []
+    taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
+    _need(not taken & {*given_by, *(name for name, _ in parameters)}, "a parametrisation redefines a name")
+    _need(not {name for name, _ in statement["over"]} & {name for name, _ in parameters}, "a parameter has the name of a variable")
     reached = 0
-    for world, field in _cases(statement, evidence, given_by):
+    for world, field in _cases({**statement, "over": [*parameters, *statement["over"]]}, evidence, given_by):
         _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
         reached += 1
@@ -264,14 +270,35 @@ def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
     assumed = relations(reader)
     _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
     for number, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
-        rest = goal
-        for c, left, name, right in terms:
-            one = Fraction(1)
-            product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
-            for _, word in product:
-                _need(word_sizes(reader, word, rows) == cols, f"block {number}: a word of relation {name} has other sizes than the block")
-            rest = add(rest, product, -Fraction(c))
-        _need(not rest, f"block {number}: the terms do not add up")
+        _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {number}: the terms do not add up")
+    return [f"det({text(p)})" for p, _ in reader.inverses]
+
+
+def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows: Any, cols: Any, terms: list) -> Any:
+    """What is left of a polynomial after multiples of assumptions are taken off."""
+    one = Fraction(1)
+    for c, left, name, right in terms:
+        product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
+        for _, word in product:
+            _need(word_sizes(reader, word, rows) == cols, f"a word of relation {name} has other sizes than the block")
+        rest = add(rest, product, -Fraction(c))
+    return rest
+
+
+def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    reader = Reader(statement)
+    parts = statement["says"][1:] if statement["says"][0] == "and" else [statement["says"]]
+    _need(len(parts) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
+    for number, (formula, proof) in enumerate(zip(parts, evidence["parts"], strict=True), 1):
+        goal, wanted = goal_of(reader, formula)
+        levels = [definiteness(reader, tree) for tree in proof["sum"]]
+        _need(0 not in levels, f"part {number}: a term is not semidefinite by its form")
+        _need(wanted <= max(levels, default=1), f"part {number}: no term is definite")
+        for tree in proof["sum"]:
+            goal = reader._plus(goal, reader.read(tree), -1)
+        assumed = relations(reader)
+        rest = _less_multiples(reader, assumed, goal.grid[0][0], goal.rows[0], goal.cols[0], proof["terms"])
+        _need(not rest, f"part {number}: the terms do not add up")
     return [f"det({text(p)})" for p, _ in reader.inverses]
 
 
@@ -393,5 +420,5 @@ def _need(condition: bool, step: str) -> None:
 
 _KINDS = {
     "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
-    "combination": _combination, "positivity": _positivity, "membership": _membership, "induction": _induction,
+    "combination": _combination, "positivity": _positivity, "membership": _membership, "order": _order, "induction": _induction,
 }

@@ -9,6 +9,10 @@ Main definitions
     The whole statement: variables, definitions, hypotheses, conclusion.
 `says_latex`, `over_latex`, `where_latex`, `given_latex`
     Its parts.
+`type_latex`, `definition_latex`
+    One typed variable, one definition.
+
+Trees may be tuples or, as JSON has them, lists.
 """
 
 from __future__ import annotations
@@ -18,10 +22,13 @@ from itertools import groupby
 from typing import Any
 
 from exactkf.language.latex_notation import LaTeX
-from exactkf.language.notation import Bind, fill
-from exactkf.language.statement import Statement
+from exactkf.language.notation import RANGES, Bind, fill
+from exactkf.language.statement import Statement, as_tuples
 
-__all__ = ["given_latex", "latex", "over_latex", "says_latex", "statement_latex", "where_latex"]
+__all__ = [
+    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "statement_latex", "type_latex",
+    "where_latex",
+]
 
 #: type -> LaTeX; #1 is the names, #2 and #3 the type's arguments
 _TYPES = {
@@ -31,6 +38,7 @@ _TYPES = {
     "nonneg": r"#1\ge 0",
     "integer": r"#1\in\{#2,\dots,#3\}",
     "sequence": r"#1\in\mathbb{R}",
+    "signal": r"#1\in\mathbb{R}",
     "matrix": r"#1\in\mathbb{R}^{#2\times #3}",
     "symmetric": r"#1\in\mathbb{R}^{#2\times #2}\ \text{symmetric}",
     "psd": r"#1\in\mathbb{R}^{#2\times #2},\ #1\succeq 0",
@@ -60,7 +68,24 @@ def latex(tree: Any, tex: Mapping[str, str] | None = None) -> str:
     >>> print(latex((Phi * P * T(Phi) + H).tree))
     \Phi P \Phi' + H
     """
+    tree = as_tuples(tree)
     return LaTeX(functions=LaTeX().functions_in(tree), tex=tex)(tree)
+
+
+def type_latex(name: str, type_: Any) -> str:
+    r"""LaTeX of one typed variable.
+
+    >>> print(type_latex("P", ("psd", ("sym", "n"))))
+    P\in\mathbb{R}^{n\times n},\ P\succeq 0
+    """
+    printer, type_ = LaTeX(), as_tuples(type_)
+    return _typed(printer, _variable(printer, name, type_), type_)
+
+
+def definition_latex(definition: Any) -> str:
+    """LaTeX of one definition, from `let`, `function` or `rec`."""
+    definition = as_tuples(definition)
+    return _definition(LaTeX(functions=LaTeX().functions_in(definition)), definition)
 
 
 def says_latex(statement: Statement) -> str:
@@ -118,16 +143,24 @@ def _printer(statement: Statement) -> LaTeX:
 
 
 def _variable(printer: LaTeX, name: str, type_: tuple) -> str:
+    if type_[0] == "signal":
+        first = printer(("at", name, type_[1]))
+        return rf"{first},{printer(('at', name, _next(type_[1])))},\dots"
     if type_[0] != "sequence":
         return printer.name(name)[0]
     return rf"{printer(('at', name, type_[1]))},\dots,{printer(('at', name, type_[2]))}"
+
+
+def _next(index: Any) -> Any:
+    return index + 1 if isinstance(index, int) else ("+", index, 1)
 
 
 def _typed(printer: LaTeX, names: str, type_: tuple) -> str:
     kind, *args = type_
     if kind == "matrix" and args[1] == 1:
         return rf"{names}\in\mathbb{{R}}^{{{printer.script(args[0])}}}"
-    return fill(_TYPES[kind], [names, *(printer.script(a, Bind.POWER) for a in args)])
+    need = Bind.LOOSE if kind in RANGES else Bind.PRODUCT
+    return fill(_TYPES[kind], [names, *(printer.script(a, need) for a in args)])
 
 
 def _definition(printer: LaTeX, definition: tuple) -> str:

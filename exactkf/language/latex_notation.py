@@ -138,7 +138,8 @@ class LaTeX(Notation):
         return r"\begin{cases}" + r" \\ ".join(lines) + r"\end{cases}", Bind.CASES
 
     def _big(self, sign: str, index: str, low: Any, high: Any, body: Any) -> tuple[str, int]:
-        return f"{sign}_{{{self.name(index)[0]}={self.script(low)}}}^{{{self.script(high)}}} {self.arg(body, Bind.BIG)}", Bind.BIG
+        scope = f"_{{{self.name(index)[0]}={self.script(low)}}}^{{{self.script(high)}}}"
+        return f"{sign}{scope} {self.arg(body, Bind.BIG)}", Bind.BIG
 
     def sum_of(self, *args: Any) -> tuple[str, int]:
         return self._big(r"\sum", *args)

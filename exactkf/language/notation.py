@@ -21,7 +21,10 @@ from typing import Any
 from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, bottom, top
 
-__all__ = ["Bind", "Form", "Notation", "fill", "rows_of"]
+__all__ = ["RANGES", "Bind", "Form", "Notation", "fill", "rows_of"]
+
+#: types whose arguments are bounds or a degree, not the sides of a matrix
+RANGES = ("integer", "sequence", "signal", "poly", "monic")
 
 
 class Bind(IntEnum):

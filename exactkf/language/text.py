@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactkf.language.notation import Bind, Form, Notation, fill, rows_of
-from exactkf.language.statement import Statement
+from exactkf.language.notation import RANGES, Bind, Form, Notation, fill, rows_of
+from exactkf.language.statement import Statement, as_tuples
 
 __all__ = ["Text", "statement_text", "text"]
 
@@ -89,7 +89,8 @@ class Text(Notation):
         return f"{self.arg(base, Bind.ATOM)}^{raised}", Bind.POWER
 
     def cases(self, condition: Any, then: Any, otherwise: Any) -> tuple[str, int]:
-        return f"{self.arg(then, Bind.SUM)} if {self.arg(condition, Bind.OR)} else {self.arg(otherwise, Bind.CASES)}", Bind.CASES
+        condition_, otherwise_ = self.arg(condition, Bind.OR), self.arg(otherwise, Bind.CASES)
+        return f"{self.arg(then, Bind.SUM)} if {condition_} else {otherwise_}", Bind.CASES
 
     def sum_of(self, index: str, low: Any, high: Any, body: Any) -> tuple[str, int]:
         return f"sum({index}={self(low)}..{self(high)}: {self(body)})", Bind.ATOM
@@ -132,7 +133,8 @@ class Text(Notation):
 #: type -> text; #1 is the name, #2 and #3 the type's arguments
 _TYPES = {
     "scalar": "#1 real", "nonzero": "#1 real, not 0", "positive": "#1 > 0", "nonneg": "#1 >= 0",
-    "integer": "#1 in #2..#3", "sequence": "#1[#2..#3] real", "matrix": "#1 #2 x #3",
+    "integer": "#1 in #2..#3", "sequence": "#1[#2..#3] real",
+    "signal": "#1[#2], #1[#2 + 1], ... real", "matrix": "#1 #2 x #3",
     "symmetric": "#1 #2 x #2 symmetric", "psd": "#1 #2 x #2 psd", "pd": "#1 #2 x #2 pd",
     "nonsingular": "#1 #2 x #2 invertible", "diagonal": "#1 #2 x #2 diagonal",
     "poly": "#1 polynomial in z, degree <= #2", "monic": "#1 monic polynomial in z of degree #2",
@@ -147,6 +149,7 @@ def text(tree: Any) -> str:
     >>> text((Phi * P * T(Phi) + H).tree)
     "Phi*P*Phi' + H"
     """
+    tree = as_tuples(tree)
     return Text(functions=Text().functions_in(tree))(tree)
 
 
@@ -163,7 +166,8 @@ def statement_text(statement: Statement) -> str:
 
 
 def _typed(show: Text, name: str, type_: tuple) -> str:
-    return fill(_TYPES[type_[0]], [name, *(show.arg(a, Bind.POWER) for a in type_[1:])])
+    need = Bind.LOOSE if type_[0] in RANGES else Bind.POWER
+    return fill(_TYPES[type_[0]], [name, *(show.arg(a, need) for a in type_[1:])])
 
 
 def _definition(show: Text, definition: tuple) -> list[str]:

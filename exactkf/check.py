@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""Replaying certificate files; of the package, only the checker is imported."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import click
+
+from exactkf._errors import BadInput
+from exactkf.kernel.replay import NotACertificate, Rejected, replay
+from exactkf.progress import Meter
+
+__all__ = ["check_paths", "read_certificate"]
+
+
+def check_paths(paths: Iterable[Path]) -> int:
+    """Replay every certificate; exit status 0, 1 or 2 as the command has it."""
+    files = _files(paths)
+    rejected, strange = 0, 0
+    with Meter("check", len(files)) as meter:
+        for file in files:
+            try:
+                replay(read_certificate(file))
+            except Rejected as error:
+                rejected += 1
+                click.echo(f"{file}: does not replay: {error}")
+            except (NotACertificate, BadInput) as error:
+                strange += 1
+                click.echo(f"exactkf: argument PATH = {str(file)!r}: {error}", err=True)
+            meter.step(file.name)
+    click.echo(f"{len(files) - rejected - strange} of {len(files)} certificates replay")
+    return 1 if rejected else 2 if strange else 0
+
+
+def read_certificate(file: Path) -> Any:
+    """Read a JSON file; what is no JSON raises BadInput."""
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadInput(f"cannot be read ({error.strerror or error}); pass a file that you may read") from error
+    except (ValueError, RecursionError) as error:
+        raise BadInput(f"is not JSON ({error}); pass a file that 'exactkf verify --certificates' wrote") from error
+
+
+def _files(paths: Iterable[Path]) -> list[Path]:
+    """Files named, and the .json files of folders named, each once."""
+    files: dict[Path, None] = {}
+    for path in paths:
+        if path.is_dir():
+            found = sorted(p for p in path.rglob("*.json") if p.is_file())
+            if not found:
+                raise BadInput(f"argument PATH = {str(path)!r} holds no .json file; "
+                               "write some with 'exactkf verify --certificates'")
+            files.update(dict.fromkeys(found))
+        elif path.exists():
+            files[path] = None
+        else:
+            raise BadInput(f"argument PATH = {str(path)!r} does not exist; pass certificate files or folders")
+    return list(files)

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""The command ``exactkf``.
+
+Each command imports what it needs when it runs: ``exactkf check`` needs the
+checker alone.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from exactkf import __version__
+from exactkf._errors import ExactkfError
+
+__all__ = ["Setup", "main"]
+
+INTERRUPTED = 130
+
+
+@dataclass(frozen=True)
+class Setup:
+    """Packages that claims and engine come from; tests put others here, as ``obj`` of the command."""
+
+    package: str = "proofs"
+    engine: str = "exactkf.engine"
+
+
+class _OneLine(click.Group):
+    """A group whose errors are one line on stderr and exit code 2, never a traceback."""
+
+    def main(self, *args: Any, **extra: Any) -> Any:
+        try:
+            code = super().main(*args, **{**extra, "standalone_mode": False})
+        except click.exceptions.NoArgsIsHelpError as error:
+            click.echo(error.format_message())
+            code = 0
+        except click.Abort:
+            code = INTERRUPTED
+        except click.UsageError as error:
+            hint = f"; see '{error.ctx.command_path} --help'" if error.ctx else ""
+            code = _fail(error.format_message().rstrip(".") + hint)
+        except (click.ClickException, ExactkfError) as error:
+            code = _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
+        except BrokenPipeError:  # the reader went away: `exactkf list | head`
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            code = 0
+        sys.exit(code or 0)
+
+
+def _fail(message: str) -> int:
+    click.echo(f"exactkf: {' '.join(message.split())}", err=True)
+    return 2
+
+
+class _Seconds(click.ParamType):
+    name = "seconds"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            seconds = float(value)
+        except ValueError:
+            seconds = math.nan
+        if not (math.isfinite(seconds) and seconds > 0):
+            self.fail(f"{value!r} is not a number of seconds; give a finite one above 0", param, ctx)
+        return seconds
+
+
+def _running(command: Callable) -> Callable:
+    """Options of the commands that run claims."""
+    for option in reversed([
+        click.option("--jobs", "-j", type=click.IntRange(min=1), help="Worker processes [default: one per processor]."),
+        click.option("--time-limit", type=_Seconds(), default=600, show_default=True, metavar="S",
+                     help="Seconds for one claim; past them it is open."),
+        click.option("--memory-limit", type=click.IntRange(min=1), metavar="MB", help="Address space of one worker."),
+        click.option("--state", type=click.Path(path_type=Path), metavar="DIR",
+                     help="Folder of results kept between runs [default: $EXACTKF_STATE or .exactkf]."),
+        click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True,
+                     help="Seed of random instances."),
+    ]):
+        command = option(command)
+    return command
+
+
+@click.group(cls=_OneLine, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100})
+@click.version_option(__version__, prog_name="exactkf")
+@click.pass_context
+def main(ctx: click.Context) -> None:
+    """Exact verification of the mathematics of Kalman filter dynamics, with certificates."""
+    ctx.obj = ctx.obj or Setup()
+
+
+@main.command()
+@click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
+@_running
+@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the results as JSON.")
+@click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
+@click.option("--fresh", is_flag=True, help="Run everything again, whatever is kept.")
+@click.option("--record", "recording", is_flag=True, help="Enter the results in the record of verdicts.")
+@click.pass_obj
+def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certificates: Path | None, fresh: bool,
+           recording: bool, **how: Any) -> int:
+    """Verify claims, all of them by default, and compare with the verdicts on record.
+
+    Exit status: 0 if each reaches its record, 1 if one falls short, 2 if the call is wrong.
+    """
+    from exactkf.commands import Session, verify_command
+
+    return verify_command(Session.open(setup, words, how), json_file, certificates, fresh, recording)
+
+
+@main.command()
+@click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
+def check(paths: Sequence[Path]) -> int:
+    """Replay certificates: files, or all .json files of folders.
+
+    Exit status: 0 if every one replays, 1 if one does not, 2 if one is no certificate.
+    """
+    from exactkf.check import check_paths
+
+    return check_paths(paths)
+
+
+@main.command()
+@click.argument("id")
+@_running
+@click.pass_obj
+def show(setup: Setup, id: str, **how: Any) -> int:
+    """Show a claim: statement, verdict, what was checked, and the correction where it fails."""
+    from exactkf.commands import Session, show_command
+
+    return show_command(Session.open(setup, [id], how))
+
+
+@main.command("list")
+@click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
+@click.pass_obj
+def list_(setup: Setup, words: Sequence[str]) -> int:
+    """List claims with their verdicts on record."""
+    from exactkf.commands import list_command
+
+    return list_command(setup, words)
+
+
+@main.command()
+@click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
+@_running
+@click.pass_obj
+def mutate(setup: Setup, words: Sequence[str], **how: Any) -> int:
+    """Show the wrong neighbours of claims and whether the evidence rejects each."""
+    from exactkf.commands import Session, mutate_command
+
+    return mutate_command(Session.open(setup, words, how))
+
+
+@main.command()
+@click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
+@_running
+@click.option("-o", "--output", type=click.Path(path_type=Path), default=Path("exactkf-report.html"), show_default=True,
+              metavar="FILE", help="Where to write the page.")
+@click.option("--kept", is_flag=True, help="Run nothing: show what is kept, the rest as open.")
+@click.pass_obj
+def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: Any) -> int:
+    """Write one HTML page with every claim; what is not kept from an earlier run is run."""
+    from exactkf.commands import Session, report_command
+
+    return report_command(Session.open(setup, words, how), output, kept)

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""What the commands do that need the claims."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import click
+
+from exactkf._errors import BadInput
+from exactkf.claims import Claim, find, load
+from exactkf.cli import INTERRUPTED, Setup
+from exactkf.describe import describe_claim
+from exactkf.display import describe, summary
+from exactkf.files import check_folder, check_target, dump_json, write_text
+from exactkf.output import contract, export_certificates
+from exactkf.progress import Meter
+from exactkf.record import Record, record_files
+from exactkf.run import Options, default_jobs, run, unfinished, work
+from exactkf.store import Store, claim_key, state_folder
+
+__all__ = ["Session", "list_command", "mutate_command", "report_command", "show_command", "verify_command"]
+
+
+@dataclass(frozen=True)
+class Session:
+    """The claims asked for, and how to run them."""
+
+    setup: Setup
+    registry: Mapping[str, Claim]
+    chosen: Sequence[Claim]
+    options: Options
+    store: Store
+
+    @classmethod
+    def open(cls, setup: Setup, words: Sequence[str], how: Mapping[str, Any]) -> Session:
+        """Find the claims and the kept results; refuse what cannot be."""
+        registry = load(setup.package)
+        options = Options(how["jobs"] or default_jobs(), how["time_limit"], how["memory_limit"], how["seed"],
+                          setup.package, setup.engine)
+        return cls(setup, registry, find(words, registry), options, Store(state_folder(how["state"])))
+
+    def results(self, *, fresh: bool = False) -> list[dict[str, Any]]:
+        """Run what is not kept; results in reading order.
+
+        A stopped run says how to go on.
+        """
+        results: dict[str, dict[str, Any]] = {}
+        try:
+            with Meter("verify", len(self.chosen)) as meter:
+                for result in run(self.chosen, self.registry, self.options, self.store, fresh=fresh, idle=meter.tick):
+                    results[result["id"]] = result
+                    meter.step(result["id"])
+        except KeyboardInterrupt:
+            again = "the same command without --fresh" if fresh else "the same command"
+            click.echo(f"exactkf: stopped; {len(results)} of {len(self.chosen)} results are kept in "
+                       f"{str(self.store.folder)!r}: {again} goes on from there", err=True)
+            raise click.exceptions.Exit(INTERRUPTED) from None
+        return [results[c.id] for c in self.chosen]
+
+    def kept(self, claim: Claim) -> dict[str, Any] | None:
+        """What an earlier run found for a claim."""
+        return self.store.get(claim_key(claim, self.registry, self.options.seed), unfinished=True)
+
+
+def verify_command(session: Session, json_file: Path | None, certificates: Path | None, fresh: bool,
+                   recording: bool) -> int:
+    """Run, write what was asked for, and say what fell short."""
+    package = session.setup.package
+    if json_file:
+        check_target(json_file, "--json")
+    if certificates:
+        check_folder(certificates, "--certificates")
+    if recording:
+        record_files(package)
+    record = Record.read(package)
+    results = session.results(fresh=fresh)
+    _write(session, results, json_file, certificates)
+    summary(results)
+    reused = sum(bool(r.get("reused")) for r in results)
+    if reused:
+        click.echo(f"{reused} of {len(results)} results are from an earlier run; --fresh runs them again")
+    if recording:
+        for change in record.update(results):
+            click.echo(f"record: {change}")
+        record.write(session.registry, package)
+        return 0
+    short = [(r["id"], why) for r in results if (why := record.shortfall(r))]
+    for id, why in short:
+        click.echo(f"fell short: {id}: {why}")
+    click.echo(f"{len(results) - len(short)} of {len(results)} claims reached what is on record")
+    return 1 if short else 0
+
+
+def _write(session: Session, results: Sequence[dict[str, Any]], json_file: Path | None,
+           certificates: Path | None) -> None:
+    state = session.store.folder
+    files = {r["id"]: [state / c for c in r["certificates"]] for r in results}
+    if certificates:
+        files = export_certificates(results, state, certificates)
+    if json_file:
+        home = json_file.absolute().parent
+        names = {id: [Path(os.path.relpath(f, home)).as_posix() for f in paths] for id, paths in files.items()}
+        write_text(json_file, dump_json(contract(results, session.registry, names)))
+
+
+def show_command(session: Session) -> int:
+    """Show one claim, running it if nothing is kept."""
+    if len(session.chosen) != 1:
+        raise BadInput(f"argument ID = {session.chosen[0].paper!r} names {len(session.chosen)} claims; "
+                       "name one, see 'exactkf list'")
+    claim = session.chosen[0]
+    click.echo(describe_claim(claim, session.kept(claim) or session.results()[0]))
+    return 0
+
+
+def list_command(setup: Setup, words: Sequence[str]) -> int:
+    """One line a claim."""
+    record = Record.read(setup.package)
+    chosen = find(words, load(setup.package))
+    width = max((len(c.id) for c in chosen), default=0)
+    for claim in chosen:
+        entry = record.entries.get(claim.id)
+        click.echo(f"{claim.id:{width}}  {describe(entry) if entry else 'not on record':24}  {claim.title}")
+    return 0
+
+
+def mutate_command(session: Session) -> int:
+    """The mutants of each claim; 1 if one survives."""
+    survived = 0
+    total: dict[str, int] = {}
+    with Meter("mutate", len(session.chosen)) as meter:
+        for claim, result in work("mutate_claim", session.chosen, session.options, meter.tick):
+            rows = result.get("rows", [])
+            click.echo(f"{claim.id}: {_counted(rows) if rows else _no_mutants(result)}")
+            for row in rows:
+                total[row["outcome"]] = total.get(row["outcome"], 0) + 1
+                click.echo(f"  {row['outcome']:9} {row['kind']}: {row['text']}")
+            survived += sum(row["outcome"] == "survived" for row in rows)
+            meter.step(claim.id)
+    click.echo(f"in all: {', '.join(f'{n} {outcome}' for outcome, n in sorted(total.items())) or 'no mutants'}")
+    return 1 if survived else 0
+
+
+def _counted(rows: Sequence[Mapping[str, Any]]) -> str:
+    rejected = sum(r["outcome"] == "rejected" for r in rows)
+    return f"{rejected} of {len(rows)} mutants rejected"
+
+
+def _no_mutants(result: Mapping[str, Any]) -> str:
+    return f"no mutants, {result['verdict']}" + (f" ({result['reason']})" if result.get("reason") else "")
+
+
+def report_command(session: Session, output: Path, kept: bool) -> int:
+    """Write the page."""
+    from exactkf.report import write_report
+
+    check_target(output, "--output")
+    if kept:
+        results = [session.kept(c) or unfinished(c, "not run; 'exactkf verify' runs it") for c in session.chosen]
+    else:
+        results = session.results()
+    write_report(results, session.registry, output)
+    click.echo(f"wrote {output}")
+    return 0

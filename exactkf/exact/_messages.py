@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""One-line error messages: how a value is shown, and the two errors every module raises."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactkf._errors import BadInput
+
+__all__ = ["bad", "shown"]
+
+_LIMIT = 120
+
+
+def shown(value: Any) -> str:
+    """Return a one-line picture of `value`, at most about 120 characters long."""
+    if hasattr(value, "nrows") and hasattr(value, "tolist"):
+        rows = "[" + ", ".join("[" + ", ".join(map(str, row)) + "]" for row in value.tolist()) + "]"
+        text = f"{value.nrows()}x{value.ncols()} matrix {rows}"
+    elif type(value).__module__.startswith("flint"):
+        text = str(value)
+    else:
+        try:
+            text = repr(value)
+        except ValueError:  # an int beyond the interpreter's digit limit
+            text = f"a {type(value).__name__} too long to print"
+    text = " ".join(text.split())
+    return text if len(text) <= _LIMIT else text[: _LIMIT - 4] + " ..."
+
+
+def bad(name: str, problem: str, value: Any, remedy: str) -> BadInput:
+    """Return the `BadInput` saying: argument `name` `problem`: `value`; `remedy`."""
+    return BadInput(f"argument '{name}' {problem}: {shown(value)}; {remedy}")

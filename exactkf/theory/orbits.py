@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+r"""Orbits of the fast filter and where they escape.
+
+Main definitions
+----------------
+``orbit``            repeated steps over any field, in any coordinates
+``integer_orbit``    the orbit of a rational state in homogeneous integer coordinates
+``exact_orbit``      the same orbit as rationals
+``first_escape``     the first ``t`` with :math:`\gamma_t^2 = 1`, exactly
+
+Main statements
+---------------
+Let `d` be a common denominator, :math:`\hat Q_0 = (d, d q_1, \dots, d q_n)`,
+:math:`\hat Q^*_0 = (d q^*_1, \dots, d q^*_n)` and :math:`D_t` the leading
+coefficient of :math:`\hat Q_t`.  Then
+
+.. math:: \hat Q_{t+1} = (D_t \hat Q_t - \hat Q^*_{t,1} z \hat Q^*_t) / D_{t-1}, \qquad
+          \hat Q^*_{t+1} = (D_t z \hat Q^*_t - \hat Q^*_{t,1} \hat Q_t) / D_{t-1}
+
+are integers for all `t` (with the divisor one in the first two steps), since
+:math:`\hat Q_t = d^{2t} \det(T_{t-1}) Q_t` for :math:`t \ge 1` in the
+notation of BLM91 (2.26), as in Bareiss' elimination.  The leading coefficient
+is :math:`d^{2t} \det T_t`; the first one to vanish marks the escape.
+
+Notation
+--------
+As in `fast_filter`.  A *state* is a pair of vectors of length `n`.
+
+References
+----------
+BLM91 (2.25)-(2.27); BLZ94 (2.16), Proposition 3.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+
+from flint import fmpq, fmpz
+
+from exactkf._errors import BadInput
+from exactkf.theory._matrices import as_fmpq_mat
+from exactkf.theory._scalars import Scalar, Vector, check_length, unify
+from exactkf.theory.fast_filter import State, step_alpha_gamma
+
+__all__ = ["IntegerState", "Orbit", "exact_orbit", "first_escape", "integer_orbit", "orbit"]
+
+IntegerState = tuple[tuple[fmpz, ...], tuple[fmpz, ...]]
+
+_PRIMES = ((1 << 61) - 1, (1 << 89) - 1)
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The states with index ``0, 1, ..., len(states) - 1`` and the time of escape.
+
+    Attributes
+    ----------
+    states : tuple of State
+    escape : int or None
+        The index of the last state, if it has no successor.
+    """
+
+    states: tuple[State, ...]
+    escape: int | None
+
+
+def _check_steps(steps: int) -> None:
+    if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
+        raise BadInput(f"steps = {steps!r}: the number of steps must be a nonnegative integer; pass steps >= 0")
+
+
+def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> Orbit:
+    r"""Return the orbit of `state` over at most `steps` steps.
+
+    Parameters
+    ----------
+    step : callable
+        `step_ag`, `step_q` or `step_alpha_gamma`.
+    state : pair of sequences of scalars, length n
+    steps : int
+        Number of steps, nonnegative.
+
+    Returns
+    -------
+    Orbit
+        An escape ends the orbit; it is reported, not raised.  In the coordinates
+        :math:`(\alpha, \gamma)` the orbit ends as soon as one of the `n` visible Schur
+        parameters has square one, up to ``n - 1`` steps before the others.
+
+    Raises
+    ------
+    BadInput
+        If `steps` is negative or `state` does not consist of two vectors of equal length.
+
+    Examples
+    --------
+    >>> from exactkf.theory.fast_filter import step_ag
+    >>> orbit(step_ag, ([1], [1]), 5).escape
+    0
+    """
+    _check_steps(steps)
+    first, second = unify(first=state[0], second=state[1])
+    check_length("state[1]", second, len(first), "state[0]")
+    states: list[State] = [(first, second)]
+    watched = slice(None) if step is step_alpha_gamma else slice(1)
+    for _ in range(steps):
+        if any(1 - value * value == 0 for value in states[-1][1][watched]):
+            return Orbit(tuple(states), len(states) - 1)
+        states.append(step(*states[-1]))
+    return Orbit(tuple(states), None)
+
+
+def _integer_start(a: Sequence[Scalar], g: Sequence[Scalar]) -> IntegerState:
+    """Return ``d``-fold ``(1, q)`` and ``q_star`` with the least common denominator ``d``."""
+    numerators, d = as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).numer_denom()
+    a_row, g_row = numerators.tolist()
+    return (d, *(x + y for x, y in zip(a_row, g_row, strict=True))), tuple(g_row)
+
+
+def integer_orbit(a: Sequence[Scalar], g: Sequence[Scalar]) -> Iterator[IntegerState]:
+    r"""Yield the orbit of a rational state in homogeneous integer coordinates.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals, length n
+
+    Yields
+    ------
+    Q, Q_star : tuples of fmpz, lengths n + 1 and n
+        With :math:`q_t = Q_{1..n} / Q_0`, :math:`q_t^* = Q^* / Q_0`.  The iteration ends
+        after the last state if the orbit escapes, and never ends otherwise.
+
+    Raises
+    ------
+    BadInput
+        If the entries are not rational or the lengths differ.
+
+    Examples
+    --------
+    >>> states = integer_orbit([0], [2])
+    >>> next(states), next(states), next(states)
+    (((1, 2), (2,)), ((-3, 2), (-4,)), ((-7, -6), (8,)))
+    """
+    Q, Q_star = _integer_start(a, g)
+    divisor, following = fmpz(1), fmpz(1)
+    while Q[0] != 0:
+        yield Q, Q_star
+        lead, first = Q[0], Q_star[0]
+        shifted = (*Q_star, fmpz(0))
+        Q_star = tuple((lead * y - first * x) // divisor for x, y in zip(Q[1:], shifted[1:], strict=True))
+        Q = tuple((lead * x - first * y) // divisor for x, y in zip(Q, shifted, strict=True))
+        divisor, following = following, Q[0]
+
+
+def exact_orbit(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> Orbit:
+    r"""Return the orbit of a rational state :math:`(a, g)`, faster than repeated `step_ag`.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals, length n
+    steps : int
+        Number of steps, nonnegative.
+
+    Returns
+    -------
+    Orbit
+        States ``(a, g)`` with entries of type ``fmpq``; an escape is reported.
+
+    Raises
+    ------
+    BadInput
+        If the entries are not rational, the lengths differ or `steps` is negative.
+
+    Examples
+    --------
+    >>> exact_orbit([0], [2], 2).states[2]
+    ((2,), (-8/7,))
+    """
+    _check_steps(steps)
+    states: list[State] = []
+    for (lead, *rest), star in integer_orbit(a, g):
+        a_t = tuple(fmpq(x - y, lead) for x, y in zip(rest, star, strict=True))
+        states.append((a_t, tuple(fmpq(y, lead) for y in star)))
+        if len(states) > steps:
+            return Orbit(tuple(states), None)
+    return Orbit(tuple(states), len(states) - 1)
+
+
+def _escape_modulo(Q: list[int], star: list[int], steps: int, p: int) -> int | None:
+    """Return the first ``t < steps`` at which the leading coefficient of the next state vanishes modulo `p`."""
+    for t in range(steps):
+        lead, first = Q[0], star[0]
+        shifted = [*star, 0]
+        star = [(lead * y - first * x) % p for x, y in zip(Q[1:], shifted[1:], strict=True)]
+        Q = [(lead * x - first * y) % p for x, y in zip(Q, shifted, strict=True)]
+        if Q[0] == 0:
+            return t
+    return None
+
+
+def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | None:
+    r"""Return the first ``t < steps`` with :math:`\gamma_t^2 = 1`, or None.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals, length n
+    steps : int
+
+    Returns
+    -------
+    int or None
+        Exact.  A leading coefficient that does not vanish modulo a prime does not
+        vanish; one that does is settled by the exact orbit.
+
+    Raises
+    ------
+    BadInput
+        If the entries are not rational, the lengths differ or `steps` is negative.
+
+    Examples
+    --------
+    >>> first_escape([-2], [fmpq(1, 2)], 1000)
+    1
+    """
+    _check_steps(steps)
+    Q, star = _integer_start(a, g)
+    for p in _PRIMES:
+        if Q[0] % p != 0 and _escape_modulo([int(x % p) for x in Q], [int(x % p) for x in star], steps, p) is None:
+            return None
+    last = max(t for t, _ in zip(range(steps + 1), integer_orbit(a, g), strict=False))
+    return last if last < steps else None

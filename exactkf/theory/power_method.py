@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: MIT
+r"""The state of the fast filter after many steps, by repeated squaring.
+
+The Riccati equation behind the filter is the action of one symplectic matrix
+`S` of order `2n` (BLZ94 Section 6), so a state far ahead is a power of `S`
+away.  The power is taken in :math:`\mathbb{Q}[z]` modulo the characteristic
+polynomial of `S`, over the integers.
+
+Main definitions
+----------------
+``state_after``            the exact state :math:`(a(T), g(T))`
+``power_modulo``           :math:`z^T` modulo an integer polynomial, without fractions
+``symplectic_matrix_of``   the matrix `S` of a state
+
+Main statements
+---------------
+Let :math:`A = J - qh'` with :math:`q = a + g`, and
+
+.. math:: S = \begin{pmatrix} A'^{-1} & -A'^{-1}hh' \\ gg'A'^{-1} & A - gg'A'^{-1}hh' \end{pmatrix},
+          \qquad \begin{pmatrix} X_t \\ Y_t \end{pmatrix} = S^t \begin{pmatrix} I \\ 0 \end{pmatrix}.
+
+Then :math:`P_t = Y_t X_t^{-1}` solves BLZ94 (2.2) with :math:`P_0 = 0`, and with
+:math:`u = P_t h`, :math:`r_t = 1 - u_1`, :math:`F = J - ah'`,
+
+.. math:: q(t) = a + (g - Fu)/r_t, \qquad g(t) = X_t'^{-1} g / r_t .
+
+The second formula follows from :math:`X_{t+1} = (F - k_t h')'^{-1} X_t` and
+:math:`r_{t+1} g(t+1) = (F - k_t h') r_t g(t)`; it settles the sign that
+:math:`P_{t+1} - P_t = r_t g(t) g(t)'` leaves open.
+
+The matrix `S` exists if :math:`\alpha_n = a_n + g_n \ne 0`.  Otherwise
+:math:`\alpha` ends in `m` zeros, the first :math:`n - m` entries of
+:math:`\alpha` and the last :math:`n - m` entries of :math:`\gamma` evolve
+by themselves, and the power is taken for them.
+
+References
+----------
+BLZ94 (2.2), (2.8), (2.17), (6.4)-(6.17); BLM91 (2.18)-(2.20).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+
+from exactkf._errors import BadInput
+from exactkf.theory._matrices import as_fmpq_mat
+from exactkf.theory._scalars import Scalar, Vector
+from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
+from exactkf.theory.orbits import exact_orbit, first_escape
+
+__all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of"]
+
+
+@dataclass(frozen=True)
+class Arrival:
+    r"""The outcome of `state_after`: exactly one of the attributes is not None.
+
+    Attributes
+    ----------
+    state : State or None
+        :math:`(a(T), g(T))` with entries of type ``fmpq``.
+    escape : int or None
+        The first ``t < T`` with :math:`\gamma_t^2 = 1`: no state ``t + 1`` exists.
+    """
+
+    state: State | None
+    escape: int | None
+
+
+def symplectic_matrix_of(a: Sequence[Scalar], g: Sequence[Scalar]) -> fmpq_mat:
+    r"""Return the matrix `S` of order ``2n`` displayed above (BLZ94 (6.8a)).
+
+    Unlike the print it needs no nonsingular `F`, only :math:`\alpha_n \ne 0`.
+
+    Raises
+    ------
+    BadInput
+        If :math:`a_n + g_n = 0` or the entries are not rational.
+
+    Examples
+    --------
+    >>> symplectic_matrix_of([1], [1]).tolist()
+    [[-1/2, 1/2], [-1/2, -3/2]]
+    """
+    rows = as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist()
+    a, g = rows
+    n = len(a)
+    if a[-1] + g[-1] == 0:
+        raise BadInput(f"a[{n - 1}] + g[{n - 1}] = 0: S does not exist; use state_after, which reduces n")
+    A = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
+    for i in range(n):
+        A[i][0] -= a[i] + g[i]
+    A_mat, g_mat = fmpq_mat(A), fmpq_mat([[x] for x in g])
+    hh = fmpq_mat([[int(i == j == 0) for j in range(n)] for i in range(n)])
+    inverse = A_mat.transpose().inv()
+    low = g_mat * g_mat.transpose() * inverse
+    top = [r + s for r, s in zip(inverse.tolist(), (-1 * inverse * hh).tolist(), strict=True)]
+    return fmpq_mat(top + [r + s for r, s in zip(low.tolist(), (A_mat - low * hh).tolist(), strict=True)])
+
+
+def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
+    r"""Return `N` and `e` with :math:`N / \ell^e = z^T` modulo `modulus`, where :math:`\ell` leads `modulus`.
+
+    Parameters
+    ----------
+    exponent : int
+        ``T >= 0``.
+    modulus : fmpz_poly
+        Of degree at least one.
+
+    Returns
+    -------
+    N : fmpz_poly
+        Of lower degree than `modulus`.
+    e : int
+        At most ``max(0, T - deg + 1)``: no power of the leading coefficient is wasted.
+        Irrelevant if the leading coefficient is one.
+
+    Examples
+    --------
+    >>> from flint import fmpz_poly
+    >>> power_modulo(5, fmpz_poly([-1, -1, 1]))[0]
+    5*x + 3
+    >>> power_modulo(2, fmpz_poly([-1, 0, 3]))
+    (1, 1)
+    """
+    degree, lead = modulus.degree(), modulus.leading_coefficient()
+    value, e = fmpz_poly([1]), 0
+    for bit in bin(exponent)[2:]:
+        value, e = value * value, 2 * e
+        if bit == "1":
+            value = value.left_shift(1)
+        while value.degree() >= degree:
+            factor = value.leading_coefficient() * modulus
+            value, e = lead * value - factor.left_shift(value.degree() - degree), e + 1
+    return value, e
+
+
+def _krylov(S: fmpq_mat, g: Vector) -> tuple[list[fmpz_mat], fmpz]:
+    r"""Return integer matrices and a denominator: entry `k` is the denominator times :math:`(X_k' \mid Y_k'h)`.
+
+    The last column of :math:`(X_k' \mid Y_k' h)` is the first row of :math:`Y_k`.
+    """
+    n = len(g)
+    Z = fmpq_mat([[int(i == j) for j in range(n)] for i in range(2 * n)])
+    tables = []
+    for _ in range(2 * n):
+        table = Z.tolist()
+        tables.append(fmpq_mat([[table[j][i] for j in range(n)] + [table[n][i]] for i in range(n)]))
+        Z = S * Z
+    pairs = [table.numer_denom() for table in tables]
+    common = fmpz(1)
+    for _, denominator in pairs:
+        common = common.lcm(denominator)
+    return [numerator * (common // denominator) for numerator, denominator in pairs], common
+
+
+def _arrive(a: Vector, g: Vector, steps: int) -> State:
+    """Return the state after `steps` steps; no escape on the way and ``a_n + g_n != 0`` are assumed."""
+    n = len(a)
+    S = symplectic_matrix_of(a, g)
+    characteristic = S.charpoly().numer()
+    power, e = power_modulo(steps, characteristic)
+    basis, common = _krylov(S, g)
+    total = fmpz_mat(n, n + 1)
+    for coefficient, matrix in zip(power.coeffs(), basis, strict=False):
+        total += matrix * coefficient
+    # Solve X'(u, w) = (Y'h, g), all multiplied by common * lead^e and by the denominator of g.
+    g_numerator, g_denominator = fmpq_mat([[x] for x in g]).numer_denom()
+    weight = common * characteristic.leading_coefficient() ** e
+    rows = [
+        [x * g_denominator for x in row] + [weight * y]
+        for row, (y,) in zip(total.tolist(), g_numerator.tolist(), strict=True)
+    ]
+    reduced, det, _ = fmpz_mat(rows).rref()
+    u = [reduced[i, n] for i in range(n)]  # det * P_T h
+    w = [reduced[i, n + 1] for i in range(n)]  # det * X_T'^{-1} g
+    r = det - u[0]  # det * r_T
+    # F u = J u - a u_1, so q(T) r_T = a r_T + g - F u = a + g - J u.
+    q_numerator = [det * (x + y) - z for x, y, z in zip(a, g, [*u[1:], 0], strict=True)]
+    return tuple((x - y) / r for x, y in zip(q_numerator, w, strict=True)), tuple(fmpq(y, r) for y in w)
+
+
+def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
+    r"""Return the exact state of the fast filter after `T` steps.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals, length n
+        The state at time zero.
+    T : int
+        Number of steps, nonnegative.
+
+    Returns
+    -------
+    Arrival
+        The state, or the time of escape.  The result has of the order of ``T`` digits.
+
+    Raises
+    ------
+    BadInput
+        If the entries are not rational, the lengths differ or `T` is negative.
+
+    Examples
+    --------
+    >>> state_after([0], [2], 2).state
+    ((2,), (-8/7,))
+    >>> state_after([2], [-2], 1000).state, state_after([-2], [fmpq(1, 2)], 1000).escape
+    (((0,), (0,)), 1)
+    """
+    escape = first_escape(a, g, T)
+    if escape is not None:
+        return Arrival(None, escape)
+    start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist())
+    n = len(start)
+    if 2 * n >= T:
+        return Arrival(exact_orbit(start, g_start, T).states[-1], None)
+    if start[-1] + g_start[-1] != 0:
+        return Arrival(_arrive(start, g_start, T), None)
+    return Arrival(_arrive_reduced(start, g_start, T), None)
+
+
+def _arrive_reduced(a: Vector, g: Vector, T: int) -> State:
+    r"""Return the state after ``T > 2n`` steps when :math:`\alpha_n = 0`; no escape before `T` is assumed."""
+    n = len(a)
+    if first_escape(a, g, T + n) is not None:  # the coordinates (alpha, gamma) do not exist at T
+        return exact_orbit(a, g, T).states[-1]
+    alpha, gamma = alpha_gamma_from_ag(a, g)
+    k = max((i + 1 for i, value in enumerate(alpha) if value != 0), default=0)
+    if k == 0:
+        return (fmpq(0),) * n, (fmpq(0),) * n
+    # Time runs n - k steps ahead in the last k Schur parameters.
+    small = alpha_gamma_from_ag(*_arrive(*ag_from_alpha_gamma(alpha[:k], gamma[n - k :]), T - (n - k)))
+    ahead = list(small[1])
+    for _ in range(n - k):
+        small = step_alpha_gamma(*small)
+        ahead.append(small[1][-1])
+    return ag_from_alpha_gamma((*small[0], *(fmpq(0),) * (n - k)), ahead)

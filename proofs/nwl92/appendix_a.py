@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""Appendix A: blocks of a symmetric (1)-inverse of the 2-block matrix.
+
+Let Z = [R, H; H', 0] with R >= 0 and H of full column rank, and let G with
+blocks W, U, U', T be symmetric with ZGZ = Z. Written out in blocks this is
+
+    RWR + RUH' + HU'R + HTH' = R,   RWH + HU'H = H,   H'WH = 0.
+
+Multiply the second equation by H'W on the left: the third one removes every
+term but H'WRWH, so H'W R WH = 0, and R >= 0 turns this into RWH = 0. The
+second equation is now H U'H = H, so U'H = I. Let Q = HU', a projector onto
+the range of H, and M = I - Q. The first equation between M and M' says that W
+acts on the range of MR like an inverse of MRM'; as R >= 0, the range of MRQ'
+lies in that of MRM', and between Q and M' the first equation leaves
+QRM' = 0. Hence RU + HT = 0: together with U'H = I this is Z[U; T] = [0; I],
+which fixes T for every choice of G, while U and W may vary along the vectors
+that R and H' both annihilate.
+
+The matrix RUH' = -HTH' = HPH' (P the error covariance) equals R - RWR. The
+paper writes R + RWR, a misprint that (A.8), (A.9) and (A.10) inherit, and
+that (A.14) does not feel because U'RWR = 0.
+"""
+
+from __future__ import annotations
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, example, identity, instances
+from exactkf.language import (
+    Identity, T, Zero, block, diag, eq, hstack, iff, inv, invertible, let, matrix, rank, sym, symmetric_matrix, vstack,
+)
+from proofs.nwl92.notation import (
+    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, PAIR, S, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, UNBIASED, W2,
+    H, L, R, Tb, U, U2, W, X, Zd, Zm, in_coordinates, inverses, lower, n, p, two_inverses, upper, x,
+)
+
+D = sym("D")
+PRINTED_D = let(D, R + R * W * R)
+RIGHT_D = let(D, R - R * W * R)
+SIGN = "(A.7) prints D = R + RWR; the matrix D of (A.8) to (A.10) is R - RWR"
+#: p = 2, n = 1, R = [2, 1; 1, 2], H = [1; 0]: Z is invertible, P = 3/2, RWR = [1/2, 1; 1, 2]
+SMALL = {"p": 2, "n": 1, R: [[2, 1], [1, 2]], H: [[1], [0]], W: [[0, 0], [0, "1/2"]], U: [[1], ["-1/2"]], Tb: [["-3/2"]]}
+HH = T(H) * H
+
+claim("NWL92-EA.1", "full column rank means that H'H is invertible",
+      iff(rank(H) == n, invertible(HH)), sizes=["p", "n"], over={H: matrix(p, n)},
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+
+claim("NWL92-EA.2", "in blocks, ZGZ = Z is the three equations (A.3), (A.4), (A.5)",
+      Zm * Zd * Zm - Zm == block([
+          [R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) - R, R * W * H + H * T(U) * H - H],
+          [T(R * W * H + H * T(U) * H - H), T(H) * W * H]]),
+      sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), **BLOCKS}, where=PAIR,
+      by=[identity(p=(1, 2, 3), n=(1, 2, 3)), instances(**SIZES)],
+      note="The blocks (1,1), (1,2), (2,2) of ZGZ - Z are the left minus right sides of (A.3), (A.4), (A.5).")
+
+SYMMETRIC = {**SETTING, R: symmetric_matrix(p)}
+claim("NWL92-EA.3", "block (1,1) of ZGZ = Z",
+      R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R,
+      sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
+      by=[combination([(T(upper(p, n)), "(2.20)", upper(p, n))], p=(1, 2, 3), n=(1, 2)), inverses()],
+      note="Neither the rank of H nor R >= 0 is needed.")
+
+claim("NWL92-EA.4", "block (1,2) of ZGZ = Z",
+      R * W * H + H * T(U) * H == H,
+      sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
+      by=[combination([(T(upper(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), inverses()],
+      note="Neither the rank of H nor R >= 0 is needed.")
+
+claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
+      T(H) * W * H == Zero(n, n),
+      sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
+      by=[combination([(T(lower(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), inverses()],
+      note="Neither the rank of H nor R >= 0 is needed.")
+
+claim("NWL92-EA.6", "RWH = 0",
+      R * W * H == Zero(p, n),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()],
+      note="R >= 0 is needed, the rank of H is not.")
+
+SMALL_TWICE = {**SMALL, W2: SMALL[W], U2: SMALL[U], T2: SMALL[Tb]}
+claim("NWL92-EA.7", "D = R + RWR does not depend on the (1)-inverse and is the D of (A.8), (A.9)",
+      (D == R + R * W2 * R) & (H * Tb * T(H) == -D) & (R * U * T(H) == D),
+      sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, PRINTED_D],
+      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK],
+      by=[example(SMALL_TWICE), two_inverses()],
+      repair=repair("sign", SIGN + ", and only that one equals RUH' = -HTH'",
+                    (D == R - R * W2 * R) & (H * Tb * T(H) == -D) & (R * U * T(H) == D),
+                    sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, RIGHT_D],
+                    given=[ONE_INVERSE, SECOND_GIVEN, IMPLIED_RANK], by=[in_coordinates(second=True), two_inverses()]),
+      note="RWR is the same for all (1)-inverses, so that R + RWR is unique too; it is not the matrix of (A.8), (A.9).")
+
+claim("NWL92-EA.8", "HTH' = -D with the D of (A.7)",
+      H * Tb * T(H) == -D,
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[example(SMALL), inverses()],
+      repair=repair("sign", SIGN, H * Tb * T(H) == -D, sizes=["p", "n"], over=SETTING, where=[*PAIR, RIGHT_D],
+                    given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()]),
+      note="Right as it stands once the sign in (A.7) is put right; the rank of H is not needed.")
+
+claim("NWL92-EA.9", "RUH' = D with the D of (A.7)",
+      R * U * T(H) == D,
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[example(SMALL), inverses()],
+      repair=repair("sign", SIGN, R * U * T(H) == D, sizes=["p", "n"], over=SETTING, where=[*PAIR, RIGHT_D],
+                    given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()]),
+      note="Right as it stands once the sign in (A.7) is put right; the rank of H is not needed.")
+
+claim("NWL92-EA.10", "T through the D of (A.7), hence unique",
+      Tb == -inv(HH) * T(H) * D * H * inv(HH),
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[example(SMALL), inverses()],
+      repair=repair("sign", SIGN, eq(Tb, -inv(HH) * T(H) * D * H * inv(HH), T2), sizes=["p", "n"],
+                    over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, RIGHT_D],
+                    given=[ONE_INVERSE, SECOND_GIVEN], by=[in_coordinates(second=True), two_inverses()]),
+      note="T is unique in any case; the formula needs the D of (A.8), which is R - RWR.")
+
+claim("NWL92-EA.11", "U' is a left inverse of H",
+      eq(T(U) * H, inv(HH) * HH, Identity(n)),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[in_coordinates(), inverses()],
+      note="Full column rank enters as the denominator det H'H.")
+
+claim("NWL92-EA.12", "the mean of the estimate is x",
+      T(lower(p, n)) * Zd * vstack(H, Zero(n, n)) * x == x,
+      sizes=["p", "n"], over={**SETTING, x: matrix(n, 1)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[in_coordinates(), inverses()],
+      note="The mean of y is Hx, and the estimate is linear in y.")
+
+claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",
+      (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & (L * R * U == T(U) * R * U),
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR,
+      given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
+      by=[in_coordinates(made={L: hstack(Identity(n), X) * S}, using={X: matrix(n, p - n)}), inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      note="The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the second equation LRL' = U'RU + (L - U')R(L - U')' for every unbiased Ly.")
+
+claim("NWL92-EA.14", "P = U'DH(H'H)^-1 = -U'HTH'H(H'H)^-1 = -T",
+      eq(T(U) * R * U, T(U) * D * H * inv(HH), -T(U) * H * Tb * HH * inv(HH), -Tb),
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE], by=[in_coordinates(), inverses()],
+      note="Holds with D = R + RWR as printed in (A.7) and with the right D = R - RWR, because U'RWR = 0.")
+
+claim("NWL92-EA.15", "RU + HT = 0",
+      R * U + H * Tb == Zero(p, n),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[in_coordinates(), inverses()])

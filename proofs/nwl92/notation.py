@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""Shared notation of NWL92: the 2-block matrix of an estimation problem and its symmetric (1)-inverses.
+
+A measurement y = Hx + v with cov v = R >= 0 is described by the symmetric
+matrix Z = [R, H; H', 0]. What the paper calls its pseudoinverse is any
+symmetric G with ZGZ = Z; its blocks are called W, U, T.
+
+Every symmetric Z has such inverses: with the columns of K spanning the
+kernel of Z, the matrix Z + KK' is invertible and its inverse is one of them
+(`one_inverse`); all others differ from it by KK'Y + Y'KK' for a free matrix Y
+(`any_one_inverse`; claim NWL92-E2.20 says that this reaches them all).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from exactkf.evidence import Evidence, identity, instances
+from exactkf.language import (
+    Expr, Identity, T, Zero, block, diag, given, hstack, integer, inv, kernel_basis, let, matrix, matrix_of, positive_semidefinite,
+    rank, standing, sym, symbols, symmetric_matrix, vstack, when,
+)
+
+# sizes
+d, g, k, m, n, p, q, r = symbols("d g k m n p q r")
+# data of a measurement, blocks of a (1)-inverse, free matrices
+R, H, W, U, V, X, Y = symbols("R H W U V X Y")
+Tb = sym("T")  # the block T of a (1)-inverse (the name T is the transpose here)
+x, y, w, x0, w0, lam = symbols("x y w x0 w0 lam")
+Zm, Zd = symbols("Zm Zd")
+B, G = symbols("B G")
+
+
+def two_block(R: Expr, H: Expr, n: Any) -> Expr:
+    """[R, H; H', 0], where H has n columns."""
+    return block([[R, H], [T(H), Zero(n, n)]])
+
+
+def upper(p: Any, n: Any) -> Expr:
+    """[I; 0]: the first p of p + n coordinates."""
+    return vstack(Identity(p), Zero(n, p))
+
+
+def lower(p: Any, n: Any) -> Expr:
+    """[0; I]: the last n of p + n coordinates."""
+    return vstack(Zero(p, n), Identity(n))
+
+
+def one_inverse(Z: Expr) -> Expr:
+    """One symmetric (1)-inverse of a symmetric matrix."""
+    K = kernel_basis(Z)
+    return inv(Z + K * T(K))
+
+
+def any_one_inverse(Z: Expr, Y: Expr) -> Expr:
+    """All symmetric (1)-inverses of a symmetric matrix, one for each matrix Y (of the size of Z)."""
+    K = kernel_basis(Z)
+    return one_inverse(Z) + K * T(K) * Y + T(Y) * K * T(K)
+
+
+def blocks_of(G: Expr, p: Any, n: Any) -> tuple[Expr, Expr, Expr]:
+    """Blocks W (p x p), U (p x n), T (n x n) of a symmetric matrix."""
+    a, b = upper(p, n), lower(p, n)
+    return T(a) * G * a, T(a) * G * b, T(b) * G * b
+
+
+#: Z and a symmetric (1)-inverse of it, with blocks W, U, T
+TWO_BLOCK = let(Zm, two_block(R, H, n))
+INVERSE = let(Zd, block([[W, U], [T(U), Tb]]))
+PAIR = (TWO_BLOCK, INVERSE)
+ONE_INVERSE = given("(2.20)", Zm * Zd * Zm == Zm)
+FULL_COLUMN_RANK = given("H has full column rank", rank(H) == n)
+BLOCKS = {W: symmetric_matrix(p), U: matrix(p, n), Tb: symmetric_matrix(n)}
+#: data and one (1)-inverse; where the claim needs no measurement
+SETTING = {R: positive_semidefinite(p), H: matrix(p, n), **BLOCKS}
+SIZES = {"p": (1, 2, 3), "n": (1, 2)}
+#: a second symmetric (1)-inverse of the same Z
+W2, U2, T2, Y2, G2, Ze = symbols("W2 U2 T2 Y2 G2 Ze")
+SECOND = {W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
+SECOND_INVERSE = let(Ze, block([[W2, U2], [T(U2), T2]]))
+SECOND_GIVEN = given("second (1)-inverse", Zm * Ze * Zm == Zm)
+#: another linear estimate Ly that is unbiased, LH = I; there is one only if H has full column rank
+L, L0 = symbols("L L0")
+UNBIASED = given("Ly is unbiased", L * H == Identity(n))
+IMPLIED_RANK = standing("H has full column rank", rank(H) == n)
+OTHER = {L0: inv(T(H) * H) * T(H), L: L0 + X * (Identity(p) - H * L0)}
+
+
+def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: Expr = Y, whole: Expr = G) -> tuple[dict, dict]:
+    """What `instances` needs so that the named blocks form a random symmetric (1)-inverse of Z: made_by and using."""
+    made = {whole: any_one_inverse(Z, free), **dict(zip(names, blocks_of(whole, p, n), strict=True))}
+    return made, {free: matrix(p + n, p + n)}
+
+
+def inverses(count: int = 24, *, made_by: dict | None = None, using: dict | None = None, before: dict | None = None, **sizes: Any) -> Evidence:
+    """Instances in which (W, U, T) is a random symmetric (1)-inverse of Z; ``before`` computes R or H first."""
+    made, free = made_inverse(Zm, (W, U, Tb), p, n)
+    return instances(count, made_by={**(before or {}), **made, **(made_by or {})}, using={**free, **(using or {})}, **(sizes or SIZES))
+
+
+def two_inverses(count: int = 24, *, made_by: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
+    """The same with a second random symmetric (1)-inverse (W2, U2, T2)."""
+    made, free = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
+    return inverses(count, made_by={**made, **(made_by or {})}, using={**free, **(using or {})}, **sizes)
+
+
+def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
+    """(x, w) satisfies y = Hx + Vw, and any other (x0, w0) that does has w0'w0 = w'w + |w0 - w|^2."""
+    return (y == H * x + V * w) & (T(w0) * w0 == T(w) * w + T(w0 - w) * (w0 - w))
+
+
+# ------------------------------------------------------------------ coordinates
+S, F, E1, E0, P, Y3, Y4, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 rho ii jj")
+NORMAL_FORM = (
+    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where I has size "
+    "rank [R H] - n; there the symmetric (1)-inverses are [0, K'; K, M] and U = [I; L], T = -P, where diag(I, 0) annihilates K and L "
+    "and M is a symmetric (1)-inverse of diag(I, 0)")
+#: R, H, W, U, T in terms of S, P, the rank rho and free matrices
+COORDINATES = {
+    F: inv(S), E1: matrix_of(ii, jj, p - n, p - n, when((ii == jj) & (ii <= rho), 1, 0)), E0: Identity(p - n) - E1,
+    R: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
+    W: T(S) * block([[Zero(n, n), T(E0 * Y3)], [E0 * Y3, E1 + E0 * Y + T(Y) * E0]]) * S,
+    U: T(S) * vstack(Identity(n), E0 * Y4), Tb: -P,
+}
+PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n), Y3: matrix(p - n, n),
+              Y4: matrix(p - n, n)}
+Y5, Y6, Y7 = symbols("Y5 Y6 Y7")
+#: the same for a second (1)-inverse
+COORDINATES_2 = {
+    W2: T(S) * block([[Zero(n, n), T(E0 * Y5)], [E0 * Y5, E1 + E0 * Y6 + T(Y6) * E0]]) * S,
+    U2: T(S) * vstack(Identity(n), E0 * Y7), T2: -P,
+}
+PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
+
+
+def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
+    """The conclusion as an identity in all R >= 0, H of full column rank and all their symmetric (1)-inverses."""
+    return identity(given_by={**COORDINATES, **(COORDINATES_2 if second else {}), **(made or {})},
+                    using={**PARAMETERS, **(PARAMETERS_2 if second else {}), **(using or {})}, fact=NORMAL_FORM,
+                    **(sizes or {"p": (2, 3), "n": (1, 2)}))

@@ -1,0 +1,404 @@
+# SPDX-License-Identifier: MIT
+"""Section II, first half: maximum likelihood estimation when the noise covariance may be singular.
+
+From y = Hx + v, where v is Gaussian with mean zero and covariance R >= 0, the
+unknown x is to be estimated. Write v = Vw with VV' = R and cov w = I. The
+likelihood of (x, w) depends on w'w only, so the maximum likelihood estimate
+is the x of the pair that minimises w'w under y = Hx + Vw. With a multiplier
+lam for the constraint the stationary points satisfy w = V'lam, H'lam = 0 and
+y = Hx + Vw; without w this is
+
+    Z [lam; x] = [y; 0],    Z = [R, H; H', 0].
+
+Optimality can be seen directly: if lam, x solve this and (x0, w0) is any
+other pair with y = Hx0 + Vw0, then w = V'lam is orthogonal to w0 - w, because
+lam'V(w0 - w) = lam'H(x - x0) = 0. So w0'w0 = w'w + |w0 - w|^2. This equation
+is how the claims below say "maximum likelihood estimate". The other way to
+say it is that U'y is unbiased, U'H = I, and that every unbiased Ly has an
+error covariance LRL' that is larger; error covariances are LRL' because the
+error of Ly is Lv.
+
+If Z is invertible its inverse gives the estimate and, with a minus sign, its
+error covariance. Z is invertible exactly if H has full column rank and [R H]
+full row rank. Otherwise any symmetric G with ZGZ = Z does the same work: data
+y = Hx0 + Vw0 lie in the range of [R H], on which the gain U' does not depend
+on G, and the block -T of G is the error covariance and does not depend on G
+either. If H does not have full column rank, H = H1 H2 with full rank factors,
+then what can be estimated is z = H2 x.
+
+Data are taken in the range of [R H] throughout, where they lie with
+probability one.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.language import (
+    Identity, T, Zero, block, column, diag, eq, function, given, hstack, iff, inv, invertible, kernel_basis, let, loewner, matrix,
+    nonsingular, positive_definite, positive_semidefinite, psd, rank, size_of, standing, sym, symbols, symmetric,
+    symmetric_matrix, vector, vstack, when,
+)
+from proofs.nwl92.notation import (
+    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, PAIR, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, TWO_BLOCK,
+    UNBIASED, W2, Y2, G, G2, H, L, R, Tb, U, U2, V, W, X, Y, Ze, Zd, Zm, any_one_inverse, blocks_of, inverses, lam,
+    likeliest, lower, made_inverse, n, one_inverse, p, q, r, two_block, two_inverses, upper, w, w0, x, x0, y,
+)
+
+half = Fraction(1, 2)
+
+not_checked("NWL92-E2.1", "the measurement y = Hx + v", "a definition: it fixes notation and asserts nothing")
+
+# ------------------------------------------------------------------ Bayesian estimation is a special case
+P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
+BAYES = (let(H, vstack(Identity(n), C)), let(R, diag(P, N)))
+claim("NWL92-S2", "the Bayesian least squares estimate and its error covariance are those of the ML problem (2.2)",
+      (T(U) * vstack(m, z) == m + K * (z - C * m)) & (-Tb == P - K * C * P),
+      sizes=["n", "p"],
+      over={P: positive_semidefinite(n), N: positive_semidefinite(p), C: matrix(p, n), K: matrix(n, p), x: vector(n), alpha: vector(n),
+            beta: vector(p), W: symmetric_matrix(n + p), U: matrix(n + p, n), Tb: symmetric_matrix(n)},
+      where=[*BAYES, let(m, x - P * alpha), let(z, C * x + N * beta), let(Zm, two_block(R, H, n)),
+             let(sym("Zd"), block([[W, U], [T(U), Tb]]))],
+      given=[ONE_INVERSE, given("gain of least squares", K * (C * P * T(C) + N) == P * T(C))],
+      by=[instances(
+          made_by={"S0": one_inverse(C * P * T(C) + N),
+                   K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
+                   **made_inverse(Zm, (W, U, Tb), n + p, n)[0]},
+          using={X: matrix(n, p), **made_inverse(Zm, (W, U, Tb), n + p, n)[1]}, n=(1, 2), p=(1, 2))],
+      note="The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC'; m and z lie where they do with probability one. U and T are blocks of any symmetric (1)-inverse for (2.2).")
+
+claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
+      (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
+      sizes=["n", "p"],
+      over={P: symmetric_matrix(n), N: symmetric_matrix(p), C: matrix(p, n), x: vector(n), m: vector(n), z: vector(p)},
+      where=BAYES, by=[instances(n=(1, 2, 3), p=(1, 2))],
+      note="The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - x and z - Cx have covariances P and N.")
+
+d, c = symbols("d c")
+D, D0 = symbols("D D0")
+claim("NWL92-S3", "all components of x are estimable exactly if H has rank n; in the Bayesian case it has",
+      iff(D0 * H == Identity(n), rank(H) == n) & ((D * H == Identity(n)) >> (rank(H) == n)) & (rank(vstack(Identity(n), H)) == n),
+      sizes=["p", "n"], over={H: matrix(p, n), D: matrix(n, p)},
+      where=[let(D0, one_inverse(T(H) * H) * T(H))],
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3)),
+          instances(made_by={D: D0 + X * (Identity(p) - H * D0)}, using={X: matrix(n, p)}, p=(1, 2, 3), n=(1, 2, 3))],
+      note="Dy is an unbiased estimate of x exactly if DH = I. D0 is a left inverse of H whenever there is one.")
+
+# ------------------------------------------------------------------ R of full rank
+Hx = T(H) * inv(R) * H
+FULL = inv(Hx) * T(H) * inv(R)
+xh = sym("xh")
+
+
+def misfit(x):
+    """(y - Hx)' R^-1 (y - Hx), minus twice the logarithm of the likelihood up to a constant."""
+    return T(y - H * x) * inv(R) * (y - H * x)
+
+
+claim("NWL92-E2.3", "the ML estimate when R is invertible",
+      misfit(x) == misfit(xh) + T(x - xh) * Hx * (x - xh),
+      sizes=["p", "n"], over={R: positive_definite(p), H: matrix(p, n), x: vector(n), y: vector(p)},
+      where=[let(xh, FULL * y)],
+      by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))],
+      note="Complete squares of the exponent of the Gaussian density: the last term is zero at xh only, as R is positive definite and H has full column rank (that rank is the denominator det H'R^-1H).")
+
+claim("NWL92-E2.4", "error covariance of the ML estimate when R is invertible",
+      (FULL * H == Identity(n)) & (FULL * R * T(FULL) == inv(Hx)),
+      sizes=["p", "n"], over={R: positive_definite(p), H: matrix(p, n)},
+      by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))],
+      note="The error of the estimate (2.3) is its gain times v.")
+
+# ------------------------------------------------------------------ the Lagrangian
+NOISE = let(R, V * T(V))
+claim("NWL92-E2.5", "a full rank square root of R has as many columns as R has rank, and the same range",
+      psd(R) & (rank(R) == r) & (rank(hstack(R, V)) == r),
+      sizes=["p", "r"], over={V: matrix(p, r)}, where=[NOISE], given=[given("V has full column rank", rank(V) == r)],
+      by=[instances(p=(1, 2, 3), r=(1, 2, 3))],
+      note="The noise Vw with cov w = I has covariance VV' = R.")
+
+claim("NWL92-E2.6", "the exponent of the density of v is w'w/2",
+      half * T(y - H * x) * G * (y - H * x) == half * T(w) * w,
+      sizes=["p", "n", "r"],
+      over={V: matrix(p, r), H: matrix(p, n), x: vector(n), w: vector(r), G: symmetric_matrix(p)},
+      where=[NOISE, let(y, H * x + V * w)],
+      given=[given("V has full column rank", rank(V) == r), given("generalized inverse of R", R * G * R == R)],
+      by=[combination([(half * T(w) * inv(T(V) * V) * T(V), "generalized inverse of R", V * inv(T(V) * V) * w)], p=(2, 3), n=(1, 2), r=(1, 2)),
+          instances(made_by={G: any_one_inverse(R, Y)}, using={Y: matrix(p, p)}, p=(1, 2, 3), n=(1, 2), r=(1, 2, 3))],
+      note="The density of a Gaussian v of covariance R, on the range of R, is proportional to exp(-v'Gv/2) for any (1)-inverse G of R; so to maximise the likelihood is to minimise w'w/2 under y = Hx + Vw.")
+
+Lg, h = symbols("Lg h")
+LAGRANGIAN = function(Lg, [w, x, lam], half * T(w) * w + T(lam) * (y - H * x - V * w))
+DATA = {V: matrix(p, r), H: matrix(p, n), y: vector(p), w: vector(r), x: vector(n), lam: vector(p)}
+ALL = {"p": (1, 2, 3), "n": (1, 2), "r": (1, 2)}
+
+claim("NWL92-E2.7", "on the constraint the Lagrangian is the cost",
+      Lg(w, x, lam) == half * T(w) * w,
+      sizes=["p", "n", "r"], over=DATA, where=[LAGRANGIAN], given=[given("(2.5)", y == H * x + V * w)],
+      by=[combination([(T(lam), "(2.5)", 1)], **ALL), instances(made_by={y: H * x + V * w}, **ALL)])
+
+claim("NWL92-E2.8a", "gradient of the Lagrangian in w",
+      Lg(w + h, x, lam) - Lg(w, x, lam) == T(h) * (w - T(V) * lam) + half * T(h) * h,
+      sizes=["p", "n", "r"], over={**DATA, h: vector(r)}, where=[LAGRANGIAN], by=[identity(**ALL), instances(**ALL)],
+      note="The part of first order in h is h' times the partial derivative, so this vanishes exactly if w - V'lam = 0.")
+
+claim("NWL92-E2.8b", "gradient of the Lagrangian in x",
+      Lg(w, x + h, lam) - Lg(w, x, lam) == -T(h) * (T(H) * lam),
+      sizes=["p", "n", "r"], over={**DATA, h: vector(n)}, where=[LAGRANGIAN], by=[identity(**ALL), instances(**ALL)],
+      note="The partial derivative is -H'lam; it vanishes exactly if H'lam = 0.")
+
+claim("NWL92-E2.8c", "gradient of the Lagrangian in the multiplier",
+      Lg(w, x, lam + h) - Lg(w, x, lam) == T(h) * (y - H * x - V * w),
+      sizes=["p", "n", "r"], over={**DATA, h: vector(p)}, where=[LAGRANGIAN], by=[identity(**ALL), instances(**ALL)],
+      note="The partial derivative vanishes exactly if y - Hx - Vw = 0.")
+
+claim("NWL92-E2.9", "the stationarity conditions without w",
+      Zm * vstack(lam, x) == vstack(y, Zero(n, 1)),
+      sizes=["p", "n", "r"], over=DATA, where=[NOISE, TWO_BLOCK],
+      given=[given("(2.8a)", w - T(V) * lam == Zero(r, 1)), given("(2.8b)", T(H) * lam == Zero(n, 1)),
+             given("(2.8c)", y - H * x - V * w == Zero(p, 1))],
+      by=[combination([(-upper(p, n) * V, "(2.8a)", 1), (lower(p, n), "(2.8b)", 1), (-upper(p, n), "(2.8c)", 1)], **ALL),
+          instances(made_by={"K": kernel_basis(T(H)), lam: sym("K") * T(sym("K")) * h, w: T(V) * lam, y: H * x + V * w},
+                    using={h: vector(p)}, **ALL)])
+
+# ------------------------------------------------------------------ when Z is invertible
+RH = hstack(R, H)
+ANY = {R: positive_semidefinite(p), H: matrix(p, n)}
+FULL_ROW_RANK = given("[R H] has full row rank", rank(RH) == p)
+claim("NWL92-S4", "Z is invertible exactly if H has full column rank and [R H] full row rank",
+      iff(invertible(Zm), (rank(H) == n) & (rank(RH) == p)), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+
+claim("NWL92-L2.1", "two rank conditions make Z invertible",
+      invertible(Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK], given=[FULL_COLUMN_RANK, FULL_ROW_RANK],
+      by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15", "NWL92-S5",
+                facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+                prose="A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 and x'[R H] = 0, so x = 0; then y'H' = 0, so y = 0."),
+          instances(p=(1, 2, 3), n=(1, 2, 3))])
+
+claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
+      symmetric(Zm) & (size_of(Zm) == p + n), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+
+not_checked("NWL92-E2.11", "a left null vector of Z", "the assumption of a proof: it fixes notation and asserts nothing")
+
+NULL = given("(2.11)", hstack(T(x), T(y)) * Zm == Zero(1, p + n))
+NULL_VECTORS = {R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}
+
+
+def null_vectors(more=None):
+    """Instances with a random left null vector of Z."""
+    return instances(made_by={**(more or {}), "K": kernel_basis(Zm), x: T(upper(p, n)) * sym("K") * T(sym("K")) * h,
+                              y: T(lower(p, n)) * sym("K") * T(sym("K")) * h}, using={h: vector(p + n), sym("b"): vector(p)},
+                     p=(1, 2, 3), n=(1, 2, 3))
+
+
+LOW = {R: sym("b") * T(sym("b"))}
+claim("NWL92-E2.12", "first block of the null vector equation",
+      T(x) * R + T(y) * T(H) == Zero(1, p), sizes=["p", "n"], over=NULL_VECTORS, where=[TWO_BLOCK], given=[NULL],
+      by=[combination([(1, "(2.11)", upper(p, n))], p=(1, 2, 3), n=(1, 2)), null_vectors(), null_vectors(LOW)])
+
+claim("NWL92-E2.13", "second block of the null vector equation",
+      T(x) * H == Zero(1, n), sizes=["p", "n"], over=NULL_VECTORS, where=[TWO_BLOCK], given=[NULL],
+      by=[combination([(1, "(2.11)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), null_vectors(), null_vectors(LOW)])
+
+claim("NWL92-E2.14", "(2.13) transposed and multiplied by y'",
+      T(y) * T(H) * x == 0, sizes=["p", "n"], over={H: matrix(p, n), x: vector(p), y: vector(n)},
+      given=[given("(2.13)", T(x) * H == Zero(1, n))],
+      by=[combination([(T(y), "(2.13)'", 1)], p=(1, 2, 3), n=(1, 2)),
+          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h}, using={h: vector(p)}, p=(2, 3), n=(1, 2))])
+
+S = sym("S")
+claim("NWL92-E2.15", "(2.12) multiplied by x, with (2.14)",
+      T(x) * R * x == 0, sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)},
+      given=[given("(2.12)", T(x) * R + T(y) * T(H) == Zero(1, p)), given("(2.14)", T(y) * T(H) * x == 0)],
+      by=[combination([(1, "(2.12)", x), (-1, "(2.14)", 1)], p=(1, 2, 3), n=(1, 2)),
+          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h, "M": T(x) * x * Identity(p) - x * T(x),
+                             R: sym("M") * S * sym("M") - (H * y * T(x) + x * T(y) * T(H)) / (T(x) * x)},
+                    using={h: vector(p), S: symmetric_matrix(p)}, p=(2, 3), n=(1, 2))],
+      note="R >= 0 is not needed here.")
+
+claim("NWL92-S5", "end of the proof of Lemma 2.1",
+      ((T(x) * R * x == 0) >> (T(x) * R == Zero(1, p)))
+      & (((T(x) * R == Zero(1, p)) & (T(x) * H == Zero(1, n)) & (rank(RH) == p)) >> (x == Zero(p, 1)))
+      & (((T(y) * T(H) == Zero(1, p)) & (rank(H) == n)) >> (y == Zero(n, 1))),
+      sizes=["p", "n"], over={R: positive_semidefinite(p), H: matrix(p, n), x: vector(p), y: vector(n)},
+      by=[instances(p=(1, 2, 3), n=(1, 2)),
+          instances(made_by={"K": kernel_basis(R), x: sym("K") * T(sym("K")) * h, "M": kernel_basis(H), y: sym("M") * T(sym("M")) * c},
+                    using={h: vector(p), c: vector(n)}, p=(1, 2, 3), n=(1, 2, 3)),
+          instances(made_by={"K": kernel_basis(T(RH)), x: sym("K") * T(sym("K")) * h}, using={h: vector(p)}, p=(1, 2, 3), n=(1, 2))])
+
+Zi, GAIN = symbols("Zi gain")
+REGULAR = (TWO_BLOCK, let(Zi, inv(Zm)), let(GAIN, T(lower(p, n)) * Zi * upper(p, n)))
+INVERTIBLE = standing("Z is invertible", invertible(Zm))
+wh = sym("wh")
+MEASURED = {V: matrix(p, q), H: matrix(p, n), x0: vector(n), w0: vector(q)}
+claim("NWL92-E2.16", "the ML estimate when Z is invertible",
+      likeliest(xh, wh, y, H, V, w0),
+      sizes=["p", "n", "q"], over=MEASURED,
+      where=[NOISE, *REGULAR, let(y, H * x0 + V * w0), let(xh, T(lower(p, n)) * Zi * upper(p, n) * y),
+             let(wh, T(V) * T(upper(p, n)) * Zi * upper(p, n) * y)],
+      given=[INVERTIBLE],
+      by=[identity(p=2, n=(1, 2), q=(1, 2)), instances(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
+      note="xh and wh solve y = Hx + Vw, and any other solution (x0, w0) has a larger w0'w0; xh is determined by wh because H has full column rank.")
+
+claim("NWL92-S6", "the estimate (2.16) is unbiased",
+      GAIN * H == Identity(n), sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
+      by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
+
+claim("NWL92-E2.17", "error covariance of (2.16)",
+      GAIN * R * T(GAIN) == T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n),
+      sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
+      by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
+
+claim("NWL92-E2.18", "splitting diag(R, 0)",
+      diag(R, Zero(n, n)) == block([[R, Zero(p, n)], [T(H), Zero(n, n)]]) - block([[Zero(p, p), Zero(p, n)], [T(H), Zero(n, n)]]),
+      sizes=["p", "n"], over=ANY, by=[identity(p=(1, 2, 3), n=(1, 2)), instances(**SIZES)])
+
+claim("NWL92-E2.19", "the error covariance is minus a block of the inverse of Z",
+      eq(GAIN * R * T(GAIN), T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n), -T(lower(p, n)) * Zi * lower(p, n)),
+      sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
+      by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
+
+# ------------------------------------------------------------------ redundant perfect measurements
+FREE = let(N, kernel_basis(R))
+NOISE_FREE = T(N)  # rows: a basis of the combinations d'y with d'R = 0
+claim("NWL92-S7", "[R H] has full row rank exactly if no two independent noise-free combinations measure the same thing",
+      iff(rank(RH) == p, ~((size_of(NOISE_FREE) >= 2) & (rank(NOISE_FREE * H) < size_of(NOISE_FREE)))),
+      sizes=["p", "n"], over=ANY, where=[FREE],
+      by=[example({"p": 2, "n": 1, R: [[1, 0], [0, 0]], H: [[1], [0]]}), instances(p=(1, 2, 3), n=(1, 2))],
+      repair=repair("boundary case", "a single noise-free combination that measures nothing, 0 = 0, already spoils the row rank, and then two independent ones need not exist; the combinations must be called different, not independent",
+                    iff(rank(RH) == p, rank(NOISE_FREE * H) == size_of(NOISE_FREE)),
+                    sizes=["p", "n"], over=ANY, where=[FREE], by=[instances(p=(1, 2, 3), n=(1, 2, 3))]),
+      note="The rows of N' are a basis of the combinations d'y without noise, d'R = 0. Two independent ones that measure the same combination of x exist exactly if there are at least two rows and N'H has dependent rows. Two different ones exist exactly if N'H has dependent rows.")
+
+# ------------------------------------------------------------------ any (1)-inverse
+M, E = symbols("M E")
+k = sym("k")
+claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and all of them are known",
+      symmetric(M) & (Zm * M * Zm == Zm) & (G == M + K * T(K) * Y + T(Y) * K * T(K)),
+      sizes=["k"], over={Zm: symmetric_matrix(k), G: symmetric_matrix(k)},
+      where=[let(K, kernel_basis(Zm)), let(M, one_inverse(Zm)), let(E, G - M), let(Y, M * (E - half * E * K * T(K) * M))],
+      given=[given("(2.20)", Zm * G * Zm == Zm)],
+      by=[instances(made_by={G: any_one_inverse(Zm, X)}, using={X: matrix(k, k)}, k=(1, 2, 3, 4)),
+          instances(k=(1, 2))],
+      note="A definition; what is checked is that it is not empty, and the general form from which the instances of the other claims are drawn.")
+
+claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
+      (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & loewner(L * R * T(L), T(U) * R * U),
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
+      by=[steps("NWL92-EA.11", "NWL92-EA.14", "NWL92-EA.15", facts=["XRX' >= 0 for R >= 0"],
+                prose="U'H = I and U'R = -TH' give LRL' = U'RU + (L - U')R(L - U')' for every unbiased L, and U'RU = -T."),
+          inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      note="Maximum likelihood is stated as smallest error covariance among linear unbiased estimates; NWL92-E2.21 states it as a minimum of w'w.")
+
+XH = let(xh, T(lower(p, n)) * Zd * upper(p, n) * y)
+WH = let(wh, T(V) * T(upper(p, n)) * Zd * upper(p, n) * y)
+claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
+      likeliest(xh, wh, y, H, V, w0) & ((w0 == wh) >> (x0 == xh)),
+      sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=[NOISE, *PAIR, let(y, H * x0 + V * w0), XH, WH],
+      given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3)), inverses(before={w0: Zero(q, 1)}, p=(1, 2, 3), n=(1, 2), q=(1, 2))],
+      note="Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, and no other x goes with it. V is any square root of R.")
+
+claim("NWL92-L2.2.1", "the estimate (2.21) is unbiased",
+      T(lower(p, n)) * Zd * upper(p, n) * H == Identity(n),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()])
+
+claim("NWL92-E2.22", "the error covariance is minus a block of any symmetric (1)-inverse",
+      T(U) * R * U == -T(lower(p, n)) * Zd * lower(p, n),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()],
+      note="The error of the estimate U'y is U'v, as U'H = I.")
+
+W3, U3 = symbols("W3 U3")
+claim("NWL92-E2.23", "a matrix in blocks is symmetric exactly if it has the form (2.23)",
+      iff(symmetric(block([[W, U], [L, Tb]])), symmetric(W) & symmetric(Tb) & (L == T(U))),
+      sizes=["p", "n"], over={W: matrix(p, p), U: matrix(p, n), L: matrix(n, p), Tb: matrix(n, n)},
+      by=[instances(p=(1, 2), n=(1, 2)), instances(made_by={L: T(U)}, p=(1, 2), n=(1, 2)),
+          instances(made_by={W: X + T(X), Tb: Y + T(Y), L: T(U)}, using={X: matrix(p, p), Y: matrix(n, n)}, p=(1, 2), n=(1, 2)),
+          instances(made_by={W: X + T(X), Tb: Y + T(Y)}, using={X: matrix(p, p), Y: matrix(n, n)}, p=(1, 2), n=(1, 2))],
+      note="A definition of names; what is checked is that the form is general.")
+
+claim("NWL92-S8", "the block T is the same for all symmetric (1)-inverses",
+      Tb == T2, sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
+      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[two_inverses()])
+
+i, j = symbols("i j")
+NULL_COLUMN = column(i, p, when(rank(vstack(R, T(H))) < p, kernel_basis(vstack(R, T(H)))[i, 1], 0))
+claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
+      iff(~invertible(Zm), (Zm * Ze * Zm == Zm) & (W2 != W) & (U2 != U)),
+      sizes=["p", "n"], over=SETTING,
+      where=[*PAIR, let(k, NULL_COLUMN), let(W2, W + k * T(k)), let(U2, U + hstack(k, Zero(p, n - 1))),
+             let(Ze, block([[W2, U2], [T(U2), Tb]]))],
+      given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()],
+      note="k is a vector with Rk = 0 and H'k = 0, not zero if Z is singular; with it another (1)-inverse is written down in which both W and U differ. n >= 1.")
+
+claim("NWL92-E2.24", "the ML estimate is U'y",
+      (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & (L * R * U == T(U) * R * U),
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
+      by=[inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      note="Second equation: the errors of U'y and of any other unbiased Ly have the covariance U'RU, so that LRL' = U'RU + (L - U')R(L - U')'.")
+
+claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-inverses",
+      eq(T(U) * R * U, -Tb, T(U2) * R * U2),
+      sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
+      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[two_inverses()])
+
+claim("NWL92-E2.25", "Z times the last block column of a symmetric (1)-inverse",
+      Zm * vstack(U, Tb) == vstack(Zero(p, n), Identity(n)),
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()])
+
+# ------------------------------------------------------------------ H of any rank
+claim("NWL92-S11", "c'x is estimable exactly if c lies in the range of H'",
+      iff(T(H) * d == c, rank(hstack(T(H), c)) == rank(H)) & ((T(H) * x == c) >> (rank(hstack(T(H), c)) == rank(H))),
+      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n), x: vector(p)}, where=[let(d, one_inverse(H * T(H)) * H * c)],
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3)), instances(made_by={c: T(H) * x}, p=(1, 2, 3), n=(1, 2, 3))],
+      note="x'y and d'y stand for linear estimates; they are unbiased exactly if H'x = c, H'd = c. d solves H'd = c whenever there is a solution.")
+
+H1, H2 = symbols("H1 H2")
+FACTORS = [given("H1 has full column rank", rank(H1) == r), given("H2 has full row rank", rank(H2) == r)]
+claim("NWL92-S12", "the estimable combinations are those of z = H2 x",
+      (rank(H1 * H2) == r) & iff(rank(hstack(T(H1 * H2), c)) == rank(H1 * H2), rank(hstack(T(H2), c)) == r),
+      sizes=["p", "n", "r"], over={H1: matrix(p, r), H2: matrix(r, n), c: vector(n)}, given=FACTORS,
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3), r=(1, 2)), instances(made_by={c: T(H2) * h}, using={h: vector(r)}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2))])
+
+Z1, Zi1, W1, U1, T1, Y1, G1, zh = symbols("Z1 Zi1 W1 U1 T1 Y1 G1 zh")
+FACTORED = {H1: matrix(p, r), H2: matrix(r, n)}
+BLOCKS_1 = {W1: symmetric_matrix(p), U1: matrix(p, r), T1: symmetric_matrix(r)}
+PAIR_1 = (let(H, H1 * H2), let(Z1, two_block(R, H1, r)), let(Zi1, block([[W1, U1], [T(U1), T1]])))
+BOTH = [given("(1)-inverse of Z1", Z1 * Zi1 * Z1 == Z1), ONE_INVERSE, *FACTORS]
+ANY_RANK = {"p": (1, 2, 3), "n": (1, 2, 3), "r": (1, 2)}
+
+
+def factored(**sizes):
+    """Instances with a full rank factorisation and random (1)-inverses of both 2-block matrices."""
+    made, free = made_inverse(Z1, (W1, U1, T1), p, r, Y1, G1)
+    return inverses(made_by=made, using=free, **{**ANY_RANK, **sizes})
+
+
+claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
+      likeliest(zh, wh, y, H1, V, w0) & ((w0 == wh) >> (H2 * x0 == zh)) & (zh == hstack(Zero(r, p), H2) * Zd * upper(p, n) * y),
+      sizes=["p", "n", "r", "q"], over={V: matrix(p, q), **FACTORED, x0: vector(n), w0: vector(q), **BLOCKS_1, **BLOCKS},
+      where=[NOISE, *PAIR_1, *PAIR, let(y, H * x0 + V * w0), let(zh, T(lower(p, r)) * Zi1 * upper(p, r) * y),
+             let(wh, T(V) * T(upper(p, r)) * Zi1 * upper(p, r) * y)],
+      given=BOTH, by=[factored(q=(1, 2)), inverses(before={w0: Zero(q, 1)}, made_by=made_inverse(Z1, (W1, U1, T1), p, r, Y1, G1)[0],
+                                                   using=made_inverse(Z1, (W1, U1, T1), p, r, Y1, G1)[1], **ANY_RANK, q=(1, 2))],
+      note="For measurements y = Hx + v with v in the range of R, where they lie with probability one; for other y the two forms may differ.")
+
+claim("NWL92-S13", "both forms of the estimate of z are unbiased",
+      (T(U1) * H == H2) & (H2 * T(U) * H == H2),
+      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS}, where=[*PAIR_1, *PAIR],
+      given=BOTH, by=[factored()],
+      note="z = H2 x and E y = Hx.")
+
+claim("NWL92-E2.27", "two forms of the error covariance of z, as printed with a factor y",
+      eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r), -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2)) * y),
+      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS, y: vector(p)}, where=[*PAIR_1, *PAIR],
+      given=BOTH,
+      by=[example({"p": 1, "n": 1, "r": 1, R: [[1]], H1: [[1]], H2: [[1]], W1: [[0]], U1: [[1]], T1: [[-1]], W: [[0]], U: [[1]],
+                   Tb: [[-1]], y: [2]}), factored()],
+      repair=repair("other", "a factor y stands at the end of the second form, where its size does not even fit; the covariance does not depend on the data",
+                    eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r), -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2))),
+                    sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS}, where=[*PAIR_1, *PAIR],
+                    given=BOTH, by=[factored()]))

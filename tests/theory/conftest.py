@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+"""Settings of the property tests: reproducible, bounded, without deadline."""
+
+from hypothesis import HealthCheck, settings
+
+settings.register_profile(
+    "theory", max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("theory")
