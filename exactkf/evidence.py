@@ -63,13 +63,19 @@ def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: st
                                  "parameters": aux, "fact": fact})
 
 
-def combination(terms: Sequence[tuple[Any, str, Any]], **sizes: Iterable[int] | int) -> Evidence:
+def combination(terms: Sequence[Any], **sizes: Iterable[int] | int) -> Evidence:
     """Left side minus right side of the conclusion = sum of L * (lhs - rhs of the hypothesis so labelled) * R.
 
-    A label ending in ``'`` names the transposed hypothesis.
+    Each term is ``(L, "label", R)``; a label ending in ``'`` names the transposed hypothesis. For a
+    conclusion that is a conjunction or a chain, a list of such lists, one for each equation.
     """
-    rows = tuple((to_expr(left).tree, label, to_expr(right).tree) for left, label, right in terms)
-    return Evidence("combination", {"sizes": _ranges(sizes), "terms": rows})
+    several = bool(terms) and all(isinstance(t, list) for t in terms)
+    lists = [_rows(t) for t in terms] if several else _rows(terms)
+    return Evidence("combination", {"sizes": _ranges(sizes), "terms": tuple(lists)})
+
+
+def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
+    return tuple((to_expr(left).tree, label, to_expr(right).tree) for left, label, right in terms)
 
 
 def induction(**sizes: Iterable[int] | int) -> Evidence:
