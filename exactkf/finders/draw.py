@@ -119,7 +119,7 @@ class Sampler:
                 made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
             values[name] = world.values[name] = made
         data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
-                "values": {name: _full(plain(values[name]), kind, world) for name, kind in kinds.items()}}
+                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in kinds.items()}}
         return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
 
     # ------------------------------------------------------------------ values
@@ -205,14 +205,6 @@ class Sampler:
 _MATRICES = {"matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal"}
 
 
-def _full(listed: Any, kind: tuple, world: World) -> Any:
-    """A polynomial lists its coefficients up to the degree of its type, leading zeros too."""
-    if kind[0] not in ("poly", "monic"):
-        return listed
-    listed = listed if isinstance(listed, list) else [listed]
-    return listed + [0] * (world.integer(kind[1], {}) + 1 - len(listed))
-
-
 def _tidy(x: Fraction) -> Any:
     return int(x) if x.denominator == 1 else x
 
@@ -224,6 +216,14 @@ def _listed(value: Any, is_matrix: bool) -> Any:
             return [[_listed(x, False)] for x in value]
         return [_listed(x, False) for x in value]
     return str(value) if isinstance(value, Fraction) else value
+
+
+def _padded(value: Any, kind: Any, world: World) -> Any:
+    """Coefficients of a polynomial up to z^n, the zero ones at the top too."""
+    if kind[0] not in ("poly", "monic"):
+        return value
+    value = value if isinstance(value, list) else [value]
+    return value + [0] * (world.integer(kind[1], {}) + 1 - len(value))
 
 
 def plain(value: Any) -> Any:
