@@ -228,7 +228,8 @@ claim("BLZ94-S25", "the level set is a smooth n-manifold where the Jacobian of T
       repair=repair("missing hypothesis", "The kernel of the Jacobian of the projective map has to have dimension n: the vector T itself must "
                     "not lie in the image of the Jacobian of T (at alpha = 1, gamma = 0, n = 1 it does).",
                     rank(V) <= n, sizes=["n"], over=_POINT_LINES, where=_LINES,
-                    given=[given("the projective map is a submersion", rank(M) == n + 1), _ON], by=[_BY_LINES]))
+                    given=[given("the projective map is a submersion", rank(M) == n + 1), _ON, standing("d_0 != 0", d(0, 0) != 0)],
+                    by=[_BY_LINES]))
 
 aa, gg, A2, G2, a2, b2 = symbols("beta delta A2 G2 a2 b2")
 claim("BLZ94-S26", "if the last alphas vanish, the algorithm is that of smaller dimension",
