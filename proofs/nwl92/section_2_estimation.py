@@ -37,7 +37,7 @@ from fractions import Fraction
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import (
-    Identity, T, Zero, block, column, diag, eq, function, given, hstack, iff, integer, inv, invertible, kernel_basis, let, loewner, matrix,
+    Identity, T, Zero, block, column, diag, eq, forall, function, given, hstack, iff, integer, inv, invertible, kernel_basis, let, loewner, matrix,
     nonsingular, positive_definite, positive_semidefinite, psd, rank, size_of, standing, sym, symbols, symmetric,
     symmetric_matrix, vector, vstack, when,
 )
@@ -59,26 +59,22 @@ I_n, Q, UB = Identity(n), sym("Q"), sym("UB")
 FIRST_N, LAST_P = L * upper(n, p), L * lower(n, p)
 GAIN_LS = "gain of least squares"
 claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2.2), with the same error covariance",
-      (m + K * (z - C * m) == T(UB) * vstack(m, z)) & (T(UB) * R * UB == P - K * C * P) & excess(L, UB, R),
+      (T(UB) * R * UB == P - K * C * P) & (m + K * (z - C * m) == T(UB) * vstack(m, z)) & (L * R * UB == T(UB) * R * UB),
       sizes=["n", "p"],
       over={P: positive_semidefinite(n), N: positive_semidefinite(p), C: matrix(p, n), K: matrix(n, p), m: vector(n), z: vector(p),
             L: matrix(n, n + p)},
       where=[*BAYES, let(UB, T(hstack(I_n - K * C, K)))],
       given=[given(GAIN_LS, K * (C * P * T(C) + N) == P * T(C)), UNBIASED],
       by=[combination([
-          [],
           [(1, GAIN_LS, T(K))],
-          [(1, "Ly is unbiased", P - K * C * P), (T(P - K * C * P), "Ly is unbiased'", 1),
-           (FIRST_N, GAIN_LS, T(K)), (-FIRST_N * K, GAIN_LS + "'", 1), (LAST_P, GAIN_LS + "'", 1),
-           (LAST_P * C, GAIN_LS, T(K)), (-LAST_P * C * K, GAIN_LS + "'", 1),
-           (K, GAIN_LS + "'", T(FIRST_N)), (-1, GAIN_LS, T(K) * T(FIRST_N)), (1, GAIN_LS, T(LAST_P)),
-           (K, GAIN_LS + "'", T(C) * T(LAST_P)), (-1, GAIN_LS, T(K) * T(C) * T(LAST_P)),
-           (-1, GAIN_LS, T(K)), (-K, GAIN_LS + "'", 1)]], n=(1, 2), p=(1, 2)),
+          [],
+          [(1, "Ly is unbiased", P - K * C * P), (FIRST_N, GAIN_LS, T(K)), (-FIRST_N * K, GAIN_LS + "'", 1), (LAST_P, GAIN_LS + "'", 1),
+           (LAST_P * C, GAIN_LS, T(K)), (-LAST_P * C * K, GAIN_LS + "'", 1), (-1, GAIN_LS, T(K))]], n=(1, 2), p=(1, 2)),
           instances(made_by={"S0": one_inverse(C * P * T(C) + N),
                              K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
                              L: hstack(I_n - Q * C, Q)},
                     using={X: matrix(n, p), Q: matrix(n, p)}, n=(1, 2), p=(1, 2))],
-      note="The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its error covariance P - KCP. It is linear in (m, z), unbiased, and no unbiased L(m; z) has a smaller error covariance: it is the maximum likelihood estimate for (2.2).")
+      note="The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its error covariance P - KCP. It is linear and unbiased in (m, z), and its error has the covariance P - KCP with the error of every other unbiased L(m; z), so none has a smaller error covariance: it is the maximum likelihood estimate for (2.2).")
 
 claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
@@ -87,13 +83,14 @@ claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full
       where=BAYES, by=[instances(n=(1, 2, 3), p=(1, 2))],
       note="The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - x and z - Cx have covariances P and N.")
 
-d, c, K = symbols("d c K")
+d, c, K, i, j = symbols("d c K i j")
 HH = T(H) * H
+unit = sym("unit")
 claim("NWL92-S3", "all components of x are estimable exactly if H has rank n; in the Bayesian case it has",
-      iff(inv(HH + K * T(K)) * T(H) * H == Identity(n), rank(H) == n) & (rank(vstack(Identity(n), H)) == n),
-      sizes=["p", "n"], over={H: matrix(p, n)}, where=[let(K, kernel_basis(H))],
+      iff(forall(i, 1, n, rank(hstack(T(H), unit(i))) == rank(H)), rank(H) == n) & (rank(vstack(Identity(n), H)) == n),
+      sizes=["p", "n"], over={H: matrix(p, n)}, where=[function(unit, [i], column(j, n, when(j == i, 1, 0)))],
       by=[instances(p=(1, 2, 3), n=(1, 2, 3))],
-      note="Dy is an unbiased estimate of x exactly if DH = I. The matrix in front of H is such a D whenever there is one: DH = I makes H'H invertible and K empty.")
+      note="Component i of x is estimable exactly if unit vector i lies in the range of H' (NWL92-S11).")
 
 # ------------------------------------------------------------------ R of full rank
 Hx = T(H) * inv(R) * H
@@ -178,7 +175,10 @@ ANY = {R: positive_semidefinite(p), H: matrix(p, n)}
 FULL_ROW_RANK = given("[R H] has full row rank", rank(RH) == p)
 claim("NWL92-S4", "Z is invertible exactly if H has full column rank and [R H] full row rank",
       iff(invertible(Zm), (rank(H) == n) & (rank(RH) == p)), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
+                facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+                prose="Necessity: the last n columns [H; 0] and the first p rows [R H] of an invertible matrix are independent. Sufficiency is Lemma 2.1."),
+          instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-L2.1", "two rank conditions make Z invertible",
       invertible(Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK], given=[FULL_COLUMN_RANK, FULL_ROW_RANK],
@@ -189,7 +189,7 @@ claim("NWL92-L2.1", "two rank conditions make Z invertible",
 
 claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
       symmetric(Zm) & (size_of(Zm) == p + n), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[identity(p=(1, 2, 3), n=(1, 2, 3)), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 not_checked("NWL92-E2.11", "a left null vector of Z", "the assumption of a proof: it fixes notation and asserts nothing")
 
@@ -341,7 +341,6 @@ claim("NWL92-S8", "the block T is the same for all symmetric (1)-inverses",
       Tb == T2, sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
       given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[in_coordinates(second=True), two_inverses()])
 
-i, j = symbols("i j")
 NULL_COLUMN = column(i, p, when(rank(vstack(R, T(H))) < p, kernel_basis(vstack(R, T(H)))[i, 1], 0))
 claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
       iff(~invertible(Zm), (Zm * Ze * Zm == Zm) & (W2 != W) & (U2 != U)),
@@ -368,10 +367,10 @@ claim("NWL92-E2.25", "Z times the last block column of a symmetric (1)-inverse",
 
 # ------------------------------------------------------------------ H of any rank
 claim("NWL92-S11", "c'x is estimable exactly if c lies in the range of H'",
-      iff(T(H) * inv(H * T(H) + N * T(N)) * H * c == c, rank(hstack(T(H), c)) == rank(H)),
-      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n)}, where=[let(N, kernel_basis(T(H)))],
+      iff(T(H) * d == c, rank(hstack(T(H), c)) == rank(H)),
+      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n)}, where=[let(d, one_inverse(H * T(H)) * H * c)],
       by=[instances(p=(1, 2, 3), n=(1, 2, 3)), instances(made_by={c: T(H) * h}, using={h: vector(p)}, p=(1, 2, 3), n=(1, 2, 3))],
-      note="d'y is an unbiased estimate of c'x exactly if H'd = c. The vector behind the first H' is such a d whenever there is one.")
+      note="d'y is an unbiased estimate of c'x exactly if H'd = c. The d here satisfies this whenever any does, as H'd is the projection of c on the range of H'.")
 
 H1, H2 = symbols("H1 H2")
 FACTORS = [given("H1 has full column rank", rank(H1) == r), given("H2 has full row rank", rank(H2) == r)]
