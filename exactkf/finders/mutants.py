@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from exactkf.evidence import Evidence
-from exactkf.finders.draw import Sampler
+from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.equal import says_nothing_new
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.linear import Matrix
@@ -118,6 +118,8 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
         for k in mutant.path:
             if isinstance(tree, list) and tree and tree[0] in _BINDERS:
                 local[tree[1]] = 1 if tree[0] == "always" else world.integer(tree[2], local)
+            elif isinstance(tree, list) and tree and tree[0] in ("col", "mat"):
+                local.update(dict.fromkeys(tree[1:2] if tree[0] == "col" else tree[1:3], 1))
             tree = tree[k]
         values = [world.value(x, local) for x in tree[1:]]
     except (Undefined, Unknown, KeyError):
@@ -150,12 +152,12 @@ def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
 
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> str:
-    """Without the hypothesis there must be an instance on which the conclusion is false."""
+    """Without the hypothesis there must be an instance on which the conclusion is false; examples by hand come first."""
     weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
     asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
     for hints in asked:
         for tries, made_by in _partial(hints.get("made_by", {}), data):
-            fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, [], 1)
+            fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, examples_of(tuple(by)), 1)
             for _, world in fresh.stream(tries):
                 report.checks += 1
                 try:

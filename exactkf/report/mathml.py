@@ -37,7 +37,7 @@ def formula(latex: str, block: bool = False) -> Markup:
     text = re.sub(r"&#x([0-9A-F]+);", _character, text)
     for pattern, better in _REPAIRS:
         text = pattern.sub(better, text)
-    return Markup(text)  # noqa: S704  (from our own LaTeX)
+    return Markup(text)
 
 
 def _character(match: re.Match) -> str:
