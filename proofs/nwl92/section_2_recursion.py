@@ -26,13 +26,13 @@ probability one.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, identity, instances, steps
+from exactkf.evidence import combination, identity, instances, order, steps
 from exactkf.language import (
     Identity, T, Zero, block, diag, eq, given, hstack, iff, integer, inv, kernel_basis, let, loewner, matrix, positive_semidefinite, rank,
     standing, sym, symbols, symmetric_matrix, vector, vstack,
 )
 from proofs.nwl92.notation import (
-    E0, E1, F, IMPLIED_RANK, NORMAL_FORM, PARAMETERS, FULL_COLUMN_RANK, H, P, S, Y3, Y4, any_one_inverse, inverse_in_coordinates, lower,
+    E0, E1, F, NORMAL_FORM, PARAMETERS, FULL_COLUMN_RANK, H, P, S, Y3, Y4, any_one_inverse, inverse_in_coordinates, lower,
     made_inverse, n, ones, p, q, rho, two_block, upper,
 )
 
@@ -354,26 +354,30 @@ claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
       note="Estimates of x1 and z stacked, and their joint error covariance.")
 
 # ------------------------------------------------------------------ Lemma 2.5
-V1, V2, W2, U2, T2, Z2, Y2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 B v1")
+V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
 not_checked("NWL92-E2.45", "the same measurement with two noises", "a definition: it fixes notation and asserts nothing")
 
-NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
-          T1: symmetric_matrix(n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
-NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
-               let(Z2, two_block(V2, H, n)), let(sym("G2"), block([[W2, U2], [T(U2), T2]])))
-NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(sym("G2"), Z2, "second noise"), FULL_COLUMN_RANK,
+NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), P1: symmetric_matrix(n),
+          U2: matrix(p, n), P2: symmetric_matrix(n)}
+NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)))
+NOISES_GIVEN = [given("(2.25) for the first noise", Z1 * vstack(U1, -P1) == vstack(Zero(p, n), Identity(n))),
+                given("(2.25) for the second noise", Z2 * vstack(U2, -P2) == vstack(Zero(p, n), Identity(n))),
                 given("the second noise is larger", loewner(V2, V1))]
 FIRST_MADE = made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Ga"))
 SECOND_MADE = made_inverse(Z2, (W2, U2, T2), p, n, Y2, sym("Gc"))
-NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)}, count=24, p=(1, 2, 3), n=(1, 2))
+NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)}, made_by={P1: -T1, P2: -T2},
+                       count=24, p=(1, 2, 3), n=(1, 2))
+MORE_NOISE, OTHER_GAIN = T(U2) * (V2 - V1) * U2, T(U2 - U1) * V1 * (U2 - U1)
 claim("NWL92-L2.5", "more noise, more error",
-      loewner(T(U2) * V2 * U2, T(U1) * V1 * U1),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(P2, P1), sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
+      by=[order([MORE_NOISE, OTHER_GAIN]), NOISES_MADE],
+      note="Gains U1, U2 and error covariances P1, P2 of the ML estimates enter through (2.25), which every (1)-inverse satisfies (NWL92-E2.25); it makes H a matrix of full column rank.")
 
 SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
 claim("NWL92-E2.46", "gain and error covariance for the second noise",
       eq(T(U2) * V2 * U2, -T2) & (T(U2) * H == Identity(n)),
-      sizes=["p", "n"], over=SECOND_PROBLEM, where=NOISES_LETS[2:], given=[NOISES_GIVEN[1], FULL_COLUMN_RANK],
+      sizes=["p", "n"], over=SECOND_PROBLEM, where=[NOISES_LETS[1], let(G2, block([[W2, U2], [T(U2), T2]]))],
+      given=[is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK],
       by=[identity(given_by={F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V2: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
                              **inverse_in_coordinates((W2, U2, T2), (Y3, Y, Y4), n)}, using=PARAMETERS, fact=NORMAL_FORM, p=(2, 3), n=(1, 2)),
           instances(made_by=SECOND_MADE[0], using=SECOND_MADE[1], p=(1, 2, 3), n=(1, 2))],
@@ -388,5 +392,6 @@ claim("NWL92-E2.47", "the gain for the second noise is unbiased for the first",
       note="The error of U2'y1 is U2'v1, which has mean zero.")
 
 claim("NWL92-E2.48", "the chain of inequalities",
-      loewner(T(U2) * V1 * U2, T(U1) * V1 * U1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == -T2),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(T(U2) * V1 * U2, P1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == P2),
+      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[order([OTHER_GAIN], [MORE_NOISE], []), NOISES_MADE],
+      note="U2'V1U2 is the error covariance of U2'y1 by NWL92-E2.47. Gains and error covariances as in Lemma 2.5.")
