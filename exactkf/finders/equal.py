@@ -13,6 +13,7 @@ definiteness, any nonzero factor for invertibility).
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from itertools import combinations
@@ -26,6 +27,7 @@ from exactkf.kernel.replay import _integers
 
 __all__ = ["says_nothing_new"]
 
+_PATIENCE = 3.0  # seconds of looking for a substitution
 _FACTORS: dict[str, tuple] = {
     "psd": (1, 2, Fraction(1, 2)), "pd": (1, 2, Fraction(1, 2)), "invertible": (1, 2, Fraction(1, 2), -1),
     "pos_circle": (1, 2, Fraction(1, 2)), "nonneg_circle": (1, 2, Fraction(1, 2)),
@@ -51,12 +53,13 @@ def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[
         return True
     if made_by or data["given"]:
         return False
-    return any(_is_special_case(worlds, data, says, change) for change in _substitutions(data))
+    deadline = time.monotonic() + _PATIENCE
+    return any(time.monotonic() < deadline and _is_special_case(worlds, data, says, change) for change in _substitutions(data))
 
 
 def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
     sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
-    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 3), default=2) for n in data["sizes"]}
+    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:
             yield generic(statement, integers, made_by, SymbolicField().variable)[0]
