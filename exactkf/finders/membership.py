@@ -120,8 +120,8 @@ def _without(big: Any, small: Any) -> Any:
 def _complete(case: dict, formula: Any, terms: list, roots: Any, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
     equation = formula[0] in ("=", "symmetric", "symplectic")
-    nulls = [label for label, f, _ in reversed(case["given"]) if f[0] == "="] if equation and terms else [""]
-    for null in nulls:
+    nulls = [label for label, f, _ in reversed(case["given"]) if f[0] == "="] if equation and terms else []
+    for null in [*nulls, ""]:
         try:
             leaf = Leaf(case, formula, terms, roots, null)
             blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]

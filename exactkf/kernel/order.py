@@ -89,8 +89,8 @@ class Leaf:
     statement, formula
         From `leaves`.
     terms : sequence of trees
-        Semidefinite summands for an order, the inverse for an invertibility; for an equation nothing, or
-        semidefinite summands of the matrix K of a hypothesis Kx = 0.
+        Semidefinite summands for an order, the inverse for an invertibility; for an equation semidefinite
+        summands of the matrix K of a hypothesis Kx = 0, or inverses to be used in the multiples.
     roots : sequence of (name, tree)
         Symmetric matrices whose squares are the given semidefinite terms.
     null : str
@@ -140,9 +140,12 @@ class Leaf:
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
             for tree in terms:
                 found[0] = reader._plus(found[0], reader.read(tree), -1)
-        elif terms:
+        elif terms and null:
             found = [self._null(null, terms), *found]
             self.first = 1
+        else:
+            for tree in terms:
+                reader.read(tree)
         self.goals = [(p, b.rows[i], b.cols[j]) for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
 
     def _root(self, name: str, tree: Any) -> None:
@@ -292,13 +295,16 @@ def _nonsingular(reader: Reader, tree: Any) -> bool:
         return _nonsingular(reader, tree[1])
     if tree[0] == "*":
         return all(_nonsingular(reader, x) for x in tree[1:])
-    if tree[0] == "sym" and reader.kinds.get(tree[1], ("",))[0] in ("nonsingular", "pd"):
+    if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
         return True
+    if tree[0] == "sym" and tree[1] not in reader.kinds and reader.lets.get(tree[1], ("",))[0] == "let" and not reader.lets[tree[1]][2]:
+        return _nonsingular(reader, reader.lets[tree[1]][3]) or _invertible_by_hypothesis(reader, tree)
     return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
 
 
 def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
-    return any(formula == ["invertible", tree] for _, formula, _kind in reader.statement["given"])
+    said = [f[1] for _, f, _kind in reader.statement["given"] if f[0] == "invertible"]
+    return any(tree == x for x in said) or any(_transposed(reader, tree, x) or _transposed(reader, ["T", tree], x) for x in said)
 
 
 def _by_hypothesis(reader: Reader, tree: Any) -> int:
