@@ -114,7 +114,10 @@ class Sampler:
                 args = [world.integer(a, {}) for a in kind[1:]]
                 values[name] = world.values[name] = self._value(kind[0], args, flavour)
         for name, tree in self.made_by.items():
-            values[name] = world.values[name] = world.value(tree)
+            made = world.value(tree)
+            if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
+                made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
+            values[name] = world.values[name] = made
         data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
                 "values": {name: _padded(plain(values[name]), kind, world) for name, kind in kinds.items()}}
         return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}

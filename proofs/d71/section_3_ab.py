@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: MIT
+"""Existence, symmetry, definiteness and ordering of solutions (Chapter III, sections A and B).
+
+The covariance equation divides by MPM' + V at every instant, so the first
+question is when that matrix is invertible. For P >= 0 it is at least V, hence
+invertible if V > 0; for a singular V >= 0 it may vanish, as P = 0, V = 0 shows.
+
+The symmetric form of the update writes the next covariance as
+Phi[(I - KM)P(I - KM)' + KVK']Phi' + H, a sum of terms that are nonnegative when
+P, V and H are. That settles symmetry and nonnegativity. It also shows what a
+null vector z of the next covariance does when V > 0: each term vanishes on it,
+so Hz = 0, K'Phi'z = 0 and then PPhi'z = 0. Carried back to the start, this puts
+Phi'(t_m, t_{k+1})z into the null space of every H_k, which a process that is
+completely driven by t_m forbids. To stay positive definite afterwards the
+covariance needs an invertible Phi or more noise: with Phi_m = 0 and H_m = 0 the
+next covariance is zero.
+
+For the order of two solutions the update is shifted into P + eps I, where it is
+the inverse of (P + eps I)^{-1} + M'V^{-1}M and visibly monotone; the difference to
+the update of P is a multiple of eps.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, instances, steps
+from exactkf.language import (
+    Identity,
+    T,
+    defined,
+    eq,
+    forall,
+    function,
+    given,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    matrix_of,
+    pd,
+    positive,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    rec,
+    standing,
+    sum_of,
+    sym,
+    symbols,
+    symmetric_matrix,
+    vector,
+    when,
+    Zero,
+)
+from proofs.d71.notation import (
+    across,
+    annihilating,
+    COVARIANCE,
+    cut,
+    GW,
+    MW,
+    P0,
+    TRANSITION,
+    VARYING,
+    WW,
+    H,
+    K,
+    M,
+    N,
+    P,
+    Phi,
+    PhiW,
+    Tr,
+    V,
+    gain,
+    gram,
+    i,
+    joseph,
+    k,
+    n,
+    p,
+    slices,
+    step,
+    varying_step,
+)
+
+I = Identity(n)  # noqa: E741
+z, m, c = symbols("z m c")
+RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
+WHERE = [*VARYING, COVARIANCE]
+V_POSITIVE = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
+
+# --- existence -------------------------------------------------------------------------------------------------------
+
+S = sym("S")
+INNOVATION = function(S, [k], M(k)*P[k]*T(M(k)) + V(k))
+EXISTS = forall(k, 1, N, invertible(S(k - 1))) & forall(k, 0, N, defined(P[k]))
+
+claim("D71-S18", "a solution up to P_N exists",
+      EXISTS, sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=[*WHERE, INNOVATION],
+      by=[example(n=1, p=1, N=1, P0=[[0]], PhiW=[[1]], MW=[[1]], GW=[[1]], WW=[[0]]), instances(**RUN)],
+      repair=repair(
+          "missing hypothesis", "V_k >= 0 allows P_0 = 0 and V_0 = 0, where MPM' + V is zero; V_k > 0 is needed",
+          EXISTS, sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=[*WHERE, INNOVATION],
+          given=[V_POSITIVE],
+          by=[steps("D71-E3.1", facts=["The sum of a nonnegative and a positive definite matrix is positive definite."],
+                    prose="P_k >= 0 by the symmetric form, so MPM' + V >= V > 0 at every instant."),
+              instances(**RUN)]),
+      note="H_k = G_k G_k' and V_k = W_k W_k' run over all nonnegative definite matrices. "
+           "That the solution is unique while every MPM' + V is invertible is how a recursion is read.")
+
+# --- symmetry and definiteness ---------------------------------------------------------------------------------------
+
+claim("D71-T3.1", "symmetry is kept",
+      forall(k, 1, N, T(P[k]) == P[k]),
+      sizes=["n", "p", "N"], over={**slices(N), P0: symmetric_matrix(n)}, where=WHERE,
+      by=[identity(n=range(1, 4), p=range(1, 3), N=(1,)), instances(**RUN)],
+      note="The proof with symbols is of one step from any symmetric matrix; the instances run further.")
+
+claim("D71-E3.1", "the covariance equation in symmetric form",
+      step() == Phi*(joseph(K))*T(Phi) + H,
+      sizes=["n", "p"],
+      over={P: symmetric_matrix(n), M: matrix(p, n), V: symmetric_matrix(p), Phi: matrix(n, n), H: symmetric_matrix(n)},
+      where=[let(K, gain())],
+      by=[identity(n=range(1, 4), p=(1,)), instances(n=range(1, 4), p=range(1, 4))])
+
+claim("D71-T3.2", "nonnegative definiteness is kept",
+      forall(k, 0, N, psd(P[k])),
+      sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
+      by=[steps("D71-E3.1", facts=["A sum of nonnegative definite matrices and a congruence of one are nonnegative definite."],
+                prose="The symmetric form is such a sum, so each step keeps P >= 0; repeat."),
+          instances(**RUN)])
+
+# --- completely driven processes -------------------------------------------------------------------------------------
+
+P1, P2, Y, Y1, Y2, y = symbols("P1 P2 Y Y1 Y2 y")
+Phi0, Phi1, M0, M1, V0, V1, H0, H1, K0, K1 = symbols("Phi0 Phi1 M0 M1 V0 V1 H0 H1 K0 K1")
+Zn, Zp = Zero(n, 1), Zero(p, 1)
+w = T(Phi)*z
+
+FACT = "A nonnegative definite A with x'Ax = 0 has Ax = 0."
+
+claim("D71-E3.2", "a null vector of the next covariance, one step back",
+      (H*z == Zn) & (T(K)*T(Phi)*z == Zp) & (P*T(Phi)*z == Zn),
+      sizes=["n", "p"],
+      over={P: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), Phi: matrix(n, n),
+            H: positive_semidefinite(n), z: vector(n)},
+      where=[let(K, gain()), let(P1, Phi*(joseph(K))*T(Phi) + H)],
+      given=[given("z'P_m z = 0", T(z)*P1*z == 0)],
+      by=[steps("D71-E3.1", facts=[FACT, "A sum of nonnegative numbers vanishes only if each does."],
+                prose="Each of the three terms of the symmetric form is nonnegative on z, so each is zero; V > 0 then gives K'Phi'z = 0."),
+          instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
+                    made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})],
+      note="P_m is written in the symmetric form, so that the hypothesis is the displayed sum of three terms.")
+
+TWO_STEPS = {
+    P: positive_semidefinite(n), z: vector(n),
+    Phi0: matrix(n, n), M0: matrix(p, n), V0: positive_definite(p), H0: positive_semidefinite(n),
+    Phi1: matrix(n, n), M1: matrix(p, n), V1: positive_definite(p), H1: positive_semidefinite(n),
+}
+FROM_TWO = [let(P1, step(P, Phi0, M0, V0, H0)), let(P2, step(P1, Phi1, M1, V1, H1)), let(K0, gain(P, M0, V0))]
+w1, w0 = T(Phi1)*z, T(Phi0)*T(Phi1)*z
+
+claim("D71-S19", "a null vector carried back two steps",
+      (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*z == Zp) & (P*T(Phi0)*z == Zn),
+      sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
+      by=[example(n=2, p=1, P=[[1, 0], [0, 0]], z=[1, 0], Phi0=[[1, 0], [0, 1]], Phi1=[[0, 1], [1, 0]], M0=[[0, 0]], M1=[[0, 0]],
+                  V0=[[1]], V1=[[1]], H0=[[0, 0], [0, 0]], H1=[[0, 0], [0, 0]]),
+          instances(n=range(1, 4), p=range(1, 3))],
+      repair=repair(
+          "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' is missing",
+          (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
+          sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
+          by=[steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken twice."),
+              instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
+                        made_by={P: annihilating(w0, Y, Y1), H0: annihilating(w1, Y1, Y2),
+                                 H1: annihilating(z, Y2, Y)})]),
+      note="P is P_{m-2}, with the data of the instants m-2 and m-1 named 0 and 1.")
+
+Rd, YW = symbols("Rd YW")
+DRIVEN = let(Rd, sum_of(k, 0, m - 1, Tr(m, k + 1)*H(k)*T(Tr(m, k + 1))))
+RUN_TO_M = {**slices(m), P0: positive_semidefinite(n), z: vector(n)}
+#: noise and initial covariance that annihilate what z becomes on its way back
+BACK = {
+    GW: matrix_of(i, c, n, n*m, sum_of(k, 0, m - 1, when(
+        (c > n*k) & (c <= n*k + n), (across(T(Tr(m, k + 1))*z, cut(YW, n, n, k))*T(y))[i, c - n*k], 0))),
+    P0: annihilating(T(Tr(m, 0))*z, Y, Y1),
+}
+BACKWARDS = [
+    steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken m times."),
+    # with V_1 = 0 the second measurement makes P_2 zero whatever H_0 was
+    example(n=1, p=1, m=2, P0=[[1]], z=[1], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]]),
+    instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK, using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)}),
+]
+NULL = given("P_m z = 0", P[m]*z == Zn)
+V_POSITIVE_TO_M = given("V_k > 0", forall(k, 0, m - 1, pd(V(k))))
+
+claim("D71-S20", "a null vector of P_m annihilates every H_k",
+      forall(k, 0, m - 1, H(k)*T(Tr(m, k + 1))*z == Zn),
+      sizes=["n", "p", "m"], over=RUN_TO_M, where=[*VARYING, COVARIANCE, TRANSITION],
+      given=[V_POSITIVE_TO_M, NULL], by=BACKWARDS)
+
+claim("D71-E3.3", "a null vector of P_m is one of R_d(t_m)",
+      eq(T(z)*Rd*z, sum_of(k, 0, m - 1, T(z)*Tr(m, k + 1)*H(k)*T(Tr(m, k + 1))*z), 0),
+      sizes=["n", "p", "m"], over=RUN_TO_M, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
+      given=[V_POSITIVE_TO_M, NULL], by=BACKWARDS)
+
+AFTER = {**slices(N), P0: positive_semidefinite(n)}
+V_POSITIVE_AFTER = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
+REGULAR_AFTER = given("Phi_k is nonsingular from m on", forall(k, m, N - 1, invertible(Phi(k))))
+AFTER_SIZES = {"n": (1, 2), "p": (1, 2), "m": (1, 2), "N": (1, 2, 4)}
+IN_TIME = standing("m <= N", m <= N)
+SINGULAR_PHI = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
+NEEDS_PHI = "a singular Phi_k with k >= m can make P_{k+1} singular again; with Phi_m = 0 and H_m = 0 it is zero"
+
+claim("D71-S21", "once positive definite, always positive definite",
+      forall(k, m, N, pd(P[k])),
+      sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
+      given=[IN_TIME, V_POSITIVE_AFTER, given("P_m > 0", pd(P[m]))],
+      by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
+      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
+                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
+                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
+                    by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
+                              prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it positive."),
+                        SINGULAR_PHI, instances(**AFTER_SIZES)]))
+
+claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
+      forall(k, m, N, pd(P[k])),
+      sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
+      given=[IN_TIME, V_POSITIVE_AFTER, given("completely driven at t_m", pd(Rd))],
+      by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
+      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
+                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
+                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("completely driven at t_m", pd(Rd))],
+                    by=[steps("D71-E3.1", "D71-E1.28d",
+                              facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
+                              prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps the update of P_k > 0 positive."),
+                        SINGULAR_PHI, instances(**AFTER_SIZES)]))
+
+# --- ordering --------------------------------------------------------------------------------------------------------
+
+Pa, Pb, Pa0, Pb0, D0, e = symbols("Pa Pb Pa0 Pb0 D0 e")
+
+claim("D71-T3.4", "the order of two solutions is kept",
+      forall(k, 0, N, loewner(Pa[k], Pb[k])),
+      sizes=["n", "p", "N"], over={**slices(N), Pa0: positive_semidefinite(n), Pb0: positive_semidefinite(n)},
+      where=[*VARYING, rec(Pa, k, Pa0, varying_step(Pa[k], k)), rec(Pb, k, Pb0, varying_step(Pb[k], k))],
+      given=[standing("V_k > 0", forall(k, 0, N - 1, pd(V(k)))), given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
+      by=[steps("D71-E3.4", facts=["0 < A <= B implies B^{-1} <= A^{-1}.", "The nonnegative definite matrices are a closed cone."],
+                prose="Shifted by eps I the update is the inverse of a decreasing function of P, so the shifted steps are ordered; let eps go to 0 and repeat."),
+          instances(**RUN, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})])
+
+claim("D71-E3.4", "one step from a shifted covariance",
+      (step(P + e*I) == Phi*inv(inv(P + e*I) + gram())*T(Phi) + H)
+      & (step(P + e*I) - step(P) == e*Phi*inv(I + (P + e*I)*gram())*inv(I + gram()*P)*T(Phi)),
+      sizes=["n", "p"],
+      over={e: positive(), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p), H: positive_semidefinite(n)},
+      by=[identity(n=range(1, 3), p=range(1, 3)), instances(n=range(1, 4), p=range(1, 4))],
+      note="The second equation is the limit: the shifted step differs from the unshifted one by e times a matrix that stays bounded as e goes to 0.")
