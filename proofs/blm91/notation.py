@@ -15,7 +15,7 @@ nonnegativity, so they are checked for every symmetric P.
 
 from exactkf.evidence import example
 from exactkf.language import (
-    Identity, T, Z, Zero, block, coeff, function, given, hstack, let, matrix_of, pos_on_circle, rec, recip, schur, sum_of, symbols,
+    Identity, T, Z, Zero, block, coeff, function, given, hstack, let, matrix_of, nonzero, pos_on_circle, rec, recip, scalar, schur, sum_of, symbols,
     vector, vstack, when,
 )
 
@@ -115,3 +115,7 @@ def scalar_orbit(start, start_star):
 
 
 ORBIT = scalar_orbit(al0, ga0)
+#: points of the curve 1 + alpha^2 - gamma^2 = (p + 1/p) alpha, the part inside the diamond
+INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={
+    pp: u / (1 + abs(u)), al0: pp * ((s1 + s1 / abs(s1)) ** 2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2),
+    ga0: (s1 + s1 / abs(s1)) * (pp**2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2)})

@@ -111,10 +111,6 @@ claim("BLM91-F1", "the positive real region is the diamond",
 claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])), sizes=["n"],
       over={a: vector(1), g: vector(1)}, where=[*stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(n=1), instances(n=1)])
 
-# points of the curve 1 + alpha^2 - gamma^2 = (p + 1/p) alpha, the part inside the diamond
-INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={
-    pp: u / (1 + abs(u)), al0: pp * ((s1 + s1 / abs(s1)) ** 2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2),
-    ga0: (s1 + s1 / abs(s1)) * (pp**2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2)})
 claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
       (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],
       over={al0: scalar(), ga0: scalar(), pp: scalar()}, where=[*ORBIT, let(dia, abs(al[m]) + abs(ga[m]))],
