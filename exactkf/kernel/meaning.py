@@ -29,6 +29,10 @@ __all__ = ["Signal", "World", "admissible", "generic", "read_instance", "read_nu
 _DEEPEST = 100  # levels of recursion a definition may take
 
 
+class _TooDeep(Undefined):
+    """A definition that calls itself too often from here; from elsewhere it may have a value."""
+
+
 class Signal(dict):
     """A sequence without end: entries appear when they are asked for."""
 
@@ -115,11 +119,15 @@ class World:
                 raise found
             return found
         if self.depth > _DEEPEST:
-            raise Undefined(f"definition of {name} does not end")
+            raise _TooDeep(f"definition of {name} does not end")
         self.depth += 1
         try:
             self._climb(name, args)
             result = self._define(name, args)
+        except _TooDeep:
+            raise
+        except RecursionError:
+            raise _TooDeep(f"definition of {name} does not end") from None
         except Undefined as error:
             result = error
         except RecursionError:
