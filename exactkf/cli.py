@@ -45,8 +45,8 @@ class _OneLine(click.Group):
         except click.Abort:
             code = INTERRUPTED
         except click.UsageError as error:
-            hint = f"; see '{error.ctx.command_path} --help'" if error.ctx else ""
-            code = _fail(error.format_message().rstrip(".") + hint)
+            command = f" {error.ctx.info_name}" if error.ctx and error.ctx.parent else ""
+            code = _fail(f"{error.format_message().rstrip('.')}; see 'exactkf{command} --help'")
         except (click.ClickException, ExactkfError) as error:
             code = _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
         except BrokenPipeError:  # the reader went away: `exactkf list | head`

@@ -164,6 +164,6 @@ def report_command(session: Session, output: Path, kept: bool) -> int:
         results = [session.kept(c) or unfinished(c, "not run; 'exactkf verify' runs it") for c in session.chosen]
     else:
         results = session.results()
-    write_report(results, session.registry, output)
+    write_report(results, session.registry, output, session.setup.package)
     click.echo(f"wrote {output}")
     return 0

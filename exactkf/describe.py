@@ -70,10 +70,13 @@ def _correction(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
 def instance_lines(instance: Mapping[str, Any] | None) -> list[str]:
     """An exact instance, one name a line.
 
-    >>> instance_lines({"n": 2, "P": [["1", "0"], ["0", "1/2"]]})
+    >>> instance_lines({"sizes": {"n": 2}, "values": {"P": [["1", "0"], ["0", "1/2"]]}})
     ['n = 2', 'P = [1, 0; 0, 1/2]']
     """
-    return [f"{name} = {_value(value)}" for name, value in (instance or {}).items()]
+    instance = instance or {}
+    parts = [instance.get("sizes", {}), instance.get("values", {}),
+             {k: v for k, v in instance.items() if k not in ("sizes", "values")}]
+    return [f"{name} = {_value(value)}" for part in parts for name, value in part.items()]
 
 
 def _value(value: Any) -> str:

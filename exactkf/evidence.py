@@ -12,7 +12,7 @@ evidence            what it shows                                              b
 `combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
 `induction`         base and step of ``always(t, ...)``, per size              proved, proved-sizes
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
-`order`             matrix order for every size: a sum of semidefinite terms   proved
+`order`             order, invertibility and equations for every size          proved
 `evaluation`        a closed statement, or every case of a finite one          proved
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
@@ -63,22 +63,37 @@ def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: st
                                  "parameters": aux, "fact": fact})
 
 
-def combination(terms: Sequence[tuple[Any, str, Any]], **sizes: Iterable[int] | int) -> Evidence:
+def combination(terms: Sequence[Any], **sizes: Iterable[int] | int) -> Evidence:
     """Left side minus right side of the conclusion = sum of L * (lhs - rhs of the hypothesis so labelled) * R.
 
-    A label ending in ``'`` names the transposed hypothesis.
+    Each term is ``(L, "label", R)``; a label ending in ``'`` names the transposed hypothesis. For a
+    conclusion that is a conjunction or a chain, a list of such lists, one for each equation.
     """
-    rows = tuple((to_expr(left).tree, label, to_expr(right).tree) for left, label, right in terms)
-    return Evidence("combination", {"sizes": _ranges(sizes), "terms": rows})
+    several = bool(terms) and all(isinstance(t, list) for t in terms)
+    lists = [_rows(t) for t in terms] if several else _rows(terms)
+    return Evidence("combination", {"sizes": _ranges(sizes), "terms": tuple(lists)})
 
 
-def induction(**sizes: Iterable[int] | int) -> Evidence:
+def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
+    return tuple((to_expr(left).tree, label, to_expr(right).tree) for left, label, right in terms)
+
+
+def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[Any, int, Any]]] = (),
+              **sizes: Iterable[int] | int) -> Evidence:
     """Base and step for a conclusion ``always(t, lhs == rhs)`` along recursions of the statement.
 
     The induction hypothesis is used in the form lhs - rhs at t (times a cofactor that the finder
     looks for); an invariant quantity has cofactor one.
+
+    Parameters
+    ----------
+    also : sequence of equations in t
+        What the induction carries along beside the conclusion.
+    cofactors : for each equation, of the conclusion and of ``also``, a list of ``(left, number, right)``
+        lhs - rhs at t + 1 = sum of left * (lhs - rhs of the equation so numbered, at t) * right.
     """
-    return Evidence("induction", {"sizes": _ranges(sizes)})
+    rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
+    return Evidence("induction", {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows})
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
@@ -92,14 +107,17 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
     return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
 
 
-def order(*sums: Sequence[Any]) -> Evidence:
-    """A conclusion psd, pd, loewner (or a conjunction of them) about matrices of every size.
+def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner) and invertibility.
 
-    For each part of the conclusion a list of terms that are semidefinite by their form (see
-    `exactkf.kernel.order`) and add up to its matrix under the hypotheses. Where the matrix is
-    such a term itself nothing need be given; the engine tries that for every claim.
+    For each leaf of the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms:
+    for an order, terms that are semidefinite by their form and add up to its matrix under the hypotheses;
+    for an invertibility, the inverse; for an equation, nothing. Where the list is empty the engine tries
+    the matrix itself and those of the hypotheses. ``roots`` names symmetric square roots of semidefinite
+    terms that the lists use.
     """
-    return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums)})
+    return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
+                              "roots": tuple(_named(roots).items())})
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

@@ -21,8 +21,11 @@ import importlib
 import multiprocessing
 import os
 import queue
+import signal
+import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, TimeoutError
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -116,24 +119,47 @@ def work(function: str, claims: Sequence[Claim], options: Options,
         max_workers=min(options.jobs, len(claims)), context=multiprocessing.get_context("spawn"),
         initializer=_prepare, initargs=(options.package, options.engine, options.memory_limit))
     try:
-        tasks = {}
-        for claim in claims:
-            future = pool.schedule(_task, args=(function, claim.id, options), timeout=options.time_limit)
-            tasks[future] = claim
-            future.add_done_callback(finished.put)
+        # a terminal sends Ctrl-C to the workers too: those begun here ignore it, and the pool ends them
+        with _signals({signal.SIGINT: signal.SIG_IGN}):
+            tasks = {_scheduled(pool, function, c, options, finished): c for c in claims}
         pool.close()
-        while tasks:
-            try:
-                future = finished.get(timeout=_HEARTBEAT)
-            except queue.Empty:
-                if idle:
-                    idle()
-                continue
-            claim = tasks.pop(future)
-            yield claim, _outcome(claim, future, options)
+        with _signals({signal.SIGTERM: _stop}):
+            while tasks:
+                try:
+                    future = finished.get(timeout=_HEARTBEAT)
+                except queue.Empty:
+                    if idle:
+                        idle()
+                    continue
+                claim = tasks.pop(future)
+                yield claim, _outcome(claim, future, options)
     finally:
         pool.stop()
         pool.join()
+
+
+def _scheduled(pool: ProcessPool, function: str, claim: Claim, options: Options, finished: queue.SimpleQueue) -> Future:
+    future: Future = pool.schedule(_task, args=(function, claim.id, options), timeout=options.time_limit)
+    future.add_done_callback(finished.put)
+    return future
+
+
+@contextmanager
+def _signals(changes: Mapping[int, Any]) -> Iterator[None]:
+    """Handle signals otherwise for a while; only the main thread can."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    old = {number: signal.signal(number, handler) for number, handler in changes.items()}
+    try:
+        yield
+    finally:
+        for number, handler in old.items():
+            signal.signal(number, handler)
+
+
+def _stop(*_: object) -> None:
+    raise KeyboardInterrupt
 
 
 def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:

@@ -114,9 +114,12 @@ class Sampler:
                 args = [world.integer(a, {}) for a in kind[1:]]
                 values[name] = world.values[name] = self._value(kind[0], args, flavour)
         for name, tree in self.made_by.items():
-            values[name] = world.values[name] = world.value(tree)
+            made = world.value(tree)
+            if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
+                made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
+            values[name] = world.values[name] = made
         data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
-                "values": {name: plain(values[name]) for name in kinds}}
+                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in kinds.items()}}
         return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
 
     # ------------------------------------------------------------------ values
@@ -213,6 +216,14 @@ def _listed(value: Any, is_matrix: bool) -> Any:
             return [[_listed(x, False)] for x in value]
         return [_listed(x, False) for x in value]
     return str(value) if isinstance(value, Fraction) else value
+
+
+def _padded(value: Any, kind: Any, world: World) -> Any:
+    """Coefficients of a polynomial up to z^n, the zero ones at the top too."""
+    if kind[0] not in ("poly", "monic"):
+        return value
+    value = value if isinstance(value, list) else [value]
+    return value + [0] * (world.integer(kind[1], {}) + 1 - len(value))
 
 
 def plain(value: Any) -> Any:

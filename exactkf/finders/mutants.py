@@ -98,12 +98,17 @@ def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidenc
                 return "rejected"
             meaningful = meaningful or mutant.kind not in _MATRIX_CHANGES or not _only_scalars(data, mutant, world)
         except Undefined as error:
-            fits = fits and not str(error).startswith("sizes ")
+            fits = fits and not _misfit(str(error))
         except Unknown:
             return "void"
     if not meaningful or not fits:
         return "void"
     return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _also_proved(data, mutant, by) else "survived"
+
+
+def _misfit(reason: str) -> bool:
+    """The shapes of matrices do not fit each other."""
+    return reason.startswith(("sizes ", "blocks ")) or reason.endswith("is not square")
 
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
@@ -113,6 +118,8 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
         for k in mutant.path:
             if isinstance(tree, list) and tree and tree[0] in _BINDERS:
                 local[tree[1]] = 1 if tree[0] == "always" else world.integer(tree[2], local)
+            elif isinstance(tree, list) and tree and tree[0] in ("col", "mat"):
+                local.update(dict.fromkeys(tree[1:2] if tree[0] == "col" else tree[1:3], 1))
             tree = tree[k]
         values = [world.value(x, local) for x in tree[1:]]
     except Undefined:
@@ -151,9 +158,9 @@ def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evid
     weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
     asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
     for hints in asked:
-        for made_by in _partial(hints.get("made_by", {}), data):
+        for tries, made_by in _partial(hints.get("made_by", {}), data):
             fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, examples_of(tuple(by)), 1)
-            for _, world in fresh.stream(_TRIES):
+            for _, world in fresh.stream(tries):
                 report.checks += 1
                 try:
                     if world.value(data["says"]) is False:
@@ -163,14 +170,14 @@ def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evid
     return "survived"
 
 
-def _partial(made_by: Mapping[str, Any], data: dict) -> Iterator[dict]:
-    """Ways to leave variables to chance: all of them, none, each alone."""
-    yield {}
+def _partial(made_by: Mapping[str, Any], data: dict) -> Iterator[tuple[int, dict]]:
+    """Ways to leave variables to chance, with the number of tries: all of them, none, each alone."""
+    yield _TRIES, {}
     if made_by:
-        yield dict(made_by)
+        yield _TRIES, dict(made_by)
     for name, _ in data["over"]:
         if name in made_by and len(made_by) > 1:
-            yield {k: v for k, v in made_by.items() if k != name}
+            yield _TRIES // 5, {k: v for k, v in made_by.items() if k != name}
 
 
 def _accepted(data: dict, new: dict, worlds: list[World], report: MutantReport) -> bool:

@@ -8,7 +8,7 @@ checker decides.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, product
 from typing import Any
 
@@ -37,8 +37,9 @@ def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Ite
         case "evaluation":
             yield seal(id, "evaluation", statement, {"cases": cases})
         case "induction":
-            for use in _uses(statement):
-                yield seal(id, "induction", statement, {"cases": cases, **use})
+            given = {key: evidence.hints[key] for key in ("also", "cofactors") if evidence.hints.get(key)}
+            for use in [{}] if "cofactors" in given else _uses(statement, given.get("also", ())):
+                yield seal(id, "induction", statement, {"cases": cases, **given, **use})
 
 
 def _cases(statement: Mapping[str, Any], sizes: Mapping[str, Any]) -> list[dict[str, int]]:
@@ -55,14 +56,14 @@ def _per_equation(terms: Any) -> list:
     return [list(t) for t in terms] if nested else [list(terms)]
 
 
-def _uses(statement: Mapping[str, Any]) -> Iterator[dict]:
+def _uses(statement: Mapping[str, Any], also: Sequence[Any] = ()) -> Iterator[dict]:
     """Ways to use the induction hypothesis: not at all, as an invariant, solved for states, both."""
     if statement["says"][0] != "always":
         return
     body = statement["says"][2]
-    parts = body[1:] if body[0] == "and" else [body]
+    parts = [*(body[1:] if body[0] == "and" else [body]), *also]
     invariant = [[[1, k, 1]] for k in range(len(parts))]
-    solvable = [k for k, p in enumerate(parts) if p[0] == "=" and len(p) == 3 and isinstance(p[1], list) and p[1][0] == "at"]
+    solvable = [k for k, p in enumerate(parts) if p[0] == "=" and len(p) == 3 and isinstance(p[1], (list, tuple)) and p[1][0] == "at"]
     for supports in _supports(statement):
         yield {**supports}
         yield {**supports, "cofactors": invariant}

@@ -50,6 +50,11 @@ def sign(x: Any) -> int:
     return (x > 0) - (x < 0)
 
 
+def _is_matrix(x: Any) -> bool:
+    """A matrix (of exactkf.kernel.linear, which imports this module): its own operators apply."""
+    return hasattr(x, "nrows")
+
+
 class Laurent:
     """Sum of c_k z^k over finitely many integers k."""
 
@@ -87,7 +92,7 @@ class Laurent:
         return [self.get(k) for k in range(self.degree + 1)]
 
     def __add__(self, other: Any) -> Any:
-        if isinstance(other, Ratio):
+        if isinstance(other, Ratio) or _is_matrix(other):
             return NotImplemented
         out = dict(self.c)
         for k, v in Laurent.of(other).c.items():
@@ -100,13 +105,13 @@ class Laurent:
         return Laurent({k: -v for k, v in self.c.items()})
 
     def __sub__(self, other: Any) -> Any:
-        return NotImplemented if isinstance(other, Ratio) else self + (-other)
+        return NotImplemented if isinstance(other, Ratio) or _is_matrix(other) else self + (-other)
 
     def __rsub__(self, other: Any) -> Any:
         return -self + other
 
     def __mul__(self, other: Any) -> Any:
-        if isinstance(other, Ratio):
+        if isinstance(other, Ratio) or _is_matrix(other):
             return NotImplemented
         if not isinstance(other, Laurent):
             return Laurent({k: v * other for k, v in self.c.items()})
@@ -119,6 +124,8 @@ class Laurent:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Any:
+        if _is_matrix(other):
+            return NotImplemented
         if isinstance(other, (Laurent, Ratio)):
             return Ratio.of(self) / other
         return Laurent({k: divide(v, other) for k, v in self.c.items()})
@@ -127,7 +134,7 @@ class Laurent:
         return Ratio.of(other) / self
 
     def __eq__(self, other: object) -> bool:
-        if isinstance(other, Ratio):
+        if isinstance(other, Ratio) or _is_matrix(other):
             return other == self
         mine, theirs = self.c, Laurent.of(other).c
         return mine.keys() == theirs.keys() and all(v == theirs[k] for k, v in mine.items())
@@ -152,7 +159,9 @@ class Ratio:
     def of(cls, x: Any) -> Ratio:
         return x if isinstance(x, Ratio) else cls(Laurent.of(x), Laurent({0: 1}))
 
-    def __add__(self, other: Any) -> Ratio:
+    def __add__(self, other: Any) -> Any:
+        if _is_matrix(other):
+            return NotImplemented
         other = Ratio.of(other)
         if self.den == other.den:
             return Ratio(self.num + other.num, self.den)
@@ -163,13 +172,17 @@ class Ratio:
     def __neg__(self) -> Ratio:
         return Ratio(-self.num, self.den)
 
-    def __sub__(self, other: Any) -> Ratio:
+    def __sub__(self, other: Any) -> Any:
+        if _is_matrix(other):
+            return NotImplemented
         return self + (-Ratio.of(other))
 
     def __rsub__(self, other: Any) -> Ratio:
         return -self + other
 
-    def __mul__(self, other: Any) -> Ratio:
+    def __mul__(self, other: Any) -> Any:
+        if _is_matrix(other):
+            return NotImplemented
         other = Ratio.of(other)
         return Ratio(self.num * other.num, self.den * other.den)
 
@@ -183,6 +196,8 @@ class Ratio:
         return Ratio.of(other) / self
 
     def __eq__(self, other: object) -> bool:
+        if _is_matrix(other):
+            return other == self
         other = Ratio.of(other)
         return self.num * other.den == other.num * self.den
 
@@ -472,7 +487,7 @@ class Symbolic:
     def __eq__(self, other: object) -> bool:
         if isinstance(other, (int, Fraction)) and other == 0:
             return not self.num
-        if isinstance(other, (Laurent, Ratio)):
+        if isinstance(other, (Laurent, Ratio)) or _is_matrix(other):
             return other == self
         return not (self - other).num
 

@@ -13,7 +13,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``combination``  lhs - rhs = sum of L (lhs - rhs of a hypothesis) R, with symbols
 ``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
-``order``        for every size: the matrix = sum of semidefinite terms + multiples of assumptions
+``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ===============  ==================================================================
 
@@ -32,7 +32,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World, admissible, generic, read_instance
 from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
-from exactkf.kernel.order import definiteness, goal_of
+from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -286,20 +286,17 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows:
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    reader = Reader(statement)
-    parts = statement["says"][1:] if statement["says"][0] == "and" else [statement["says"]]
-    _need(len(parts) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
-    for number, (formula, proof) in enumerate(zip(parts, evidence["parts"], strict=True), 1):
-        goal, wanted = goal_of(reader, formula)
-        levels = [definiteness(reader, tree) for tree in proof["sum"]]
-        _need(0 not in levels, f"part {number}: a term is not semidefinite by its form")
-        _need(wanted <= max(levels, default=1), f"part {number}: no term is definite")
-        for tree in proof["sum"]:
-            goal = reader._plus(goal, reader.read(tree), -1)
-        assumed = relations(reader)
-        rest = _less_multiples(reader, assumed, goal.grid[0][0], goal.rows[0], goal.cols[0], proof["terms"])
-        _need(not rest, f"part {number}: the terms do not add up")
-    return [f"det({text(p)})" for p, _ in reader.inverses]
+    todo, denominators = list(leaves(statement)), []
+    _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
+    for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
+        leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()))
+        blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
+        _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
+        assumed = leaf.assumed()
+        for (goal, rows, cols), terms in zip(leaf.goals, blocks, strict=True):
+            _need(not _less_multiples(leaf.reader, assumed, goal, rows, cols, terms), f"part {number}: the terms do not add up")
+        denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
+    return denominators
 
 
 # ---------------------------------------------------------------------- induction
@@ -346,35 +343,40 @@ def _is_shift(tree: Any, index: str) -> bool:
     return tree == ["sym", index] or (tree[0] in "+-" and len(tree) == 3 and tree[1] == ["sym", index] and isinstance(tree[2], int))
 
 
-def _called_with_index(statement: Mapping[str, Any], body: Any, index: str) -> list:
-    """Functions that may be handed the index, directly or through other functions."""
+def _called_with_index(statement: Mapping[str, Any], body: Any, index: str) -> list[tuple[list, str]]:
+    """Functions with the parameters that may be handed the index, directly or through other functions."""
     functions = {d[1]: d for d in statement["where"] if d[0] == "let" and d[2]}
-    reached: dict[str, Any] = {}
+    reached: dict[str, set[str]] = {}
     todo = [(body, {index}), *((d[5], {d[2]}) for d in statement["where"] if d[0] == "rec")]
     while todo:
         tree, names = todo.pop()
         if isinstance(tree, (int, str)):
             continue
-        if tree and tree[0] == "at" and tree[1] in functions and tree[1] not in reached \
-                and any(_mentions(a, n) for a in tree[2:] for n in names):
-            reached[tree[1]] = d = functions[tree[1]]
-            todo.append((d[3], set(d[2])))
+        if tree and tree[0] == "at" and tree[1] in functions:
+            d = functions[tree[1]]
+            handed = {p for p, a in zip(d[2], tree[2:], strict=False) if any(_mentions(a, n) for n in names)}
+            known = reached.setdefault(tree[1], set())
+            if not handed <= known:
+                known |= handed
+                todo.append((d[3], set(known)))
         todo.extend((x, names) for x in tree)
-    return list(reached.values())
+    return [(functions[name], p) for name, handed in reached.items() for p in sorted(handed)]
 
 
 def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     op, index, body = statement["says"]
     _need(op == "always", "the conclusion is not of the form 'for all t'")
+    if evidence.get("also"):  # a stronger statement, which the induction proves along with the conclusion
+        body = ["and", *(body[1:] if body[0] == "and" else [body]), *evidence["also"]]
     recursions = [d for d in statement["where"] if d[0] == "rec"]
     _need(bool(recursions), "no recursion")
     _need(_index_only(body, index), "the index is used other than as an index")
     for d in recursions:
         _need(d[3] == 0 and len(d[4]) == 1, f"recursion {d[1]} does not start with one value at 0")
         _need(_index_only(d[5], d[2]), f"recursion {d[1]} uses its index other than as an index")
-    for d in _called_with_index(statement, body, index):
-        _need(all(_index_only(d[3], p) for p in d[2]), f"definition {d[1]} uses an index other than as an index")
+    for d, parameter in _called_with_index(statement, body, index):
+        _need(_index_only(d[3], parameter), f"definition {d[1]} uses an index other than as an index")
     for world, field in _cases(statement, evidence):
         _need(all(_zero(r) for r in _residuals(world, body, {index: 0})), f"base: t = 0 fails for {_ints(world)}")
         shapes = {d[1]: world.call(d[1], (0,)) for d in recursions}

@@ -6,7 +6,8 @@ sign, a term, a factor, an index, the order of two factors, a transpose or an
 inverse, a relation, the last printed digit; or it drops a hypothesis. Inside
 a predicate such as "is invertible" or "is at most", outside of equivalences,
 a factor two or a missing term mostly gives another true statement; there only
-signs, indices, orders, transposes and relations are changed. An
+signs, indices, orders, transposes and relations are changed, and under "for
+all t" not the indices either: what holds for every t holds for t + 1. An
 equal rewriting (sums reversed, sides exchanged, names renamed) must change
 nothing.
 
@@ -49,7 +50,7 @@ def mutants(statement: dict) -> list[Mutant]:
     """Every mutant of the conclusion, and one for each hypothesis that the statement says it needs."""
     made: list[Mutant] = []
     seen = {_key(statement["says"])}
-    for kind, says, path in _changes(statement["says"], False):
+    for kind, says, path in _changes(statement["says"], False, False):
         if _key(says) not in seen:
             seen.add(_key(says))
             made.append(Mutant(kind, says, path))
@@ -66,15 +67,16 @@ _PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schu
 _SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
 
 
-def _changes(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
+def _changes(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     """Changed copies of a tree with the path to the change."""
-    if isinstance(tree, list) and tree[0] in _PREDICATES and not in_equivalence:
-        yield from (c for c in _every_change(tree, in_equivalence) if c[0] not in _SIZE_CHANGES)
+    if isinstance(tree, list) and tree[0] in _PREDICATES and (always or not in_equivalence):
+        idle = (*(() if in_equivalence else _SIZE_CHANGES), *(("index shifted",) if always else ()))
+        yield from (c for c in _every_change(tree, in_equivalence, always) if c[0] not in idle)
     else:
-        yield from _every_change(tree, in_equivalence)
+        yield from _every_change(tree, in_equivalence, always or isinstance(tree, list) and tree[0] == "always")
 
 
-def _every_change(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
+def _every_change(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     if isinstance(tree, (int, str)):
         return
     for kind, new in _here(tree, in_equivalence):
@@ -88,7 +90,7 @@ def _every_change(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, t
             continue
         if op in ("block", "rows"):
             for j, cell in enumerate(part):
-                for kind, new, path in _changes(cell, in_equivalence):
+                for kind, new, path in _changes(cell, in_equivalence, always):
                     row = [*part[:j], new, *part[j + 1:]]
                     yield kind, [*tree[:k], row, *tree[k + 1:]], (k, j, *path)
             continue
@@ -102,7 +104,7 @@ def _every_change(tree: Any, in_equivalence: bool) -> Iterator[tuple[str, Any, t
             elif op == "^":
                 yield "exponent shifted", [*tree[:k], part + 1, *tree[k + 1:]], ()
             continue
-        for kind, new, path in _changes(part, in_equivalence or op == "<=>"):
+        for kind, new, path in _changes(part, in_equivalence or op == "<=>", always):
             yield kind, [*tree[:k], new, *tree[k + 1:]], (k, *path)
 
 

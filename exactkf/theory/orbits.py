@@ -17,10 +17,18 @@ coefficient of :math:`\hat Q_t`.  Then
 .. math:: \hat Q_{t+1} = (D_t \hat Q_t - \hat Q^*_{t,1} z \hat Q^*_t) / D_{t-1}, \qquad
           \hat Q^*_{t+1} = (D_t z \hat Q^*_t - \hat Q^*_{t,1} \hat Q_t) / D_{t-1}
 
-are integers for all `t` (with the divisor one in the first two steps), since
-:math:`\hat Q_t = d^{2t} \det(T_{t-1}) Q_t` for :math:`t \ge 1` in the
-notation of BLM91 (2.26), as in Bareiss' elimination.  The leading coefficient
-is :math:`d^{2t} \det T_t`; the first one to vanish marks the escape.
+are integers for all `t` (with the divisor one in the first two steps), as in Bareiss'
+elimination: :math:`\hat Q_t = d^{2t} \det(T_{t-1}) Q_t` for :math:`t \ge 1` in the
+notation of BLM91 (2.26), and likewise with stars.  The leading coefficient is
+:math:`d^{2t} \det T_t`; the first one to vanish marks the escape.
+
+Proof of integrality.  By Cramer's rule :math:`\det(T_{t-1}) \varphi_t` is an integer
+polynomial in the :math:`c_k = h'F^{k-1}g`, so with BLM91 (2.18), (2.19) the coefficients of
+:math:`\bar Q_t = \det(T_{t-1}) Q_t` and :math:`\bar Q^*_t` are integer polynomials in `a`, `g`.
+Their degree is at most `2t`: by induction, since the recursion with `d = 1` divides a
+polynomial of degree at most `4t` by :math:`\det T_{t-1}`, whose degree is exactly `2(t - 1)`
+(already for `n = 1` the leading form of :math:`\det T_t`, :math:`t \ge 1`, is plus or minus
+:math:`\gamma^2 (\gamma^2 - \alpha^2)^{t-1}`).
 
 Notation
 --------
@@ -187,16 +195,17 @@ def exact_orbit(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> Orbit:
     return Orbit(tuple(states), len(states) - 1)
 
 
-def _escape_modulo(Q: list[int], star: list[int], steps: int, p: int) -> int | None:
-    """Return the first ``t < steps`` at which the leading coefficient of the next state vanishes modulo `p`."""
-    for t in range(steps):
+def _may_escape(state: IntegerState, steps: int, p: int) -> bool:
+    """Say whether a leading coefficient vanishes modulo `p` at the start or after one of the `steps` steps."""
+    Q, star = ([int(x % p) for x in part] for part in state)
+    for _ in range(steps):
+        if Q[0] == 0:
+            return True
         lead, first = Q[0], star[0]
         shifted = [*star, 0]
         star = [(lead * y - first * x) % p for x, y in zip(Q[1:], shifted[1:], strict=True)]
         Q = [(lead * x - first * y) % p for x, y in zip(Q, shifted, strict=True)]
-        if Q[0] == 0:
-            return t
-    return None
+    return Q[0] == 0
 
 
 def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | None:
@@ -224,9 +233,8 @@ def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | 
     1
     """
     _check_steps(steps)
-    Q, star = _integer_start(a, g)
-    for p in _PRIMES:
-        if Q[0] % p != 0 and _escape_modulo([int(x % p) for x in Q], [int(x % p) for x in star], steps, p) is None:
-            return None
+    start = _integer_start(a, g)
+    if not all(_may_escape(start, steps, p) for p in _PRIMES):
+        return None
     last = max(t for t, _ in zip(range(steps + 1), integer_orbit(a, g), strict=False))
     return last if last < steps else None

@@ -26,11 +26,11 @@ from __future__ import annotations
 from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, identity, instances
 from exactkf.language import (
-    Identity, T, Zero, block, diag, eq, hstack, iff, inv, invertible, let, matrix, rank, sym, symmetric_matrix, vstack,
+    Identity, T, Zero, block, diag, eq, iff, inv, invertible, let, matrix, rank, sym, symmetric_matrix, vstack,
 )
 from proofs.nwl92.notation import (
-    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, PAIR, S, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, UNBIASED, W2,
-    H, L, R, Tb, U, U2, W, X, Zd, Zm, in_coordinates, inverses, lower, n, p, two_inverses, upper, x,
+    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, OTHER_IN_COORDINATES, PAIR, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, UNBIASED, W2,
+    H, L, R, Tb, U, U2, W, X, Zd, Zm, excess, in_coordinates, inverses, lower, n, p, two_inverses, upper, x,
 )
 
 D = sym("D")
@@ -126,11 +126,11 @@ claim("NWL92-EA.12", "the mean of the estimate is x",
       note="The mean of y is Hx, and the estimate is linear in y.")
 
 claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",
-      (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & (L * R * U == T(U) * R * U),
+      (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR,
       given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made={L: hstack(Identity(n), X) * S}, using={X: matrix(n, p - n)}), inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the second equation LRL' = U'RU + (L - U')R(L - U')' for every unbiased Ly.")
+      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}), inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      note="The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the second equation every other unbiased Ly has a larger error covariance LRL'.")
 
 claim("NWL92-EA.14", "P = U'DH(H'H)^-1 = -U'HTH'H(H'H)^-1 = -T",
       eq(T(U) * R * U, T(U) * D * H * inv(HH), -T(U) * H * Tb * HH * inv(HH), -Tb),

@@ -52,10 +52,10 @@ def one_inverse(Z: Expr) -> Expr:
     return inv(Z + K * T(K))
 
 
-def any_one_inverse(Z: Expr, Y: Expr) -> Expr:
-    """All symmetric (1)-inverses of a symmetric matrix, one for each matrix Y (of the size of Z)."""
-    K = kernel_basis(Z)
-    return one_inverse(Z) + K * T(K) * Y + T(Y) * K * T(K)
+def any_one_inverse(Z: Expr, Y: Expr, K: Expr | None = None) -> Expr:
+    """All symmetric (1)-inverses of a symmetric matrix, one for each matrix Y (of the size of Z); K spans the kernel."""
+    K = kernel_basis(Z) if K is None else K
+    return inv(Z + K * T(K)) + K * (T(K) * Y) + T(Y) * K * T(K)
 
 
 def blocks_of(G: Expr, p: Any, n: Any) -> tuple[Expr, Expr, Expr]:
@@ -88,7 +88,9 @@ OTHER = {L0: inv(T(H) * H) * T(H), L: L0 + X * (Identity(p) - H * L0)}
 
 def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: Expr = Y, whole: Expr = G) -> tuple[dict, dict]:
     """What `instances` needs so that the named blocks form a random symmetric (1)-inverse of Z: made_by and using."""
-    made = {whole: any_one_inverse(Z, free), **dict(zip(names, blocks_of(whole, p, n), strict=True))}
+    kernel = sym(f"ker{whole.tree[1]}")
+    made = {kernel: kernel_basis(Z), whole: any_one_inverse(Z, free, kernel),
+            **dict(zip(names, blocks_of(whole, p, n), strict=True))}
     return made, {free: matrix(p + n, p + n)}
 
 
@@ -104,33 +106,46 @@ def two_inverses(count: int = 24, *, made_by: dict | None = None, using: dict | 
     return inverses(count, made_by={**made, **(made_by or {})}, using={**free, **(using or {})}, **sizes)
 
 
+def excess(L: Expr, U: Expr, R: Expr) -> Expr:
+    """The error covariance of Ly is that of U'y plus a positive semidefinite matrix."""
+    return L * R * T(L) == T(U) * R * U + (L - T(U)) * R * T(L - T(U))
+
+
 def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
-    """(x, w) satisfies y = Hx + Vw, and any other (x0, w0) that does has w0'w0 = w'w + |w0 - w|^2."""
-    return (y == H * x + V * w) & (T(w0) * w0 == T(w) * w + T(w0 - w) * (w0 - w))
+    """(x, w) satisfies y = Hx + Vw with w orthogonal to w0 - w, so that w0'w0 = w'w + |w0 - w|^2."""
+    return (y == H * x + V * w) & (T(w) * w0 == T(w) * w)
 
 
 # ------------------------------------------------------------------ coordinates
-S, F, E1, E0, P, Y3, Y4, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 rho ii jj")
+S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
 NORMAL_FORM = (
     "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where I has size "
-    "rank [R H] - n; there the symmetric (1)-inverses are [0, K'; K, M] and U = [I; L], T = -P, where diag(I, 0) annihilates K and L "
+    "rank [R H] - n; there the symmetric (1)-inverses have W = [0, K'; K, M], U = [I; L], T = -P, where diag(I, 0) annihilates K and L "
     "and M is a symmetric (1)-inverse of diag(I, 0)")
-#: R, H, W, U, T in terms of S, P, the rank rho and free matrices
+
+
+def ones(nrows: Any, ncols: Any) -> Expr:
+    """[I, 0; 0, 0] with rho ones."""
+    return matrix_of(ii, jj, nrows, ncols, when((ii == jj) & (ii <= rho), 1, 0))
+
+
+def inverse_in_coordinates(names: tuple[Expr, Expr, Expr], free: tuple[Expr, Expr, Expr], n: Any) -> dict:
+    """Blocks of all (1)-inverses, in the coordinates of the normal form; the free matrices stand for K, M, L."""
+    K, M, L = free
+    return {names[0]: T(S) * block([[Zero(n, n), T(E0 * K)], [E0 * K, E1 + E0 * M + T(M) * E0]]) * S,
+            names[1]: T(S) * vstack(Identity(n), E0 * L), names[2]: -P}
+
+
+#: R, H, W, U, T in terms of S, P, the rank rho and free matrices; a second (1)-inverse
 COORDINATES = {
-    F: inv(S), E1: matrix_of(ii, jj, p - n, p - n, when((ii == jj) & (ii <= rho), 1, 0)), E0: Identity(p - n) - E1,
-    R: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
-    W: T(S) * block([[Zero(n, n), T(E0 * Y3)], [E0 * Y3, E1 + E0 * Y + T(Y) * E0]]) * S,
-    U: T(S) * vstack(Identity(n), E0 * Y4), Tb: -P,
+    F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, R: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
+    **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n),
 }
-PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n), Y3: matrix(p - n, n),
-              Y4: matrix(p - n, n)}
-Y5, Y6, Y7 = symbols("Y5 Y6 Y7")
-#: the same for a second (1)-inverse
-COORDINATES_2 = {
-    W2: T(S) * block([[Zero(n, n), T(E0 * Y5)], [E0 * Y5, E1 + E0 * Y6 + T(Y6) * E0]]) * S,
-    U2: T(S) * vstack(Identity(n), E0 * Y7), T2: -P,
-}
+COORDINATES_2 = inverse_in_coordinates((W2, U2, T2), (Y5, Y6, Y7), n)
+PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n), Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
 PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
+#: L with LH = I
+OTHER_IN_COORDINATES = {L: hstack(Identity(n), X) * S}
 
 
 def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:

@@ -11,7 +11,7 @@ from exactkf._errors import BadInput, Unsupported
 from exactkf.exact.balls import ball, contains, decide, equal, less, precision, sign
 
 rationals = st.builds(fmpq, st.integers(-(10**9), 10**9), st.integers(1, 10**9))
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 
 
 def test_precision_is_restored_after_an_error():

@@ -17,7 +17,7 @@ from exactkf.exact.canonical import (
 )
 from exactkf.exact.matrices import identity, zero
 
-few = settings(max_examples=40, deadline=None)
+few = settings(max_examples=30, deadline=None)
 small = st.integers(-2, 2)
 
 

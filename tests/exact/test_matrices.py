@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from exactkf._errors import BadInput
 from exactkf.exact import matrices as m
 
-few = settings(max_examples=50, deadline=None)
+few = settings(max_examples=35, deadline=None)
 entries = st.fractions(-4, 4, max_denominator=3)
 small = st.integers(-3, 3)
 

@@ -17,7 +17,7 @@ from exactkf.exact.numberfield import CyclotomicRealField, RealField, cyclotomic
 from exactkf.exact.polynomials import isolate_real_roots
 from exactkf.exact.rationals import to_fraction
 
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 FIELDS = [
     (sqrt_field(2), lambda: mpmath.sqrt(2)),
     (RealField([-2, 0, 0, 1], (1, 2), "c"), lambda: mpmath.cbrt(2)),
@@ -78,7 +78,7 @@ def test_minimal_polynomial(field_and_theta, a):
     assert x.is_rational() == (p.degree() == 1)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.integers(1, 40), st.integers(-50, 50), st.integers(-50, 50))
 def test_two_cos_identities(n, j, k):
     """2cos a 2cos b = 2cos(a+b) + 2cos(a-b), and the values are the cosines."""

@@ -16,7 +16,7 @@ from exactkf.exact.ratfunc import RatField, RatFunc
 
 NAMES = ("x", "y", "z")
 FIELD = RatField(NAMES)
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 
 coefficients = st.integers(-4, 4)
 polys = st.dictionaries(st.tuples(*[st.integers(0, 2)] * 3), coefficients, max_size=3).map(
@@ -55,7 +55,7 @@ def is_canonical(f):
     return num.gcd(den).is_one() and den.leading_coefficient() > 0 and (den.is_one() == (den is f.field._one))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=80, deadline=None)
 @given(formulas(), points)
 def test_arithmetic_agrees_with_fractions_at_points(formula, point):
     """A formula in the variables, evaluated at a point, is the formula of the values."""
@@ -96,9 +96,10 @@ def test_lowest_terms_agree_with_sympy(p, q, r, s):
     assume(q and s)
     f = p / q + r / s
     oracle = sympy.cancel(sympy.sympify(f"({p})/({q})+({r})/({s})".replace("^", "**")))
-    num, den = (sympy.Poly(part, *sympy.symbols(NAMES)) for part in sympy.fraction(oracle))
+    symbols = sympy.symbols(NAMES)
+    num, den = (sympy.Poly(part, *symbols, domain="QQ") for part in sympy.fraction(oracle))
     mine = [
-        sympy.Poly(str(part).replace("^", "**"), *sympy.symbols(NAMES)) for part in (f.numerator(), f.denominator())
+        sympy.Poly(str(part).replace("^", "**"), *symbols, domain="QQ") for part in (f.numerator(), f.denominator())
     ]
     assert mine[0] * den == mine[1] * num
     assert mine[1].total_degree() == den.total_degree()
@@ -134,7 +135,9 @@ def test_substitution_into_another_field():
     other = RatField("t")
     t = other.gen("t")
     assert ((x + y) / z).subs({"x": t, "y": 1 / t, "z": 2}, other) == (t + 1 / t) / 2
-    assert (FIELD(3)).subs({"x": t, "y": t, "z": t}, other) == 3
+    assert FIELD(3).subs({"x": t, "y": t, "z": t}, other) == 3
+    assert (1 / x).subs({"x": 1 / y}) == y and (x / (x**2 + y)).subs({"x": y / z}) == y * z / (y**2 + y * z**2)
+    assert (x**2 / (x + y)).subs({"x": y / z, "y": x / z}) == y**2 / (z * (x + y))
     with pytest.raises(BadInput, match="'name'"):
         (x + y).subs({"x": t}, other)
     with pytest.raises(BadInput):
@@ -179,18 +182,13 @@ def test_division_by_zero():
 
 
 def test_long_chains_are_reduced_in_time():
-    """A long chain of maps over one denominator stays small and ends in lowest terms."""
+    """A long chain of maps over one denominator, each with a common factor, stays small."""
     x, y, _ = FIELD.gens()
-    f = x
-    for _ in range(60):  # z -> (2 y z + y)/(2 y) is z + 1/2
-        top, bottom = f * (2 * y) + y, FIELD(1) * (2 * y)
-        f = top / bottom
-        assert len(f._pair[0]) + len(f._pair[1]) < 200
-    assert f == x + 30
-    g = x / y
-    for _ in range(60):
-        g = (g * 6 + 6 * y / y * (x / y)) / ((x / y) * 0 + 6) / 2
-    assert g == x / y
+    f = (x + 1) / y
+    for _ in range(60):  # z -> (2 y z + y)/(2 y) is z + 1/2, written so that numerator and denominator grow by 2 y
+        f = (f * (2 * y) + y) / (f * 0 + 2 * y)
+        assert f._pair[0].total_degree() < 40
+    assert f == (x + 1) / y + 30 and is_canonical(f)
 
 
 def test_record_of_denominators():

@@ -15,7 +15,7 @@ from exactkf._errors import BadInput
 from exactkf.exact.rationals import rational, to_fraction
 
 fractions = st.fractions(max_denominator=10**6)
-few = settings(max_examples=60, deadline=None)
+few = settings(max_examples=35, deadline=None)
 
 
 @few

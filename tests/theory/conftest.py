@@ -4,6 +4,6 @@
 from hypothesis import HealthCheck, settings
 
 settings.register_profile(
-    "theory", max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+    "theory", max_examples=40, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
 settings.load_profile("theory")

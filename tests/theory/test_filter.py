@@ -211,6 +211,13 @@ def test_symplectic_matrix_needs_alpha():
         symplectic_matrix_of([1], [-1])
 
 
+def test_false_alarm_modulo_a_prime():
+    """Denominators divisible by the primes used for the quick test are no escape."""
+    unlucky = fmpq(1, ((1 << 61) - 1) * ((1 << 89) - 1))
+    assert first_escape([unlucky], [fmpq(1, 3)], 5) is None
+    assert state_after([unlucky], [fmpq(1, 3)], 5).state == orbit(step_ag, ([unlucky], [fmpq(1, 3)]), 5).states[-1]
+
+
 def test_escape_is_returned_by_orbits_and_raised_by_steps():
     """Orbits end with the time of escape, a single step raises."""
     assert orbit(step_ag, ([-2], [Fraction(1, 2)]), 9).escape == 1

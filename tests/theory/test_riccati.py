@@ -165,6 +165,15 @@ def test_example_3_1_from_subspaces(s, t):
     assert found.is_symmetric == (s * t == 9 - 2 * t)
 
 
+def test_example_3_1_classification():
+    """One isolated equilibrium, one divisor with singular Gamma and one family."""
+    found = equilibria(*EXAMPLE_3_1)
+    assert [e.P for e in found.isolated] == [((fmpq(25, 3), 8), (8, 12))]
+    assert found.isolated[0].eigenvalues == (2, 2) and found.irreducible == ()
+    assert [f.coeffs() for f in found.singular] == [[fmpq(1, 4), -1, 1]]
+    assert [f.coeffs() for f in found.families] == [[1, fmpq(-5, 2), 1]]
+
+
 def test_example_3_1_matrix():
     """The printed matrix (3.110) and the printed eigenvectors (3.112) of D71 are right."""
     R = mat(duven_matrix(*EXAMPLE_3_1))

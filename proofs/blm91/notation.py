@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""Shared notation of BLM91.
+
+Vectors q and q* of the paper are ``q`` and ``qs``; a star is written ``s`` at
+the end of a name. Pseudo-polynomials are written in z and 1/z; on the unit
+circle z + 1/z is 2 cos(theta).
+
+A stationary process is handled through its covariances. Random variables are
+rows of coefficients over the independent variables x_0, v_0, w_0, v_1, ...;
+with their covariance matrix ``G`` the product E{xi eta'} is xi G eta'. The
+covariance of the state is ``P``; stationarity makes the noise covariances
+Q = P - F P F', S = g - F P h, R = 1 - h' P h. The identities need no
+nonnegativity, so they are checked for every symmetric P.
+"""
+
+from exactkf.language import (
+    Identity, T, Z, Zero, block, coeff, function, hstack, let, matrix_of, rec, recip, sum_of, symbols, vstack, when,
+)
+
+n, m, t, k, j, i, s = symbols("n m t k j i s")
+
+# ---------------------------------------------------------------------- the model (1.1)
+F, h, g, P, G, X, V, W, Y, N, K = symbols("F h g P G X V W Y N K")
+width = n + (m + 2) * (n + 1)
+
+#: rows of x_t, y_t over the variables x_0, (v_0, w_0), (v_1, w_1), ...
+ROWS = (
+    function(V, [t], matrix_of(i, j, n, width, when(j == n + t * (n + 1) + i, 1, 0))),
+    function(W, [t], matrix_of(i, j, 1, width, when(j == n + t * (n + 1) + n + 1, 1, 0))),
+    rec(X, t, hstack(Identity(n), Zero(n, (m + 2) * (n + 1))), F * X[t] + V(t)),
+    function(Y, [t], T(h) * X[t] + W(t)),
+)
+
+
+def gram(q, s, r):
+    """Covariance of the variables when the noise has covariance [[q, s], [s', r]]."""
+    noise = vstack(V(k), W(k))
+    return let(G, T(X[0]) * P * X[0] + sum_of(k, 0, m + 1, T(noise) * block([[q, s], [T(s), r]]) * noise))
+
+
+#: the model with E y_t^2 = 1 and E{x_(t+1) y_t} = g
+MODEL = (*ROWS, gram(P - F * P * T(F), g - F * P * h, 1 - T(h) * P * h))
+
+# ---------------------------------------------------------------------- Szego polynomials
+c, phi, phis, gam, r = symbols("c phi phis gam r")
+
+
+def szego(cov, names=(phi, phis, gam, r)):
+    """(2.6)-(2.8) for covariances cov(1), cov(2), ..."""
+    f, fs, gamma, norm = names
+    return (
+        rec(f, t, 1, Z * f[t] - gamma(t) * fs[t]),
+        rec(fs, t, 1, fs[t] - gamma(t) * Z * f[t]),
+        function(gamma, [t], sum_of(k, 0, t, coeff(f[t], k) * cov(k + 1)) / norm[t]),
+        rec(norm, t, 1, (1 - gamma(t) ** 2) * norm[t]),
+    )
+
+
+#: covariances of the model: c_k = h' F^(k-1) g, c_0 = 1
+REALIZED = function(c, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1]))
+
+# ---------------------------------------------------------------------- canonical form (2.22), shift J, fast algorithm
+a, J, e, q, qs, Qp, Qs, D = symbols("a J e q qs Q Qs D")
+SHIFT = let(J, matrix_of(i, j, n, n, when(j == i + 1, 1, 0)))
+FIRST = let(h, matrix_of(i, j, n, 1, when(i == 1, 1, 0)))
+CANONICAL = (FIRST, let(F, matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0))))
+
+
+def stripped(start, start_star):
+    """(2.25) and (2.8) from given initial values."""
+    return (
+        SHIFT,
+        function(gam, [t], qs[t][1]),
+        rec(q, t, start, 1 / (1 - gam(t) ** 2) * (q[t] - gam(t) * (J * qs[t]))),
+        rec(qs, t, start_star, 1 / (1 - gam(t) ** 2) * (J * qs[t] - gam(t) * q[t])),
+        rec(r, t, 1, (1 - gam(t) ** 2) * r[t]),
+    )
+
+
+#: (2.26)
+POLYNOMIALS = (
+    function(Qp, [t], r[t] * (Z**n + sum_of(i, 1, n, q[t][i] * Z ** (n - i)))),
+    function(Qs, [t], r[t] * sum_of(i, 1, n, qs[t][i] * Z ** (n - i))),
+)
+#: left side of (2.28), for t = 0
+INVARIANT = let(D, 1 / r[0] * (Qp(0) * recip(Qp(0)) - Qs(0) * recip(Qs(0))))
+
+
+def polynomial_of(vector, lead=1):
+    """z^n + v_1 z^(n-1) + ... + v_n, or without the first term for lead 0."""
+    tail = sum_of(i, 1, n, vector[i] * Z ** (n - i))
+    return Z**n + tail if lead else tail

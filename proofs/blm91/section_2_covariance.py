@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: MIT
+"""Section II, (2.1)-(2.13): covariances, positive realness, Szego polynomials, prediction.
+
+A stationary model x_(t+1) = F x_t + v_t, y_t = h'x_t + w_t driven by white
+noise forgets its past only through F: multiplying the state equation by an
+older output shows that E{x_(k+1) y_j} is F^(k-j) g, and one more
+multiplication by h' gives c_k = h'F^(k-1) g. So the covariances are the
+coefficients at infinity of the rational function Phi_+.
+
+The Toeplitz matrices of c define an inner product of polynomials,
+<z^i, z^j> = c_|i-j|. Orthogonalising 1, z, z^2, ... gives the monic Szego
+polynomials; because reversing the coefficients is an isometry of that inner
+product, each of them comes from the one before by a two-term recursion with a
+single new number, the Schur parameter gamma_t, and r_t = <phi_t, phi_t> obeys
+r_(t+1) = (1 - gamma_t^2) r_t. The matrix of coefficients of phi_0 .. phi_t
+turns the Toeplitz matrix T_t into diag(r_0, .., r_t); hence T_t > 0 exactly
+when |gamma_0|, .., |gamma_(t-1)| < 1.
+
+The same isometry sends z^k to y_k: coefficients of phi_t are the weights of
+the best linear prediction of y_t from y_0 .. y_(t-1), and the innovations are
+orthogonal with variances r_t.
+
+Positive definiteness of every T_t is weaker than strict positivity of the
+spectral density: y_t = (e_t + e_(t-1))/sqrt 2 has c_1 = 1/2, every T_t > 0,
+gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.language import *
+
+from proofs.blm91.notation import *
+
+chi, gz, num, Q, S, R, Mk, b, x, y, p = symbols("chi gz num Q S R M b x y p")
+cc, Toep, ip, Cof, sigma = symbols("cc Toep ip Cof sigma")
+
+# ---------------------------------------------------------------------- covariances of the model
+NOISY = (*ROWS, let(Q, P - F * P * T(F)), gram(Q, S, R))
+claim("BLM91-E2.1", "covariance of the state with older outputs",
+      forall(j, 0, m, forall(k, j, m, X[k + 1] * G * T(Y(j)) == F ** (k - j) * (X[1] * G * T(Y(0))))),
+      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), P: symmetric_matrix(n), S: vector(n), R: scalar()}, where=NOISY,
+      by=[identity(n=(1, 2, 3), m=(0, 1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      note="x_0 has covariance P, the noise (v_t, w_t) is white with covariance [[Q, S], [S', R]] and independent of x_0; "
+           "stationarity is Q = P - F P F', and g is E{x_1 y_0}.")
+
+claim("BLM91-E2.2", "covariances of the output",
+      forall(j, 0, m, forall(k, 1, m - j, Y(j + k) * G * T(Y(j)) == T(h) * F ** (k - 1) * (X[1] * G * T(Y(0))))),
+      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), P: symmetric_matrix(n), S: vector(n), R: scalar()}, where=NOISY,
+      by=[identity(n=(1, 2, 3), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      note="c_k is E{y_(t+k) y_t}, the same for every t; model as for (2.1).")
+
+PHI = let(p, rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g)
+claim("BLM91-E2.3", "Phi_+ has the covariances as its coefficients at infinity",
+      (laurent(p, 0) == rational("1/2")) & forall(k, 1, m, laurent(p, k) == T(h) * F ** (k - 1) * g),
+      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI],
+      by=[identity(n=(1, 2, 3), m=4), instances(n=(1, 2, 3), m=(3, 4))],
+      note="The display defines Phi_+; what is checked is that it generates the sequence (2.2).")
+
+# chi = det(zI - F), gz/chi = h'(zI - F)^(-1) g, num = chi chi* (Phi_+(z) + Phi_+(1/z))
+POPOV = (let(chi, charpoly(F)), let(gz, charpoly(F - g * T(h)) - chi),
+         let(num, chi * recip(chi) + gz * recip(chi) + recip(gz) * chi))
+claim("BLM91-E2.4", "the Popov condition, cleared of denominators",
+      (p + recip(p)) * chi * recip(chi) == num, sizes=["n"],
+      over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI, *POPOV],
+      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
+      note="(2.4) defines the condition. Checked is the form in which it is used below: as chi(z)chi(1/z) > 0 on the circle for a stability "
+           "matrix F, it says that the pseudo-polynomial chi(z)chi(1/z)(Phi_+(z) + Phi_+(1/z)) is positive there.")
+
+u = sym("u")
+# a bona fide model: F a contraction (or orthogonal), P a multiple of I, S = Q u, R - S'Q^(-1)S >= 0
+PSD_MODEL = {P: 1 / (T(h) * h + T(u) * (Identity(n) - F * T(F)) * u + x) * Identity(n), S: (P - F * P * T(F)) * u}
+GAIN = (let(Q, P - F * P * T(F)), let(R, 1 - T(h) * P * h), let(g, F * P * h + S))
+claim("BLM91-S13", "covariances of a stationary model make Phi_+ positive real",
+      schur(chi) & pos_on_circle(num), sizes=["n"],
+      over={F: matrix(n, n), h: vector(n), P: positive_definite(n), S: vector(n)}, where=[*GAIN, *POPOV],
+      given=[given("white noise", psd(block([[Q, S], [T(S), R]])))],
+      by=[example(n=1, F=[[0]], h=[1], P=[["1/2"]], S=["1/2"]), example(n=1, F=[[1]], h=[1], P=[["1/2"]], S=[0]),
+          instances(n=(1, 2))],
+      repair=repair("boundary case",
+                    "a covariance sequence needs the spectral density only nonnegative, and F may have eigenvalues on the circle "
+                    "(c = 1, 1/2, 0, 0, ... comes from a model with F = 0 and has a spectral zero at z = -1; "
+                    "white noise plus a constant has F = 1)",
+                    nonneg_on_circle(num) & (inside_roots(chi) + circle_roots(chi) == n), sizes=["n"],
+                    over={F: matrix(n, n), h: vector(n), P: positive_semidefinite(n), S: vector(n)}, where=[*GAIN, *POPOV],
+                    given=[given("white noise", psd(block([[Q, S], [T(S), R]]))),
+                           given("state covariance nonsingular", invertible(P))],
+                    by=[instances(n=(1, 2, 3), using={Mk: matrix(n, n), u: vector(n), x: positive()},
+                                  made_by={F: Mk / (1 + trace(Mk * T(Mk))), **PSD_MODEL}),
+                        example(n=1, F=[[1]], h=[1], P=[["1/2"]], S=[0]),
+                        example(n=2, F=[[0, -1], [1, 0]], h=[1, 1], P=[["1/3", 0], [0, "1/3"]], S=[0, 0])]),
+      note="Covariance sequence is read as: of an output of a stationary model (1.1), with nonsingular state covariance.")
+
+# ---------------------------------------------------------------------- Toeplitz matrices and positive realness
+TOEPLITZ = function(Toep, [t], matrix_of(i, j, t + 1, t + 1, cc(abs(i - j))))
+FREE = function(cc, [k], when(k == 0, 1, c[k]))
+MA = (function(cc, [k], sum_of(j, 0, n - k, sigma[j] * sigma[j + k]) / sum_of(j, 0, n, sigma[j] ** 2)),
+      let(num, sum_of(k, -n, n, cc(abs(k)) * Z**k)))
+AB = (SHIFT, *CANONICAL, *POPOV, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])))
+Tm, gm = symbols("Tm gm")
+SUM = sum_of(i, 1, n, abs(x[i]))
+
+MA_NOTE = ("Read on moving averages y_t = sum sigma_j e_(t-j) with E y_t^2 = 1: there F = J is nilpotent, Phi_+(z) + Phi_+(1/z) is the sum of "
+           "c_k z^k over all k, and T_t is positive definite for every t, being a Gram matrix of shifted copies of a nonzero vector; "
+           "so the right side, tested for t <= m, holds for all t.")
+WEAK = ("positive Toeplitz matrices give only a nonnegative spectral density: c = 1, 1/2, 0, 0, ... has T_t > 0 for every t "
+        "and a zero at z = -1; necessary as printed, sufficient only with >= in the Popov condition")
+claim("BLM91-S14", "positive realness is positive definiteness of all Toeplitz matrices",
+      iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
+      by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
+      repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"],
+                    over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
+                    by=[instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
+                        example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
+      note=MA_NOTE)
+claim("BLM91-S16", "positive realness is |gamma_t| < 1 for all t",
+      iff(pos_on_circle(num), forall(t, 0, m, abs(gam(t)) < 1)), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, *szego(cc)],
+      by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
+      repair=repair("boundary case", WEAK.replace("positive Toeplitz matrices give", "Schur parameters inside (-1, 1) give").replace("T_t > 0 for every t", "gamma_t = (-1)^t/(t+2)"),
+                    nonneg_on_circle(num) >> (abs(gm) < 1), sizes=["n", "m"],
+                    over={a: vector(n), g: vector(n)}, where=[*AB, *szego(cc), let(gm, gam(m))], given=[given("F stable", schur(F))],
+                    by=[instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
+                        example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
+      note=MA_NOTE)
+
+# ---------------------------------------------------------------------- Szego polynomials
+C = {c: sequence(1, n + 1)}
+SZEGO = (FREE, *szego(cc))
+PAIRING = function(ip, [t, k], sum_of(j, 0, t, coeff(phi[t], j) * cc(abs(j - k))))  # <phi_t, z^k>
+claim("BLM91-E2.5", "Szego polynomials are monic of degree t",
+      forall(t, 0, n, phi[t] == Z**t + sum_of(k, 1, t, coeff(phi[t], t - k) * Z ** (t - k))), sizes=["n"], over=C, where=SZEGO,
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      note="The display fixes names for the coefficients; checked is that the polynomials of (2.6) are of this form.")
+
+claim("BLM91-E2.6", "the recursions produce the monic orthogonal polynomials",
+      forall(t, 0, n, forall(k, 0, t, ip(t, k) == when(k == t, r[t], 0))), sizes=["n"], over=C, where=[*SZEGO, PAIRING],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      note="Monic and orthogonal to 1, z, .., z^(t-1) in the form <z^i, z^j> = c_|i-j|, which determines phi_t.")
+
+# phi_t by its normal equations, gamma_t by its constant term, r_t by determinants
+tau, rr = symbols("tau rr")
+SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i))),
+          function(Cof, [t], inv(Toep(t - 1)) * tau(t)),
+          function(phi, [t], when(t == 0, 1, Z**t - sum_of(k, 1, t, Cof(t)[k] * Z ** (k - 1)))),
+          function(rr, [t], when(t == 0, 1, det(Toep(t)) / det(Toep(t - 1)))))
+claim("BLM91-E2.7", "the Schur parameter in terms of covariances",
+      forall(t, 0, n, -coeff(phi(t + 1), 0) == 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1))), sizes=["n"], over=C, where=SOLVED,
+      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0). "
+           "The coefficient phi_(t,t-k) belongs to z^k.")
+claim("BLM91-E2.8", "recursion of the squared norms",
+      (rr(0) == 1) & forall(t, 0, n, rr(t + 1) == (1 - coeff(phi(t + 1), 0) ** 2) * rr(t)), sizes=["n"], over=C, where=SOLVED,
+      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
+
+# c -> gamma -> c and gamma -> c -> gamma
+psi, psis, delta, rho, again, back = symbols("psi psis delta rho again back")
+THERE_AND_BACK = (
+    FREE, *szego(cc), function(again, [t], gam(t - 1) * r[t - 1] - sum_of(k, 0, t - 2, coeff(phi[t - 1], k) * again(k + 1))))
+gg, f, fs, w = symbols("gg f fs w")
+BACK_AND_THERE = (
+    rec(f, t, 1, Z * f[t] - gg[t] * fs[t]), rec(fs, t, 1, fs[t] - gg[t] * Z * f[t]), rec(w, t, 1, (1 - gg[t] ** 2) * w[t]),
+    function(back, [t], gg[t - 1] * w[t - 1] - sum_of(k, 0, t - 2, coeff(f[t - 1], k) * back(k + 1))),
+    *szego(back, (psi, psis, delta, rho)))
+claim("BLM91-S15", "covariances and Schur parameters determine each other",
+      forall(t, 1, n, (again(t) == cc(t)) & (delta(t - 1) == gg[t - 1])), sizes=["n"],
+      over={c: sequence(1, n), gg: sequence(0, n - 1)}, where=[*THERE_AND_BACK, *BACK_AND_THERE],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
+
+Low = sym("Low")
+claim("BLM91-E2.9", "positive definite Toeplitz matrix and Schur parameters",
+      forall(t, 0, n, iff(pd(Toep(t)), forall(k, 0, t - 1, abs(gam(k)) < 1))), sizes=["n"], over={c: sequence(1, n)},
+      where=[*SZEGO, TOEPLITZ],
+      by=[steps("BLM91-E2.8", "BLM91-E2.13", facts=["Sylvester's law of inertia"],
+                prose="the unit triangular matrix of coefficients of phi_0 .. phi_t is a congruence of T_t with diag(r_0 .. r_t), and r_0 .. r_t are "
+                      "positive exactly when all 1 - gamma_k^2 are, k < t"),
+          instances(40, n=range(1, 5)), example(n=3, c=["1/2", "1/3", "1/4"]), example(n=2, c=["1/2", "-1/2"]), example(n=2, c=["1/2", "1"])])
+
+claim("BLM91-E2.10", "the second recursion is the reversal of the first",
+      forall(t, 0, n, phis[t] == rev(phi[t], t))
+      & (rev(Z * x - y * rev(x, n), n + 1) == rev(x, n) - y * Z * x) & (rev(rev(x, n) - y * Z * x, n + 1) == Z * x - y * rev(x, n)),
+      sizes=["n"], over={**C, x: polynomial(n), y: scalar()}, where=SZEGO,
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
+
+# ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
+yhat, err, Coe, ts = symbols("yhat err Coe ts")
+PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))),
+           let(yhat, matrix_of(i, j, n, 1, -coeff(phi[n], i - 1))),
+           function(err, [y], 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y))
+claim("BLM91-E2.11", "the linear least-squares prediction",
+      err(x) == err(yhat) + T(x - yhat) * Toep(n - 1) * (x - yhat), sizes=["n"], over={c: sequence(1, n), x: vector(n)}, where=PREDICT,
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      note="E(y_n - x_1 y_0 - .. - x_n y_(n-1))^2 is written out; it exceeds the value at the coefficients of (2.11) by a square in the "
+           "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
+claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
+      vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
+      by=[identity(n=range(1, 4)), instances(n=range(1, 5))],
+      note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
+           "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
+claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",
+      Coe * Toep(n) * T(Coe) == Low, sizes=["n"], over={c: sequence(1, n)},
+      where=[*SZEGO, TOEPLITZ, let(Coe, matrix_of(i, j, n + 1, n + 1, coeff(phi[i - 1], j - 1))),
+             let(Low, matrix_of(i, j, n + 1, n + 1, when(i == j, r[i - 1], 0)))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      note="Row t of the first factor holds the coefficients of the innovation at time t over y_0 .. y_n.")
