@@ -125,7 +125,8 @@ claim("D71-T3.6", "an invariant subspace with nonsingular lower part gives a sol
       where=[BLOCKS, let(P, F*inv(Gam)), let(Q, -inv(Y)*Zm)],
       given=[RIGHT_GIVEN, given("SR = KS", hstack(Y, Zm)*R == K*hstack(Y, Zm))],
       by=[combination([[(hstack(In, -P), "RT = TJ", inv(Gam))], [(inv(Y), "SR = KS", vstack(Q, Im))]], **NM),
-          instances(**MORE, made_by={**MAKE_RIGHT, Zm: -Y*F*inv(Gam), K: Y*(B - F*inv(Gam)*D)*inv(Y)})])
+          instances(**MORE, made_by={**MAKE_RIGHT, Zm: -Y*F*inv(Gam), K: Y*(B - F*inv(Gam)*D)*inv(Y)}),
+          instances(**MORE, made_by={B: inv(Y)*(K*Y - Zm*D), A: inv(Y)*(K*Zm + Zm*C), F: -inv(Y)*Zm*Gam, J: inv(Gam)*(D*F - C*Gam)})])
 
 # --- steps of the proof -------------------------------------------------------------------------------------------------
 
@@ -207,7 +208,9 @@ claim("D71-T3.7", "the blocks of J fit into those of R",
              function(cR, [k], rank((R - w*Identity(n + m))**(k - 1)) - rank((R - w*Identity(n + m))**k)),
              let(FITS, forall(k, 1, m, cJ(k) <= cR(k)))],
       given=[given("RT = TJ", R*vstack(F, Gam) == vstack(F, Gam)*J)],
-      by=[instances(n=(1, 2, 3), m=(1, 2, 3), using={U: matrix(n, m), W1: matrix(m, m), W2: matrix(n, n)},
+      by=[steps("D71-E3.37", "D71-E3.40", facts=["Jordan's theorem."],
+                prose="With T = EX the columns of X are independent, which the shape of X forbids if some block of J exceeds its partner in R."),
+          instances(n=(1, 2, 3), m=(1, 2, 3), using={U: matrix(n, m), W1: matrix(m, m), W2: matrix(n, n)},
                     made_by={J: triangular(w, W1, m),
                              R: block([[F, In], [Gam, Zero(m, n)]])*block([[J, T(U)], [Zero(n, m), triangular(w, W2, n)]])
                              * block([[Zero(m, n), inv(Gam)], [In, -F*inv(Gam)]])})],
@@ -221,10 +224,12 @@ Iq = Identity(q)
 FIRST = matrix_of(i, j, q, m, E[i, j])
 
 claim("D71-S29", "an eigenvalue of J that R does not have",
-      ((R - mu*Iq)*TT*x == Zero(q, 1)) & eq(TT*x, inv(R - mu*Iq)*(R - mu*Iq)*TT*x, Zero(q, 1)),
+      ((R - mu*Iq)*TT*x == Zero(q, 1)) & eq(TT*x, inv(R - mu*Iq)*((R - mu*Iq)*TT*x), Zero(q, 1)),
       sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), mu: scalar(), x: vector(m)},
       given=[given("RT = TJ", R*TT == TT*J), given("Jx = mu x", J*x == mu*x)],
-      by=[instances(q=(2, 3), m=(2, 3), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m), s: scalar()},
+      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)], [],
+                       [(inv(R - mu*Iq), "RT = TJ", x), (inv(R - mu*Iq)*TT, "Jx = mu x", 1)]], q=(1, 2, 3), m=(1, 2, 3)),
+          instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m), s: scalar()},
                     made_by={R: E*UPPER*inv(E),
                              TT: matrix_of(i, j, q, m, when(j == 1, 0, E[i, j - 1]))*inv(G),
                              J: G*matrix_of(i, j, m, m, when(j == 1, when(i == 1, mu, 0), when(i == 1, W1[1, j], when(i <= j, U[i - 1, j - 1], 0))))
@@ -240,13 +245,14 @@ claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
       over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), w: scalar(), X: matrix(m, s)}, where=[let(nullity, q - rank(R - w*Iq))],
       given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m),
              given("JX = wX", J*X == w*X), given("X has independent columns", rank(X) == s)],
-      by=[instances(q=(2, 3), m=(2, 3), s=(1, 2), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
+      by=[steps("D71-S29", facts=["A matrix with independent columns maps independent vectors to independent ones."]),
+          instances(q=(2, 3), m=(2, 3), s=(1, 2), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
                     made_by={R: E*matrix_of(i, j, q, q, when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(E),
                              TT: FIRST*inv(G),
                              J: G*matrix_of(i, j, m, m, when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(G),
                              X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))*Y})])
 
-r, pp, c, w1, w2 = symbols("r pp c w1 w2")
+r, pp, c, w1, w2, first_row, last_column = symbols("r pp c w1 w2 first_row last_column")
 Nr, Np = superdiagonal(r), superdiagonal(pp)
 
 
@@ -264,10 +270,9 @@ _LAST = 3  # N^3 = 0 up to size 3
 _BINOMIAL = {(a, b): v for a, b, v in [(0, 0, 1), (1, 0, 1), (0, 1, 1), (2, 0, 1), (1, 1, 2), (0, 2, 1), (2, 1, 3), (1, 2, 3), (2, 2, 6)]}
 
 claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
-      (X == matrix_of(i, j, r, pp, when(j >= i, X[1, j - i + 1], 0)))
-      & (X == matrix_of(i, j, r, pp, when(i + pp - j <= r, X[i + pp - j, pp], 0)))
-      & (Y == Zero(r, pp)),
+      (X == matrix_of(i, j, r, pp, first_row(j - i + 1))) & (X == matrix_of(i, j, r, pp, last_column(i + pp - j))) & (Y == Zero(r, pp)),
       sizes=["r", "pp"], over={w: scalar(), w1: scalar(), w2: scalar(), X: matrix(r, pp), Y: matrix(r, pp)},
+      where=[function(first_row, [k], when(k >= 1, X[1, k], 0)), function(last_column, [k], when(k <= r, X[k, pp], 0))],
       given=[given("one eigenvalue", jordan_block(w, r)*X == X*jordan_block(w, pp)),
              given("two eigenvalues", jordan_block(w1, r)*Y == Y*jordan_block(w2, pp)),
              given("which differ", w1 != w2)],
@@ -304,24 +309,47 @@ F1, F2, G1, G2, J2, T1, T2 = symbols("F1 F2 G1 G2 J2 T1 T2")
 TWO = {**COEFFICIENTS, F1: matrix(n, m), F2: matrix(n, m), G1: nonsingular(m), G2: nonsingular(m), J1: matrix(m, m), J2: matrix(m, m)}
 TWO_GIVEN = [given("RT1 = T1 J1", R*T1 == T1*J1), given("RT2 = T2 J2", R*T2 == T2*J2)]
 TWO_LET = [BLOCKS, let(T1, vstack(F1, G1)), let(T2, vstack(F2, G2))]
-MAKE_TWO = {C: (D*F1 - G1*J1)*inv(G1), A: (F1*J1 - B*F1)*inv(G1), F2: F1*X, G2: G1*X, J2: inv(X)*J1*X}
+W, dd = symbols("W dd")
+MAKE_FIRST = {C: (D*F1 - G1*J1)*inv(G1), A: (F1*J1 - B*F1)*inv(G1), F2: F1*W, G2: G1*W, J2: inv(W)*J1*W}
+MAKE_SECOND = {C: (D*F2 - G2*J2)*inv(G2), A: (F2*J2 - B*F2)*inv(G2), F1: F2*inv(W), G1: G2*inv(W), J1: W*J2*inv(W)}
+
+
+def spectral(matrix_, height, width, down, right):
+    """A block of E diag(d) E^{-1}, or of E."""
+    return matrix_of(i, j, height, width, matrix_[i + down, j + right])
+
+
+def diagonal_from(start):
+    """m of the numbers d on a diagonal."""
+    return matrix_of(i, j, m, m, when(i == j, dd[i + start], 0))
+
+
+WHOLE = E*matrix_of(i, j, n + m, n + m, when(i == j, dd[i], 0))*inv(E)
+#: two solutions that differ, from different eigenvectors
+MAKE_DIFFERENT = {
+    B: spectral(WHOLE, n, n, 0, 0), A: spectral(WHOLE, n, m, 0, n), D: spectral(WHOLE, m, n, n, 0), C: -spectral(WHOLE, m, m, n, n),
+    F1: spectral(E, n, m, 0, 0), G1: spectral(E, m, m, n, 0), F2: spectral(E, n, m, 0, 1), G2: spectral(E, m, m, n, 1),
+    J1: diagonal_from(0), J2: diagonal_from(1),
+}
 
 claim("D71-T3.8.a", "column equivalent T give one P",
       (J1 == X*J2*inv(X)) & (F1*inv(G1) == F2*inv(G2)),
       sizes=["n", "m"], over={**TWO, X: nonsingular(m)}, where=TWO_LET,
       given=[*TWO_GIVEN, given("column equivalent", T2 == T1*X)],
-      by=[instances(**MORE, made_by=MAKE_TWO)],
+      by=[instances(**MORE, using={W: nonsingular(m)}, made_by={**MAKE_FIRST, X: W}),
+          instances(**MORE, using={W: nonsingular(m)}, made_by={**MAKE_SECOND, X: W})],
       note="The lower parts are nonsingular, as F Gamma^{-1} presupposes; without that T1 = T2 = 0 would go with any J1 and J2.")
 
 claim("D71-T3.8.b", "matrices J that are not similar give different P",
       (T2 == T1*X) & (J1 == X*J2*inv(X)),
       sizes=["n", "m"], over=TWO, where=[*TWO_LET, let(X, inv(G1)*G2)],
       given=[*TWO_GIVEN, given("P1 = P2", F1*inv(G1) == F2*inv(G2))],
-      by=[instances(**MORE, using={X: nonsingular(m)}, made_by=MAKE_TWO)],
+      by=[instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_FIRST), instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_SECOND),
+          instances(**MORE, using={E: nonsingular(n + m), dd: vector(n + m)}, made_by=MAKE_DIFFERENT)],
       note="In contrapositive form: if P1 = P2 then T1 and T2 are column equivalent, by X = Gamma_1^{-1} Gamma_2, and J1 and J2 are similar. "
            "That column equivalence makes J1 and J2 similar is part (a).")
 
-bv, NOT_DEROGATORY = symbols("bv NOT_DEROGATORY")
+bv = sym("bv")
 
 claim("D71-S31", "one Jordan block for each eigenvalue: T is unique",
       rank(hstack(T1, T2)) == m,
@@ -330,6 +358,8 @@ claim("D71-S31", "one Jordan block for each eigenvalue: T is unique",
              given("independent columns", (rank(T1) == m) & (rank(T2) == m)),
              given("R is nonderogatory", invertible(matrix_of(i, j, q, q, (R**(j - 1)*bv)[i])))],
       by=[example(q=2, m=1, R=[[1, 0], [0, 1]], J=[[1]], T1=[1, 0], T2=[0, 1], bv=[1, 1]),
+          steps("D71-E3.37", "D71-E3.41", facts=["Jordan's theorem."],
+                prose="With T = EX each block of X is U times a Toeplitz matrix, so T has the column space of E diag(U)."),
           instances(q=(1, 2, 3, 4), m=(1, 2), using={E: nonsingular(q), c: vector(q), w1: scalar(), w2: scalar(), mu: scalar(), w: scalar()},
                     made_by={R: E*(matrix_of(i, j, q, q, when(i == j, c[i], 0)) + superdiagonal(q))*inv(E),
                              J: matrix_of(i, j, m, m, when(i == j, c[i], 0)) + superdiagonal(m),
@@ -348,34 +378,36 @@ claim("D71-E3.41", "the block of X for one eigenvalue of a nonderogatory R",
       note="X = U times its upper part, which is nonsingular exactly if the diagonal entry a is not zero; U itself is a solution. "
            "With several eigenvalues X is block diagonal and each block is treated so.")
 
-Uf, Gf, Ff, Pf, al, be = symbols("Uf Gf Ff Pf al be")
+Ua, Ub, Ga, Gb, Gm, al, be = symbols("Ua Ub Ga Gb Gm al be")
 OMEGA = block([[jordan_block(w, 2), Zero(2, 1)], [Zero(1, 2), rows([[w]])]])
-FORM = rows([[X[1, 1], X[1, 2]], [0, X[1, 1]], [0, X[3, 2]]])
-FAMILY = [
-    function(Uf, [x], rows([[1, 0], [0, 1], [0, x]])),
-    function(Gf, [x], bottom(E*Uf(x), 2)), function(Ff, [x], top(E*Uf(x), 1)),
-    function(Pf, [x], Ff(x)*inv(Gf(x))), let(R, E*OMEGA*inv(E)),
-]
-SHAPE = (X == FORM) & (X == Uf(X[3, 2]/X[1, 1])*rows([[X[1, 1], X[1, 2]], [0, X[1, 1]]])) & ((al != be) >> (rank(hstack(Uf(al), Uf(be))) == 3))
+
+
+def canonical(alpha):
+    """The matrix U with its parameter."""
+    return rows([[1, 0], [0, 1], [0, alpha]])
+
+
+FAMILY = [let(Ua, canonical(al)), let(Ub, canonical(be)), let(Ga, bottom(E*Ua, 2)), let(Gb, bottom(E*Ub, 2))]
+MANY_SOLUTIONS = (
+    (X == rows([[X[1, 1], X[1, 2]], [0, X[1, 1]], [0, X[3, 2]]]))
+    & (X == canonical(X[3, 2]/X[1, 1])*rows([[X[1, 1], X[1, 2]], [0, X[1, 1]]]))
+    & (OMEGA*Ua == Ua*jordan_block(w, 2)) & (rank(hstack(Ua, Ub)) == 3)
+    & (invertible(Ga) | invertible(Gb)))
 MANY = {w: scalar(), X: matrix(3, 2), E: nonsingular(3), al: scalar(), be: scalar()}
 MAKE_X = {X: rows([[c[1], c[2]], [0, c[1]], [0, c[3]]])}
-X_GIVEN = given("Omega X = XJ", OMEGA*X == X*jordan_block(w, 2))
+X_GIVEN = [given("Omega X = XJ", OMEGA*X == X*jordan_block(w, 2)), given("two values of the parameter", al != be)]
+NO_SOLUTION = {"w": 0, "X": [[1, 0], [0, 1], [0, 0]], "E": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "al": 0, "be": 1}
 
 claim("D71-E3.44", "a derogatory R with a family of solutions",
-      SHAPE & ((al != be) >> (invertible(Gf(al)) | invertible(Gf(be)))),
-      over=MANY, where=FAMILY, given=[X_GIVEN],
-      by=[example(w=0, X=[[1, 0], [0, 1], [0, 0]], E=[[1, 0, 0], [0, 1, 0], [0, 0, 1]], al=0, be=1),
-          instances(using={c: vector(3)}, made_by=MAKE_X)],
+      MANY_SOLUTIONS, over=MANY, where=FAMILY, given=X_GIVEN,
+      by=[example(NO_SOLUTION), instances(using={c: vector(3)}, made_by=MAKE_X)],
       repair=repair(
           "missing hypothesis",
           "the lower part of T = EU may be singular for every value of the parameter, as for E = I, and then no solution belongs to this J; "
           "if it is nonsingular for one value, it is for all but at most one",
-          SHAPE & ((al != be) >> (invertible(Gf(al)) | invertible(Gf(be))))
-          & (((al != be) & invertible(Gf(al)) & invertible(Gf(be))) >> (Pf(al) != Pf(be)))
-          & (invertible(Gf(al)) >> (hstack(Identity(1), -Pf(al))*R*vstack(Pf(al), Identity(2)) == Zero(1, 2))),
-          over={**MANY, mu: scalar()}, where=FAMILY,
-          given=[X_GIVEN, given("one lower part is nonsingular", invertible(Gf(mu)))],
-          by=[example(w=0, X=[[1, 0], [0, 1], [0, 0]], E=[[1, 0, 0], [0, 1, 0], [0, 0, 1]], al=0, be=1, mu=0),
-              instances(using={c: vector(3)}, made_by=MAKE_X)]),
-      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. The last part of the printed "
-           "statement is that solutions exist for infinitely many values of the parameter. For E = I and w = 0 the equation is A = 0 with A = [1, 0].")
+          MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
+          given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
+          by=[example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
+      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two values of the parameter "
+           "at least one is to give a solution, so that infinitely many do; different values give different column spaces, hence different P. "
+           "For E = I and w = 0 the quadratic equation is A = 0 with A = [1, 0] and has no solution.")
