@@ -96,6 +96,10 @@ def _same_term(worlds: list[World], old: Any, new: Any) -> bool:
 
 
 def _equal(a: Any, b: Any) -> bool:
+    if isinstance(a, Matrix) != isinstance(b, Matrix):
+        a, b = (x.rows[0][0] if isinstance(x, Matrix) and x.is_scalar else x for x in (a, b))
+        if isinstance(a, Matrix) or isinstance(b, Matrix):
+            return False
     try:
         return bool(a == b)
     except Undefined:
