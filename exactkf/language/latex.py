@@ -7,7 +7,7 @@ Main definitions
     LaTeX of one tree.
 `statement_latex`
     The whole statement: variables, definitions, hypotheses, conclusion.
-`says_latex`, `over_latex`, `where_latex`, `given_latex`
+`says_latex`, `says_lines`, `over_latex`, `where_latex`, `given_latex`
     Its parts.
 `type_latex`, `definition_latex`
     One typed variable, one definition.
@@ -26,8 +26,8 @@ from exactkf.language.notation import RANGES, Bind, fill
 from exactkf.language.statement import Statement, as_tuples
 
 __all__ = [
-    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "statement_latex", "type_latex",
-    "where_latex",
+    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "says_lines", "statement_latex",
+    "type_latex", "where_latex",
 ]
 
 #: type -> LaTeX; #1 is the names, #2 and #3 the type's arguments
@@ -91,6 +91,13 @@ def definition_latex(definition: Any) -> str:
 def says_latex(statement: Statement) -> str:
     """LaTeX of the conclusion."""
     return _printer(statement)(statement.says)
+
+
+def says_lines(statement: Statement) -> list[str]:
+    """LaTeX of the conclusion, the members of a conjunction apart."""
+    printer, says = _printer(statement), statement.says
+    parts = says[1:] if isinstance(says, tuple) and says[0] == "and" else [says]
+    return [printer(part) for part in parts]
 
 
 def over_latex(statement: Statement) -> list[str]:
