@@ -232,23 +232,23 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
                 if _accept(certificate, found):
                     _credit(data, e, found)
                     break
-    hint = next((e.hints["sums"] for e in by if e.kind == "order"), ())
-    if found.strength != "proved" and data["sizes"]:
-        _ordered(id, data, hint, found)
     if found.strength != "proved" and data["sizes"]:
         _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
+    if found.strength != "proved" and data["sizes"]:
+        _ordered(id, data, next((e.hints for e in by if e.kind == "order"), {}), found)
     for e in by:
         if e.kind == "steps":
             _steps(e, found)
 
 
-def _ordered(id: str, data: dict, sums: Any, found: Findings) -> None:
-    """Matrix order for every size, by congruences and sums."""
-    parts = find_order(data, json.loads(json.dumps(sums)))
+def _ordered(id: str, data: dict, hints: Mapping[str, Any], found: Findings) -> None:
+    """Order, invertibility and equations for every size, leaf by leaf."""
+    sums, roots = json.loads(json.dumps([hints.get("sums", ()), hints.get("roots", ())]))
+    parts = find_order(data, sums, roots)
     if parts is not None and _accept(seal(id, "order", data, {"parts": parts}), found):
         found.strength, found.sizes = "proved", None
-        found.evidence.append("for every size: a sum of terms that are semidefinite by their form; "
-                              "classical facts: sums, congruences and inverses of semidefinite matrices")
+        found.evidence.append("for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
+                              "classical facts: sums, congruences, inverses and roots of semidefinite matrices")
     elif sums:
         found.evidence.append("order: the terms given do not prove it")
 

@@ -12,7 +12,7 @@ evidence            what it shows                                              b
 `combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
 `induction`         base and step of ``always(t, ...)``, per size              proved, proved-sizes
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
-`order`             matrix order for every size: a sum of semidefinite terms   proved
+`order`             order, invertibility and equations for every size          proved
 `evaluation`        a closed statement, or every case of a finite one          proved
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
@@ -107,14 +107,17 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
     return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
 
 
-def order(*sums: Sequence[Any]) -> Evidence:
-    """A conclusion psd, pd, loewner (or a conjunction of them) about matrices of every size.
+def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner) and invertibility.
 
-    For each part of the conclusion a list of terms that are semidefinite by their form (see
-    `exactkf.kernel.order`) and add up to its matrix under the hypotheses. Where the matrix is
-    such a term itself nothing need be given; the engine tries that for every claim.
+    For each leaf of the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms:
+    for an order, terms that are semidefinite by their form and add up to its matrix under the hypotheses;
+    for an invertibility, the inverse; for an equation, nothing. Where the list is empty the engine tries
+    the matrix itself and those of the hypotheses. ``roots`` names symmetric square roots of semidefinite
+    terms that the lists use.
     """
-    return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums)})
+    return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
+                              "roots": tuple(_named(roots).items())})
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

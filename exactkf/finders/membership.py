@@ -22,7 +22,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.order import definiteness, goal_of
+from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.words import Reader, relations, residual_blocks
 
 __all__ = ["find_membership", "find_order"]
@@ -68,36 +68,41 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
     return out
 
 
-def find_order(statement: dict, sums: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
-    """For a conclusion of order: semidefinite terms and multiples of assumptions that add up to its matrix, or None.
+def find_order(statement: dict, sums: Any = (), roots: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
+    """For every leaf of a conclusion the terms of a proof, or None.
 
     Parameters
     ----------
     sums : sequence of lists of terms
-        For each part of the conclusion the terms to try; without it, the matrix itself.
+        For each leaf the terms to try: semidefinite summands, or an inverse. An empty list, or none, leaves it to the finder.
+    roots : sequence of (name, term)
+        Names for symmetric square roots that the terms use.
     """
-    says = statement["says"]
-    parts = says[1:] if says[0] == "and" else [says]
     out = []
-    for k, formula in enumerate(parts):
-        found = None
-        for trees in ([sums[k]] if k < len(sums) else _own_terms(formula)):
-            found = _complete(statement, formula, trees, degree, seconds)
+    for k, (case, formula) in enumerate(leaves(statement)):
+        for terms in [sums[k]] if k < len(sums) and sums[k] else _own_terms(case, formula):
+            found = _complete(case, formula, terms, roots, degree, seconds)
             if found is not None:
                 break
-        if found is None:
+        else:
             return None
         out.append(found)
     return out
 
 
-def _own_terms(formula: Any) -> list[list]:
-    """The matrix of the conclusion as it stands, with definitions left in."""
-    if formula[0] in ("psd", "pd"):
-        return [[formula[1]]]
-    if formula[0] == "loewner":
-        big, small = formula[1], formula[2]
-        return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)]]
+def _own_terms(case: dict, formula: Any) -> list[list]:
+    """Terms to try: the matrix of the conclusion as it stands, with definitions left in, and those of the hypotheses."""
+    op, args = formula[0], formula[1:]
+    if op in ("=", "symmetric", "symplectic"):
+        return [[]]
+    if op == "invertible":
+        return [[["inv", args[0]]]]
+    given = [[f[1]] for _, f, _kind in case["given"] if f[0] in ("psd", "pd")]
+    if op in ("psd", "pd"):
+        return [[args[0]], *given]
+    if op == "loewner":
+        big, small = args
+        return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)], *given]
     return []
 
 
@@ -110,24 +115,20 @@ def _without(big: Any, small: Any) -> Any:
     return ["-", big, small]
 
 
-def _complete(statement: dict, formula: Any, trees: list, degree: int, seconds: float) -> dict | None:
-    """The sum, with the multiples of assumptions that make it equal to the matrix of the conclusion."""
+def _complete(case: dict, formula: Any, terms: list, roots: Any, degree: int, seconds: float) -> dict | None:
+    """The terms, with the multiples of assumptions that make up for the rest."""
     try:
-        reader = Reader(statement)
-        goal, wanted = goal_of(reader, formula)
-        levels = [definiteness(reader, t) for t in trees]
-        if 0 in levels or max(levels, default=1) < wanted:
-            return None
-        for t in trees:
-            goal = reader._plus(goal, reader.read(t), -1)
-        assumed = {name: _plain(p) for name, p in relations(reader).items()}
-        rest = _plain(goal.grid[0][0])
+        leaf = Leaf(case, formula, terms, roots)
+        system = _System({name: _plain(p) for name, p in leaf.assumed().items()}, degree, time.perf_counter() + seconds)
+        blocks = []
+        for goal, _, _ in leaf.goals:
+            found = system.express(_plain(goal))
+            if found is None:
+                return None
+            blocks.append([[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()])
     except (Unknown, Undefined):
         return None
-    found = _System(assumed, degree, time.perf_counter() + seconds).express(rest)
-    if found is None:
-        return None
-    return {"sum": trees, "terms": [[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()]}
+    return {"sum": terms, "blocks": blocks} | ({"roots": [list(r) for r in roots]} if roots else {})
 
 
 def _plain(p: dict) -> Poly:

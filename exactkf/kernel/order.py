@@ -1,29 +1,166 @@
 # SPDX-License-Identifier: MIT
-"""Order on symmetric matrices of every size, by a few classical facts.
+"""Order and invertibility of matrices of every size, by a few classical facts.
 
 `definiteness` reads a term and says whether its form alone makes it positive
 (semi)definite under the hypotheses. The facts it uses:
 
-1. a variable of type psd, pd, and a hypothesis that says so;
+1. a variable of type psd, pd, and a hypothesis that says so; semidefinite and
+   invertible is definite;
 2. the identity and I are positive definite; a nonnegative number times a
    semidefinite matrix is semidefinite;
 3. a sum of semidefinite matrices is semidefinite, definite if one of them is;
 4. a congruence X'PX of a semidefinite matrix is semidefinite, and of a definite
    one definite if X is nonsingular;
-5. the inverse of an invertible semidefinite matrix is definite.
+5. the inverse of an invertible semidefinite matrix is definite;
+6. a semidefinite matrix is the square of one.
 
-A certificate of kind ``order`` writes the matrix of the conclusion as a sum of
-such terms plus multiples of the assumptions (`exactkf.kernel.words`).
+A conclusion is taken apart by `leaves`: conjunctions, implications and
+equivalences become equations, statements of order and of invertibility, each
+with what may be assumed for it. A certificate of kind ``order`` proves each:
+an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
+by a sum of terms that are semidefinite by their form plus such multiples, an
+invertibility by an inverse. An inverse that the evidence brings in must be one
+of a matrix that is nonsingular by its form (`exists`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import Blocks, Reader
+from exactkf.kernel.words import ONE, Blocks, Poly, Reader, add, multiply, relations, residual_blocks
 
-__all__ = ["definiteness", "goal_of"]
+__all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
+
+
+# ---------------------------------------------------------------------- taking a conclusion apart
+def leaves(statement: Mapping[str, Any]) -> Iterator[tuple[dict, Any]]:
+    """Statements whose conclusions together are the conclusion, each with its own hypotheses."""
+    for case in _cases({**statement, "given": []}, [list(g) for g in statement["given"]]):
+        yield from _leaves(case, statement["says"])
+
+
+def _cases(statement: dict, rest: list) -> Iterator[dict]:
+    """One statement for each choice among the hypotheses that are alternatives."""
+    for k, (label, formula, kind) in enumerate(rest):
+        if formula[0] == "or":
+            for n, one in enumerate(formula[1:]):
+                yield from _cases(statement, [*rest[:k], [f"{label}.{n}", one, kind], *rest[k + 1:]])
+            return
+    for label, formula, _ in rest:
+        statement = _assume(statement, label, formula)
+    yield statement
+
+
+def _assume(statement: dict, label: str, formula: Any) -> dict:
+    if formula[0] == "and":
+        for n, part in enumerate(formula[1:]):
+            statement = _assume(statement, f"{label}.{n}", part)
+        return statement
+    return {**statement, "given": [*statement["given"], [label, formula, "standing"]]}
+
+
+def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
+    label = f"assumed {len(statement['given'])}"
+    if formula[0] == "and":
+        for part in formula[1:]:
+            yield from _leaves(statement, part)
+            if part[0] in ("psd", "pd", "invertible"):  # what is proved may be used for what follows
+                statement = _assume(statement, f"shown {len(statement['given'])}", part)
+    elif formula[0] == "=>":
+        yield from _leaves(_assume(statement, label, formula[1]), formula[2])
+    elif formula[0] == "<=>":
+        yield from _leaves(_assume(statement, label, formula[1]), formula[2])
+        yield from _leaves(_assume(statement, label, formula[2]), formula[1])
+    else:
+        yield statement, formula
+
+
+class Leaf:
+    """One leaf with what its proof brings in: polynomials to be made of the assumptions.
+
+    Parameters
+    ----------
+    statement, formula
+        From `leaves`.
+    terms : sequence of trees
+        Semidefinite summands for an order, the inverse for an invertibility, nothing for an equation.
+    roots : sequence of (name, tree)
+        Symmetric matrices whose squares are the given semidefinite terms.
+
+    Raises
+    ------
+    Unknown
+        With what is not shown.
+    """
+
+    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = ()) -> None:
+        self.reader = reader = Reader(statement)
+        op, found, wanted = formula[0], [], 0
+        if op == "invertible":
+            found = [reader.read(formula[1])]
+            if not isinstance(found[0], Blocks) or len(found[0].rows) != 1 or found[0].rows != found[0].cols:
+                raise Unknown("invertibility of block matrices or scalars")
+        elif op in ("=", "symmetric", "symplectic"):
+            found = residual_blocks(reader, formula)
+        else:
+            goal, wanted = goal_of(reader, formula)
+            found = [goal]
+        relations(reader)
+        self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
+        self.extra: dict[str, Poly] = {}
+        for name, tree in roots:
+            self._root(name, tree)
+        for tree in terms:
+            if not exists(reader, tree, self.known):
+                raise Unknown("an inverse that need not exist")
+        if op == "invertible":
+            if len(terms) != 1:
+                raise Unknown("an inverse is needed")
+            unit = Blocks(found[0].rows, found[0].cols, [[dict(ONE)]])
+            found = [reader._times(found[0], reader.read(terms[0])).plus(unit, -1)]
+        elif wanted:
+            levels = [definiteness(reader, tree) for tree in terms]
+            if 0 in levels or wanted > max(levels, default=1):
+                raise Unknown("a term is not semidefinite by its form, or none is definite")
+            for tree in terms:
+                found[0] = reader._plus(found[0], reader.read(tree), -1)
+        elif terms:
+            raise Unknown("terms for an equation")
+        self.goals = [(p, b.rows[i], b.cols[j]) for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+
+    def _root(self, name: str, tree: Any) -> None:
+        reader = self.reader
+        taken = {*reader.kinds, *reader.lets, *reader.sizes, *reader.statement["sizes"]}
+        if name in taken or not name.isidentifier() or not definiteness(reader, tree) or not exists(reader, tree, self.known):
+            raise Unknown("a root that need not exist")
+        square = reader.read(tree)
+        reader.kinds[name] = ["psd"]
+        reader._letter(name, square.rows[0], square.rows[0], True)
+        letter: Poly = {((), (name,)): Fraction(1)}
+        self.extra[f"root {name}"] = add(multiply(letter, letter), square.grid[0][0], -1)
+
+    def assumed(self) -> dict[str, Poly]:
+        """Named polynomials that vanish."""
+        return {**relations(self.reader), **self.extra}
+
+
+def exists(reader: Reader, tree: Any, known: list) -> bool:
+    """Every inverse in a term is one of the statement or of a matrix that is nonsingular by its form."""
+    if not isinstance(tree, (list, tuple)):
+        return True
+    if tree and tree[0] in ("/", "^"):
+        return False
+    if tree and tree[0] == "inv":
+        term = reader.read(tree[1])
+        found = term.grid[0][0] if isinstance(term, Blocks) and len(term.rows) == len(term.cols) == 1 else None
+        if found is None or not (any(found in (p, reader.transpose_poly(p)) for p, _ in known) or _nonsingular(reader, tree[1])):
+            return False
+    if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
+        return exists(reader, reader.lets[tree[1]][3], known)
+    return all(exists(reader, x, known) for x in tree[1:])
 
 
 def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:
@@ -55,7 +192,8 @@ def definiteness(reader: Reader, tree: Any) -> int:
         definition = reader.lets.get(args[0])
         if args[0] not in reader.kinds and definition is not None and definition[0] == "let" and not definition[2]:
             return definiteness(reader, definition[3])
-        return {"psd": 1, "pd": 2, "nonneg": 1, "positive": 2}.get(reader.kinds.get(args[0], ("",))[0], 0)
+        level = {"psd": 1, "pd": 2, "nonneg": 1, "positive": 2}.get(reader.kinds.get(args[0], ("",))[0], 0)
+        return 2 if level and _invertible_by_hypothesis(reader, tree) else level
     if op == "I":
         return 2
     if op == "O":
@@ -96,19 +234,27 @@ def _transposed(reader: Reader, x: Any, y: Any) -> bool:
 
 
 def _nonsingular(reader: Reader, tree: Any) -> bool:
-    """A variable of type nonsingular or pd, its transpose, an inverse."""
+    """Nonsingular by its form: by type or hypothesis, definite, an inverse, a transpose or product of such matrices."""
     if not isinstance(tree, (list, tuple)):
         return False
-    if tree[0] in ("T",):
+    if tree[0] == "T":
         return _nonsingular(reader, tree[1])
-    return tree[0] == "inv" or (tree[0] == "sym" and reader.kinds.get(tree[1], ("",))[0] in ("nonsingular", "pd"))
+    if tree[0] == "*":
+        return all(_nonsingular(reader, x) for x in tree[1:])
+    if tree[0] == "sym" and reader.kinds.get(tree[1], ("",))[0] in ("nonsingular", "pd"):
+        return True
+    return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
+
+
+def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
+    return any(formula == ["invertible", tree] for _, formula, _kind in reader.statement["given"])
 
 
 def _by_hypothesis(reader: Reader, tree: Any) -> int:
     for _, formula, _kind in reader.statement["given"]:
         for part in formula[1:] if formula[0] == "and" else [formula]:
             if part[0] in ("psd", "pd") and part[1] == tree:
-                return 2 if part[0] == "pd" else 1
+                return 2 if part[0] == "pd" or _invertible_by_hypothesis(reader, tree) else 1
             if part[0] == "loewner" and (["-", part[1], part[2]] == tree or (part[2] == 0 and part[1] == tree)):
                 return 1
     return 0

@@ -13,7 +13,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``combination``  lhs - rhs = sum of L (lhs - rhs of a hypothesis) R, with symbols
 ``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
-``order``        for every size: the matrix = sum of semidefinite terms + multiples of assumptions
+``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ===============  ==================================================================
 
@@ -32,7 +32,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World, admissible, generic, read_instance
 from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
-from exactkf.kernel.order import definiteness, goal_of
+from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -286,20 +286,17 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows:
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    reader = Reader(statement)
-    parts = statement["says"][1:] if statement["says"][0] == "and" else [statement["says"]]
-    _need(len(parts) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
-    for number, (formula, proof) in enumerate(zip(parts, evidence["parts"], strict=True), 1):
-        goal, wanted = goal_of(reader, formula)
-        levels = [definiteness(reader, tree) for tree in proof["sum"]]
-        _need(0 not in levels, f"part {number}: a term is not semidefinite by its form")
-        _need(wanted <= max(levels, default=1), f"part {number}: no term is definite")
-        for tree in proof["sum"]:
-            goal = reader._plus(goal, reader.read(tree), -1)
-        assumed = relations(reader)
-        rest = _less_multiples(reader, assumed, goal.grid[0][0], goal.rows[0], goal.cols[0], proof["terms"])
-        _need(not rest, f"part {number}: the terms do not add up")
-    return [f"det({text(p)})" for p, _ in reader.inverses]
+    todo, denominators = list(leaves(statement)), []
+    _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
+    for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
+        leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()))
+        blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
+        _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
+        assumed = leaf.assumed()
+        for (goal, rows, cols), terms in zip(leaf.goals, blocks, strict=True):
+            _need(not _less_multiples(leaf.reader, assumed, goal, rows, cols, terms), f"part {number}: the terms do not add up")
+        denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
+    return denominators
 
 
 # ---------------------------------------------------------------------- induction

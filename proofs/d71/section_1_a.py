@@ -22,7 +22,8 @@ from exactkf.evidence import identity, instances
 from exactkf.language import (
     Identity,
     T,
-    diag,
+    Zero,
+    block,
     eq,
     hstack,
     inv,
@@ -63,19 +64,21 @@ claim("D71-E1.22", "the gain leaves the least covariance",
       note="The gain is a definition; the content checked is its optimality: any other gain L adds a nonnegative term.")
 
 claim("D71-E1.24", "covariance of the error after the measurement",
-      hstack(I - K*M, K)*diag(P, V)*T(hstack(I - K*M, K)) == P - P*T(M)*inv(M*P*T(M) + V)*M*P,
+      hstack(I - K*M, K)*block([[P, Zero(n, p)], [Zero(p, n), V]])*T(hstack(I - K*M, K)) == P - P*T(M)*inv(M*P*T(M) + V)*M*P,
       sizes=["n", "p"], over=DATA, where=GAIN,
       by=[identity(**SIZES), instances(**SMALL)],
       note="The error after the measurement is [I - KM, K] times the uncorrelated pair (prediction error, measurement error).")
 
 claim("D71-E1.25", "covariance of the prediction error",
-      hstack(Phi, -I)*diag(Q, H)*T(hstack(Phi, -I)) == Phi*Q*T(Phi) + H,
+      hstack(Phi, -I)*block([[Q, Zero(n, n)], [Zero(n, n), H]])*T(hstack(Phi, -I)) == Phi*Q*T(Phi) + H,
       sizes=["n"], over={Phi: matrix(n, n), Q: positive_semidefinite(n), H: positive_semidefinite(n)},
       by=[identity(n=range(1, 5)), instances(n=range(1, 5))],
       note="The prediction error is [Phi, -I] times the uncorrelated pair (error after the measurement, process noise).")
 
+ERRORS = hstack(Phi*(I - K*M), Phi*K, -I)
+
 claim("D71-E1.27", "the covariance equation",
-      hstack(Phi*(I - K*M), Phi*K, -I)*diag(P, V, H)*T(hstack(Phi*(I - K*M), Phi*K, -I)) == step(),
+      ERRORS*block([[P, Zero(n, p), Zero(n, n)], [Zero(p, n), V, Zero(p, n)], [Zero(n, n), Zero(n, p), H]])*T(ERRORS) == step(),
       sizes=["n", "p"], over={**DATA, Phi: matrix(n, n), H: positive_semidefinite(n)}, where=GAIN,
       by=[identity(n=range(1, 4), p=(1,)), instances(**SMALL)],
       note="The left side is the covariance of the next prediction error, from the two error equations composed.")

@@ -28,6 +28,7 @@ from exactkf.language import (
     defined,
     eq,
     forall,
+    function,
     given,
     inv,
     invertible,
@@ -83,24 +84,27 @@ from proofs.d71.notation import (
 )
 
 I = Identity(n)  # noqa: E741
-z, m, s, c = symbols("z m s c")
+z, m, c = symbols("z m c")
 RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]
 V_POSITIVE = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
 
 # --- existence -------------------------------------------------------------------------------------------------------
 
-INVERTIBLE = forall(k, 0, N - 1, invertible(M(k)*P[k]*T(M(k)) + V(k)))
+S = sym("S")
+INNOVATION = function(S, [k], M(k)*P[k]*T(M(k)) + V(k))
+EXISTS = forall(k, 1, N, invertible(S(k - 1))) & forall(k, 0, N, defined(P[k]))
 
 claim("D71-S18", "a solution up to P_N exists",
-      INVERTIBLE & forall(k, 0, N, defined(P[k])),
-      sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
+      EXISTS, sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=[*WHERE, INNOVATION],
       by=[example(n=1, p=1, N=1, P0=[[0]], PhiW=[[1]], MW=[[1]], GW=[[1]], WW=[[0]]), instances(**RUN)],
       repair=repair(
           "missing hypothesis", "V_k >= 0 allows P_0 = 0 and V_0 = 0, where MPM' + V is zero; V_k > 0 is needed",
-          INVERTIBLE & forall(k, 0, N, defined(P[k])),
-          sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE, given=[V_POSITIVE],
-          by=[instances(**RUN)]),
+          EXISTS, sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=[*WHERE, INNOVATION],
+          given=[V_POSITIVE],
+          by=[steps("D71-E3.1", facts=["The sum of a nonnegative and a positive definite matrix is positive definite."],
+                    prose="P_k >= 0 by the symmetric form, so MPM' + V >= V > 0 at every instant."),
+              instances(**RUN)]),
       note="H_k = G_k G_k' and V_k = W_k W_k' run over all nonnegative definite matrices. "
            "That the solution is unique while every MPM' + V is invertible is how a recursion is read.")
 
@@ -109,7 +113,8 @@ claim("D71-S18", "a solution up to P_N exists",
 claim("D71-T3.1", "symmetry is kept",
       forall(k, 1, N, T(P[k]) == P[k]),
       sizes=["n", "p", "N"], over={**slices(N), P0: symmetric_matrix(n)}, where=WHERE,
-      by=[identity(n=range(1, 3), p=(1,), N=(1,)), instances(**RUN)])
+      by=[identity(n=range(1, 4), p=range(1, 3), N=(1,)), instances(**RUN)],
+      note="The proof with symbols is of one step from any symmetric matrix; the instances run further.")
 
 claim("D71-E3.1", "the covariance equation in symmetric form",
       step() == Phi*(joseph(K))*T(Phi) + H,
@@ -132,15 +137,20 @@ Phi0, Phi1, M0, M1, V0, V1, H0, H1, K0, K1 = symbols("Phi0 Phi1 M0 M1 V0 V1 H0 H
 Zn, Zp = Zero(n, 1), Zero(p, 1)
 w = T(Phi)*z
 
+FACT = "A nonnegative definite A with x'Ax = 0 has Ax = 0."
+
 claim("D71-E3.2", "a null vector of the next covariance, one step back",
-      (T(z)*Phi*(joseph(K))*T(Phi)*z + T(z)*H*z == 0) & (H*z == Zn) & (T(K)*T(Phi)*z == Zp) & (P*T(Phi)*z == Zn),
+      (H*z == Zn) & (T(K)*T(Phi)*z == Zp) & (P*T(Phi)*z == Zn),
       sizes=["n", "p"],
       over={P: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), Phi: matrix(n, n),
             H: positive_semidefinite(n), z: vector(n)},
-      where=[let(K, gain()), let(P1, step())],
-      given=[given("P_m z = 0", P1*z == Zn)],
-      by=[instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
-                    made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})])
+      where=[let(K, gain()), let(P1, Phi*(joseph(K))*T(Phi) + H)],
+      given=[given("z'P_m z = 0", T(z)*P1*z == 0)],
+      by=[steps("D71-E3.1", facts=[FACT, "A sum of nonnegative numbers vanishes only if each does."],
+                prose="Each of the three terms of the symmetric form is nonnegative on z, so each is zero; V > 0 then gives K'Phi'z = 0."),
+          instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
+                    made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})],
+      note="P_m is written in the symmetric form, so that the hypothesis is the displayed sum of three terms.")
 
 TWO_STEPS = {
     P: positive_semidefinite(n), z: vector(n),
@@ -160,7 +170,8 @@ claim("D71-S19", "a null vector carried back two steps",
           "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' is missing",
           (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
           sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
-          by=[instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
+          by=[steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken twice."),
+              instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
                         made_by={P: annihilating(w0, Y, Y1), H0: annihilating(w1, Y1, Y2),
                                  H1: annihilating(z, Y2, Y)})]),
       note="P is P_{m-2}, with the data of the instants m-2 and m-1 named 0 and 1.")
@@ -174,7 +185,12 @@ BACK = {
         (c > n*k) & (c <= n*k + n), (across(T(Tr(m, k + 1))*z, cut(YW, n, n, k))*T(y))[i, c - n*k], 0))),
     P0: annihilating(T(Tr(m, 0))*z, Y, Y1),
 }
-BACKWARDS = [instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK, using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)})]
+BACKWARDS = [
+    steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken m times."),
+    # with V_1 = 0 the second measurement makes P_2 zero whatever H_0 was
+    example(n=1, p=1, m=2, P0=[[1]], z=[1], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]]),
+    instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK, using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)}),
+]
 NULL = given("P_m z = 0", P[m]*z == Zn)
 V_POSITIVE_TO_M = given("V_k > 0", forall(k, 0, m - 1, pd(V(k))))
 
@@ -188,35 +204,38 @@ claim("D71-E3.3", "a null vector of P_m is one of R_d(t_m)",
       sizes=["n", "p", "m"], over=RUN_TO_M, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
       given=[V_POSITIVE_TO_M, NULL], by=BACKWARDS)
 
-AFTER = {**slices(m + s), P0: positive_semidefinite(n)}
-V_POSITIVE_AFTER = given("V_k > 0", forall(k, 0, m + s - 1, pd(V(k))))
-REGULAR_AFTER = given("Phi_k is nonsingular from m on", forall(k, m, m + s - 1, invertible(Phi(k))))
-AFTER_SIZES = {"n": range(1, 3), "p": range(1, 3), "m": range(1, 3), "s": range(0, 3)}
-SINGULAR_PHI = example(n=1, p=1, m=1, s=1, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
+AFTER = {**slices(N), P0: positive_semidefinite(n)}
+V_POSITIVE_AFTER = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
+REGULAR_AFTER = given("Phi_k is nonsingular from m on", forall(k, m, N - 1, invertible(Phi(k))))
+AFTER_SIZES = {"n": (1, 2), "p": (1, 2), "m": (1, 2), "N": (1, 2, 4)}
+IN_TIME = standing("m <= N", m <= N)
+SINGULAR_PHI = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
 NEEDS_PHI = "a singular Phi_k with k >= m can make P_{k+1} singular again; with Phi_m = 0 and H_m = 0 it is zero"
 
 claim("D71-S21", "once positive definite, always positive definite",
-      forall(k, m, m + s, pd(P[k])),
-      sizes=["n", "p", "m", "s"], over=AFTER, where=[*VARYING, COVARIANCE],
-      given=[V_POSITIVE_AFTER, given("P_m > 0", pd(P[m]))],
+      forall(k, m, N, pd(P[k])),
+      sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
+      given=[IN_TIME, V_POSITIVE_AFTER, given("P_m > 0", pd(P[m]))],
       by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
-      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, m + s, pd(P[k])),
-                    sizes=["n", "p", "m", "s"], over=AFTER, where=[*VARYING, COVARIANCE],
-                    given=[V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
-                    by=[instances(**AFTER_SIZES)]))
+      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
+                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
+                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
+                    by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
+                              prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it positive."),
+                        SINGULAR_PHI, instances(**AFTER_SIZES)]))
 
 claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
-      forall(k, m, m + s, pd(P[k])),
-      sizes=["n", "p", "m", "s"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
-      given=[V_POSITIVE_AFTER, given("completely driven at t_m", pd(Rd))],
+      forall(k, m, N, pd(P[k])),
+      sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
+      given=[IN_TIME, V_POSITIVE_AFTER, given("completely driven at t_m", pd(Rd))],
       by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
-      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, m + s, pd(P[k])),
-                    sizes=["n", "p", "m", "s"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
-                    given=[V_POSITIVE_AFTER, REGULAR_AFTER, given("completely driven at t_m", pd(Rd))],
-                    by=[steps("D71-E3.2", "D71-S20", "D71-E3.3",
-                              facts=["If P > 0, V > 0 then the update (P^{-1} + M'V^{-1}M)^{-1} is positive definite."],
+      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
+                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
+                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("completely driven at t_m", pd(Rd))],
+                    by=[steps("D71-E3.1", "D71-E1.28d",
+                              facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
                               prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps the update of P_k > 0 positive."),
-                        instances(**AFTER_SIZES)]))
+                        SINGULAR_PHI, instances(**AFTER_SIZES)]))
 
 # --- ordering --------------------------------------------------------------------------------------------------------
 

@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
+from exactkf.evidence import order
 from exactkf.finders.membership import find_order
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import (
-    Identity, Statement, T, inv, let, loewner, matrix, nonsingular, pd, positive_definite, positive_semidefinite, psd, standing, symbols,
+    Identity, Statement, T, iff, inv, invertible, let, loewner, matrix, nonsingular, pd, positive_definite, positive_semidefinite, psd, standing, symbols,
     symmetric_matrix,
 )
 
@@ -29,6 +32,28 @@ TRUE = {
     "order from a hypothesis": ({"sizes": ["n"], "over": {"P": symmetric_matrix(n), "Q": symmetric_matrix(n), "A": matrix(n, n)},
                                 "given": [standing("order", loewner(P, Q))], "says": loewner(A * P * T(A), A * Q * T(A))}, [[A * (P - Q) * T(A)]]),
 }
+B, S, L, X = symbols("B S L X")
+SQUARES = {"sizes": ["n"], "over": {"P": positive_semidefinite(n), "Q": positive_semidefinite(n)}}
+PAIR = {"sizes": ["n"], "over": {"A": matrix(n, n), "B": matrix(n, n)}}
+LEAVES = {
+    "a Gram matrix plus I": ({**PAIR, "says": invertible(I(n) + T(A) * A)}, (), {}),
+    "I + PQ": ({**SQUARES, "says": invertible(I(n) + P * Q)}, [[I(n) - S * inv(I(n) + S * Q * S) * S * Q]], {S: P}),
+    "what follows uses what was shown": ({**SQUARES, "says": invertible(I(n) + P * Q) & pd(I(n) + P * Q * inv(I(n) + P * Q) * P)},
+                                         [[I(n) - P * S * inv(I(n) + S * P * S) * S], [I(n), P * S * inv(I(n) + S * P * S) * S * P]], {S: Q}),
+    "an implication": ({**PAIR, "says": (A * T(A) == I(n)) >> (T(A) * A == I(n))}, (), {}),
+    "an equivalence": ({**PAIR, "given": [standing("symmetric", T(A) == A)], "says": iff(A == B, T(B) == A)}, (), {}),
+    "each alternative": ({**SQUARES, "given": [standing("one", invertible(P) | invertible(Q))], "says": pd(P + Q)}, (), {}),
+}
+NOT_LEAVES = {
+    "I - PQ": ({**SQUARES, "says": invertible(I(n) - P * Q)}, [[I(n) + S * inv(I(n) - S * Q * S) * S * Q]], {S: P}),
+    "semidefinite through its inverse": ({**SQUARES, "says": pd(P)}, [[inv(inv(P))]], {}),
+    "an inverse that is assumed": ({**PAIR, "says": invertible(A)}, [[inv(A)]], {}),
+    "one-sided and not square": ({"sizes": ["n", "p"], "over": {"M": matrix(p, n), "X": matrix(n, p)}, "given": [standing("one", X * M == I(n))],
+                                  "says": invertible(X)}, [[M]], {}),
+    "root of an indefinite matrix": ({"sizes": ["n"], "over": {"P": symmetric_matrix(n)}, "says": psd(P)}, [[S * S]], {S: P}),
+    "the other alternative": ({**SQUARES, "given": [standing("one", invertible(P) | invertible(Q))], "says": pd(P)}, (), {}),
+    "a converse": ({**PAIR, "says": (A * B == B * A) >> (A == B)}, (), {}),
+}
 FALSE = {
     "minus a Gram matrix": {"sizes": ["n", "p"], "over": {"M": matrix(p, n)}, "says": psd(-T(M) * M)},
     "strict without reason": {"sizes": ["n", "p"], "over": {"M": matrix(p, n)}, "says": pd(T(M) * M)},
@@ -45,8 +70,6 @@ def test_true_order_is_proved(name):
     """A certificate is found and replays."""
     parts, sums = TRUE[name]
     data = Statement(**parts).to_json()
-    import json
-
     found = find_order(data, json.loads(json.dumps([[t.tree for t in terms] for terms in sums])))
     assert found is not None
     replay(seal("T", "order", data, {"parts": found}))
@@ -60,3 +83,28 @@ def test_false_order_is_not(name):
     goal = data["says"][1] if data["says"][0] != "loewner" else ["-", *data["says"][1:]]
     with pytest.raises(Rejected):
         replay(seal("T", "order", data, {"parts": [{"sum": [goal], "terms": []}]}))
+
+
+def _found(parts, sums, roots):
+    hints = order(*sums, roots=roots).hints
+    data = Statement(**parts).to_json()
+    return data, find_order(data, *json.loads(json.dumps([hints["sums"], hints["roots"]])))
+
+
+@pytest.mark.parametrize("name", LEAVES)
+def test_leaves_are_proved(name):
+    """Invertibility, equations, implications and alternatives, each leaf with its own proof."""
+    data, found = _found(*LEAVES[name])
+    assert found is not None
+    replay(seal("T", "order", data, {"parts": found}))
+
+
+@pytest.mark.parametrize("name", NOT_LEAVES)
+def test_wrong_leaves_are_not(name):
+    """Neither found, nor accepted with the terms claimed."""
+    data, found = _found(*NOT_LEAVES[name])
+    assert found is None
+    sums, roots = json.loads(json.dumps([order(*NOT_LEAVES[name][1], roots=NOT_LEAVES[name][2]).hints[k] for k in ("sums", "roots")]))
+    proof = [{"sum": terms, "blocks": [[]], "roots": roots} for terms in sums or [[]]]
+    with pytest.raises(Rejected):
+        replay(seal("T", "order", data, {"parts": proof}))
