@@ -20,8 +20,9 @@ from exactkf.files import check_folder, check_target, dump_json, write_text
 from exactkf.output import contract, export_certificates
 from exactkf.progress import Meter
 from exactkf.record import NOT_ON_RECORD, Record, record_files
-from exactkf.run import Options, default_jobs, run, unfinished, work
+from exactkf.run import run
 from exactkf.store import Store, claim_key, state_folder
+from exactkf.workers import Options, default_jobs, unfinished, work
 
 __all__ = ["Session", "list_command", "mutate_command", "report_command", "show_command", "verify_command"]
 

@@ -22,7 +22,7 @@ from itertools import groupby
 from typing import Any
 
 from exactkf.language.latex_notation import LaTeX
-from exactkf.language.notation import RANGES, Bind, fill
+from exactkf.language.notation import RANGES, Bind, fill, values_and_trees
 from exactkf.language.statement import Statement, as_tuples
 
 __all__ = [
@@ -144,8 +144,7 @@ def statement_latex(statement: Statement) -> str:
 
 
 def _printer(statement: Statement) -> LaTeX:
-    values = {name for name, type_ in statement.over if type_[0] != "integer"}
-    trees = (statement.where, tuple(g[1] for g in statement.given), statement.says)
+    values, trees = values_and_trees(statement)
     return LaTeX(values, LaTeX(values).functions_in(trees), statement.tex)
 
 
