@@ -243,12 +243,12 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
 
 def _ordered(id: str, data: dict, hints: Mapping[str, Any], found: Findings) -> None:
     """Order, invertibility and equations for every size, leaf by leaf."""
-    sums, roots = json.loads(json.dumps([hints.get("sums", ()), hints.get("roots", ())]))
-    parts = find_order(data, sums, roots)
-    if parts is not None and _accept(seal(id, "order", data, {"parts": parts}), found):
+    sums, roots, lemmas = json.loads(json.dumps([hints.get(key, ()) for key in ("sums", "roots", "lemmas")]))
+    parts = find_order(data, sums, roots, lemmas)
+    if parts is not None and _accept(seal(id, "order", data, {"parts": parts, "lemmas": lemmas}), found):
         found.strength, found.sizes = "proved", None
         found.evidence.append("for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-                              "classical facts: sums, congruences, inverses and roots of semidefinite matrices")
+                              "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices")
     elif sums:
         found.evidence.append("order: the terms given do not prove it")
 

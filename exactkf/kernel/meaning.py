@@ -26,7 +26,11 @@ from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
 
 __all__ = ["Signal", "World", "admissible", "generic", "read_instance", "read_number", "variables"]
 
-_DEEPEST = 400  # levels of recursion a definition may take
+_DEEPEST = 100  # levels of recursion a definition may take
+
+
+class _TooDeep(Undefined):
+    """A definition that calls itself too often from here; from elsewhere it may have a value."""
 
 
 class Signal(dict):
@@ -115,12 +119,19 @@ class World:
                 raise found
             return found
         if self.depth > _DEEPEST:
-            raise Undefined(f"definition of {name} does not end")
+            raise _TooDeep(f"definition of {name} does not end")
         self.depth += 1
         try:
+            self._climb(name, args)
             result = self._define(name, args)
+        except _TooDeep:
+            raise
+        except RecursionError:
+            raise _TooDeep(f"definition of {name} does not end") from None
         except Undefined as error:
             result = error
+        except RecursionError:
+            result = Undefined(f"definition of {name} does not end")
         finally:
             self.depth -= 1
         if key is not None:
@@ -128,6 +139,17 @@ class World:
         if isinstance(result, Undefined):
             raise result
         return result
+
+    def _climb(self, name: str, args: tuple) -> None:
+        """Values of a long recursion from its start on, so that none is deep."""
+        definition = self.definitions[name]
+        if definition[0] == "rec" and len(args) == 1 and isinstance(args[0], int) and args[0] - definition[3] < 10**4:
+            known = args[0] - 1
+            while known > definition[3] and (name, (known,)) not in self.memory:
+                known -= 1
+            for k in range(known, args[0]):
+                if k > definition[3]:
+                    self.call(name, (k,))
 
     def _define(self, name: str, args: tuple) -> Any:
         definition = self.definitions[name]

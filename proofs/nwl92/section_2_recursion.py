@@ -26,14 +26,14 @@ probability one.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, identity, instances, steps
+from exactkf.evidence import combination, identity, instances, order, steps
 from exactkf.language import (
-    Identity, T, Zero, block, diag, eq, given, hstack, iff, inv, kernel_basis, let, loewner, matrix, positive_semidefinite, rank,
+    Identity, T, Zero, block, diag, eq, given, hstack, iff, integer, inv, kernel_basis, let, loewner, matrix, positive_semidefinite, rank,
     standing, sym, symbols, symmetric_matrix, vector, vstack,
 )
 from proofs.nwl92.notation import (
-    E0, E1, F, IMPLIED_RANK, NORMAL_FORM, PARAMETERS, FULL_COLUMN_RANK, H, P, S, Y3, Y4, any_one_inverse, inverse_in_coordinates, lower,
-    made_inverse, n, ones, p, q, two_block, upper,
+    E0, E1, F, NORMAL_FORM, PARAMETERS, FULL_COLUMN_RANK, H, P, S, Y3, Y4, any_one_inverse, inverse_in_coordinates, lower,
+    made_inverse, n, ones, p, q, rho, two_block, upper,
 )
 
 V, W, J, K, m, a, b, v, w, x, z = symbols("V W J K m a b v w x z")
@@ -94,13 +94,16 @@ PROSE = ("By (2.36), (2.37) and (2.38) a solution of (2.32) and (2.33) gives one
          "same estimates for all data; then the gains agree on the range of the data, and the error covariances are equal.")
 
 
+SAME_PROOF = steps(
+    "NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
+    facts=["stationary points of (2.6) are minima (NWL92-E2.21)", "the identity (2.32) for the first estimate (NWL92-EA.15)"], prose=PROSE)
+
+
 def lemma(id, title, says, given_, note=""):
     """Lemma 2.3 and its parts."""
     claim(id, title, says, sizes=["p", "q", "n", "m"], over=TWO_WAYS, where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
           given=[*WAYS, *given_],
-          by=[steps("NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
-                    facts=["stationary points of (2.6) are minima (NWL92-E2.21)", "the identity (2.32) for the first estimate (NWL92-EA.15)"],
-                    prose=PROSE),
+          by=[SAME_PROOF,
               together(*MADE, **SIZES)],
           note=note)
 
@@ -223,13 +226,13 @@ claim("NWL92-E2.38", "lam_a satisfies the third row of the batch system",
       given=[SYSTEM_32, given("(2.37)", l1 + T(J) * lb == Zero(n, 1))],
       by=[combination([(T(lower(p, n)), "(2.32)", vstack(1, l1)), (1, "(2.37)", 1)], p=(1, 2, 3), q=(1, 2), n=(1, 2)),
           instances(made_by={**STAGE_1, l1: -T(J) * lb, a: V * l1a + H * xh1}, using=STAGE_1_FREE, p=(1, 2, 3), q=(1, 2), n=(1, 2))],
-      note="The paper prints H and J with a stray subscript here.")
+      note="The text carries a stray subscript on H and J here.")
 
 D = diag(Identity(n), K)
 claim("NWL92-S15", "without estimability of z the lemma holds for the estimable combinations of z",
       (D * BATCH_ESTIMATE == D * SEQUENTIAL_ESTIMATE) & (D * BATCH_ERROR * T(D) == D * SEQUENTIAL_ERROR * T(D)),
       sizes=["p", "q", "n", "m"], over=TWO_WAYS, where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
-      given=[*WAYS, FULL_COLUMN_RANK], by=[together(*MADE, **SIZES)],
+      given=[*WAYS, FULL_COLUMN_RANK], by=[SAME_PROOF, together(*MADE, **SIZES)],
       note="K of any rank; x being estimable, the estimable combinations of z are those of Kz. That x must be estimable is needed for the second column of (2.32) shows in the dropped hypothesis.")
 
 # ------------------------------------------------------------------ Lemma 2.4
@@ -248,18 +251,20 @@ FULL_ROW_RANK = given("H3 has full row rank", rank(H3) == k)
 H1_RANK = given("H1 has full column rank", rank(H1) == n)
 DROP_SIZES = {"p": (1, 2, 3), "k": (1, 2), "n": (1, 2), "m": (1, 2)}
 DROP_MADE = (some_inverse(Gj, Zj, Yj, p + k + n + m), some_inverse(G1, Z1, Y1, p + n))
+SAME_PROOF_4 = steps(
+    "NWL92-E2.40", "NWL92-S17", "NWL92-E2.41", facts=["stationary points of (2.6) are minima (NWL92-E2.21)"],
+    prose="Estimates from y1 and y2 satisfy (2.40); then lam_2 = 0, and x1 with lam_1 satisfies the conditions (2.41) for y1 alone. No rank of H1 is used.")
 claim("NWL92-L2.4", "measurements with a variable of their own in every direction do not help",
       FROM_BOTH == FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK, H1_RANK],
-      by=[steps("NWL92-E2.40", "NWL92-S17", "NWL92-E2.41", facts=["stationary points of (2.6) are minima (NWL92-E2.21)"],
-                prose="Estimates from y1 and y2 satisfy (2.40); then lam_2 = 0, and x1 with lam_1 satisfies the conditions (2.41) for y1 alone."),
+      by=[SAME_PROOF_4,
           together(*DROP_MADE, **DROP_SIZES)],
       note="The noises of y1 and y2 may be correlated.")
 
 claim("NWL92-S16", "the same for estimable combinations if H1 does not have full column rank",
       H1 * FROM_BOTH == H1 * FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK],
-      by=[together(*DROP_MADE, **DROP_SIZES)], note="The estimable combinations of x1 are those of H1 x1.")
+      by=[SAME_PROOF_4, together(*DROP_MADE, **DROP_SIZES)], note="The estimable combinations of x1 are those of H1 x1.")
 
 SYSTEM = block([
     [R11, R12, H1, Zero(p, m)],
@@ -311,15 +316,23 @@ GAIN_G = (let(Zg, two_block(V, HG, n + g)), let(gaing, T(lower(p, n + g)) * Gg *
 SPLIT = {V: positive_semidefinite(p), H: matrix(p, n), G: matrix(p, g), Gg: symmetric_matrix(p + n + g)}
 SPLIT_GIVEN = [is_inverse(Gg, Zg, "x1 and x2 from a"), given("[H G] has full column rank", rank(HG) == n + g)]
 SPLIT_MADE = some_inverse(Gg, Zg, Yg, p + n + g)
+BOTH_COLUMNS = n + g
+SPLIT_PROVED = identity(
+    given_by={F: inv(S), E1: ones(p - BOTH_COLUMNS, p - BOTH_COLUMNS), E0: Identity(p - BOTH_COLUMNS) - E1, V: F * diag(P, E1) * T(F),
+              H: F * upper(n, p - n), G: F * vstack(Zero(n, g), Identity(g), Zero(p - BOTH_COLUMNS, g)),
+              **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), BOTH_COLUMNS), Gg: block([[W1, U1], [T(U1), T1]])},
+    using={rho: integer(0, p - BOTH_COLUMNS), S: matrix(p, p), P: symmetric_matrix(BOTH_COLUMNS), Y: matrix(p - BOTH_COLUMNS, p - BOTH_COLUMNS),
+           Y3: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS), Y4: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS)},
+    fact=NORMAL_FORM + " (with [H G] for H)", p=(2, 3), n=1, g=1)
 claim("NWL92-E2.44a", "the estimate of x1 from a is a measurement of x1 alone",
       T(upper(n, g)) * gaing * HG == hstack(Identity(n), Zero(n, g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
       note="So the estimate of x1 is x1 + u1, where u1 is the gain times v, and x2 does not enter.")
 
 claim("NWL92-E2.44b", "so is the estimate of x2; the noises have the joint error covariance of the estimates",
       (T(lower(n, g)) * gaing * HG == hstack(Zero(g, n), Identity(g)))
       & (gaing * V * T(gaing) == -T(lower(p, n + g)) * Gg * lower(p, n + g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
       note="The noises u1 and u2 together are the gain times v.")
 
 HT = block([[H, G, Zero(p, m)], [J, Zero(q, g), K]])
@@ -341,26 +354,30 @@ claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
       note="Estimates of x1 and z stacked, and their joint error covariance.")
 
 # ------------------------------------------------------------------ Lemma 2.5
-V1, V2, W2, U2, T2, Z2, Y2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 B v1")
+V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
 not_checked("NWL92-E2.45", "the same measurement with two noises", "a definition: it fixes notation and asserts nothing")
 
-NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
-          T1: symmetric_matrix(n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
-NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
-               let(Z2, two_block(V2, H, n)), let(sym("G2"), block([[W2, U2], [T(U2), T2]])))
-NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(sym("G2"), Z2, "second noise"), FULL_COLUMN_RANK,
+NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), P1: symmetric_matrix(n),
+          U2: matrix(p, n), P2: symmetric_matrix(n)}
+NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)))
+NOISES_GIVEN = [given("(2.25) for the first noise", Z1 * vstack(U1, -P1) == vstack(Zero(p, n), Identity(n))),
+                given("(2.25) for the second noise", Z2 * vstack(U2, -P2) == vstack(Zero(p, n), Identity(n))),
                 given("the second noise is larger", loewner(V2, V1))]
 FIRST_MADE = made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Ga"))
 SECOND_MADE = made_inverse(Z2, (W2, U2, T2), p, n, Y2, sym("Gc"))
-NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)}, count=24, p=(1, 2, 3), n=(1, 2))
+NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)}, made_by={P1: -T1, P2: -T2},
+                       count=24, p=(1, 2, 3), n=(1, 2))
+MORE_NOISE, OTHER_GAIN = T(U2) * (V2 - V1) * U2, T(U2 - U1) * V1 * (U2 - U1)
 claim("NWL92-L2.5", "more noise, more error",
-      loewner(T(U2) * V2 * U2, T(U1) * V1 * U1),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(P2, P1), sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
+      by=[order([MORE_NOISE, OTHER_GAIN]), NOISES_MADE],
+      note="Gains U1, U2 and error covariances P1, P2 of the ML estimates enter through (2.25), which every (1)-inverse satisfies (NWL92-E2.25); it makes H a matrix of full column rank.")
 
 SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
 claim("NWL92-E2.46", "gain and error covariance for the second noise",
       eq(T(U2) * V2 * U2, -T2) & (T(U2) * H == Identity(n)),
-      sizes=["p", "n"], over=SECOND_PROBLEM, where=NOISES_LETS[2:], given=[NOISES_GIVEN[1], FULL_COLUMN_RANK],
+      sizes=["p", "n"], over=SECOND_PROBLEM, where=[NOISES_LETS[1], let(G2, block([[W2, U2], [T(U2), T2]]))],
+      given=[is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK],
       by=[identity(given_by={F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V2: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
                              **inverse_in_coordinates((W2, U2, T2), (Y3, Y, Y4), n)}, using=PARAMETERS, fact=NORMAL_FORM, p=(2, 3), n=(1, 2)),
           instances(made_by=SECOND_MADE[0], using=SECOND_MADE[1], p=(1, 2, 3), n=(1, 2))],
@@ -375,5 +392,6 @@ claim("NWL92-E2.47", "the gain for the second noise is unbiased for the first",
       note="The error of U2'y1 is U2'v1, which has mean zero.")
 
 claim("NWL92-E2.48", "the chain of inequalities",
-      loewner(T(U2) * V1 * U2, T(U1) * V1 * U1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == -T2),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(T(U2) * V1 * U2, P1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == P2),
+      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[order([OTHER_GAIN], [MORE_NOISE], []), NOISES_MADE],
+      note="U2'V1U2 is the error covariance of U2'y1 by NWL92-E2.47. Gains and error covariances as in Lemma 2.5.")
