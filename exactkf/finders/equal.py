@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations
+from itertools import combinations, islice
 from typing import Any
 
 from exactkf.evidence import Evidence
@@ -26,6 +26,7 @@ from exactkf.kernel.replay import _integers
 
 __all__ = ["says_nothing_new"]
 
+_MOST = 60  # substitutions looked at
 _FACTORS: dict[str, tuple] = {
     "psd": (1, 2, Fraction(1, 2)), "pd": (1, 2, Fraction(1, 2)), "invertible": (1, 2, Fraction(1, 2), -1),
     "pos_circle": (1, 2, Fraction(1, 2)), "nonneg_circle": (1, 2, Fraction(1, 2)),
@@ -51,12 +52,12 @@ def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[
         return True
     if made_by or data["given"]:
         return False
-    return any(_is_special_case(worlds, data, says, change) for change in _substitutions(data))
+    return any(_is_special_case(worlds, data, says, change) for change in islice(_substitutions(data), _MOST))
 
 
 def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
     sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
-    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 3), default=2) for n in data["sizes"]}
+    case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:
             yield generic(statement, integers, made_by, SymbolicField().variable)[0]
@@ -95,6 +96,10 @@ def _same_term(worlds: list[World], old: Any, new: Any) -> bool:
 
 
 def _equal(a: Any, b: Any) -> bool:
+    if isinstance(a, Matrix) != isinstance(b, Matrix):
+        a, b = (x.rows[0][0] if isinstance(x, Matrix) and x.is_scalar else x for x in (a, b))
+        if isinstance(a, Matrix) or isinstance(b, Matrix):
+            return False
     try:
         return bool(a == b)
     except Undefined:

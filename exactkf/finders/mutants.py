@@ -122,7 +122,9 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
                 local.update(dict.fromkeys(tree[1:2] if tree[0] == "col" else tree[1:3], 1))
             tree = tree[k]
         values = [world.value(x, local) for x in tree[1:]]
-    except (Undefined, Unknown, KeyError):
+    except Undefined:
+        return True  # a case that this instance does not reach
+    except (Unknown, KeyError):
         return False
     scalars = [not isinstance(v, Matrix) or v.is_scalar for v in values]
     if mutant.kind == "factors exchanged":

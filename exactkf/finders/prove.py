@@ -52,8 +52,8 @@ def _per_equation(terms: Any) -> list:
     if not terms:
         return [[]]
     first = terms[0]
-    nested = bool(first) and isinstance(first[0], (list, tuple)) and len(first[0]) == 3 and isinstance(first[0][1], str)
-    return [list(t) for t in terms] if nested else [list(terms)]
+    flat = len(first) == 3 and isinstance(first[1], str)
+    return [list(terms)] if flat else [list(t) for t in terms]
 
 
 def _uses(statement: Mapping[str, Any], also: Sequence[Any] = ()) -> Iterator[dict]:

@@ -26,11 +26,57 @@ from __future__ import annotations
 from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, identity, instances
 from exactkf.language import (
-    Identity, T, Zero, block, diag, eq, iff, inv, invertible, let, matrix, rank, sym, symmetric_matrix, vstack,
+    Identity,
+    T,
+    Zero,
+    block,
+    diag,
+    eq,
+    iff,
+    inv,
+    invertible,
+    let,
+    matrix,
+    rank,
+    sym,
+    symmetric_matrix,
+    vstack,
 )
 from proofs.nwl92.notation import (
-    BLOCKS, FULL_COLUMN_RANK, IMPLIED_RANK, ONE_INVERSE, OTHER, OTHER_IN_COORDINATES, PAIR, SECOND, SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, UNBIASED, W2,
-    H, L, R, Tb, U, U2, W, X, Zd, Zm, excess, in_coordinates, inverses, lower, n, p, two_inverses, upper, x,
+    BLOCKS,
+    FULL_COLUMN_RANK,
+    IMPLIED_RANK,
+    ONE_INVERSE,
+    OTHER,
+    OTHER_IN_COORDINATES,
+    PAIR,
+    SECOND,
+    SECOND_GIVEN,
+    SECOND_INVERSE,
+    SETTING,
+    SIZES,
+    T2,
+    U2,
+    UNBIASED,
+    W2,
+    H,
+    L,
+    R,
+    Tb,
+    U,
+    W,
+    X,
+    Zd,
+    Zm,
+    excess,
+    in_coordinates,
+    inverses,
+    lower,
+    n,
+    p,
+    two_inverses,
+    upper,
+    x,
 )
 
 D = sym("D")
@@ -38,7 +84,8 @@ PRINTED_D = let(D, R + R * W * R)
 RIGHT_D = let(D, R - R * W * R)
 SIGN = "(A.7) prints D = R + RWR; the matrix D of (A.8) to (A.10) is R - RWR"
 #: p = 2, n = 1, R = [2, 1; 1, 2], H = [1; 0]: Z is invertible, P = 3/2, RWR = [1/2, 1; 1, 2]
-SMALL = {"p": 2, "n": 1, R: [[2, 1], [1, 2]], H: [[1], [0]], W: [[0, 0], [0, "1/2"]], U: [[1], ["-1/2"]], Tb: [["-3/2"]]}
+SMALL = {"p": 2, "n": 1, R: [[2, 1], [1, 2]], H: [[1], [0]], W: [[0, 0], [0, "1/2"]], U: [[1], ["-1/2"]],
+         Tb: [["-3/2"]]}
 HH = T(H) * H
 
 claim("NWL92-EA.1", "full column rank means that H'H is invertible",
@@ -129,8 +176,10 @@ claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R
       (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR,
       given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}), inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the second equation every other unbiased Ly has a larger error covariance LRL'.")
+      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
+          inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      note=("The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the "
+            "second equation every other unbiased Ly has a larger error covariance LRL'."))
 
 claim("NWL92-EA.14", "P = U'DH(H'H)^-1 = -U'HTH'H(H'H)^-1 = -T",
       eq(T(U) * R * U, T(U) * D * H * inv(HH), -T(U) * H * Tb * HH * inv(HH), -Tb),
@@ -139,4 +188,5 @@ claim("NWL92-EA.14", "P = U'DH(H'H)^-1 = -U'HTH'H(H'H)^-1 = -T",
 
 claim("NWL92-EA.15", "RU + HT = 0",
       R * U + H * Tb == Zero(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[in_coordinates(), inverses()])

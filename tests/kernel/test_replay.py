@@ -69,10 +69,12 @@ def test_always_is_no_identity_and_no_evaluation():
 
 
 def test_parametrisation_needs_a_covering_claim():
-    """Substituting for a variable is accepted only with the claim that covers it."""
-    parts = {"sizes": [], "over": {"x": scalar(), "y": scalar()}, "given": [standing("on the line", y == 2 * x)], "says": y - x == x}
+    """Substituting for a variable is accepted only with the claim that covers it, or for a hypothesis that says just that."""
+    parts = {"sizes": [], "over": {"x": scalar(), "y": scalar()}, "given": [standing("on the line", y - 2 * x == 0)], "says": y - x == x}
     evidence = {"cases": [{}], "given_by": {"y": (2 * x).tree}}
     rejected("identity", evidence, **parts)
+    replay(certificate("identity", evidence, **{**parts, "given": [standing("on the line", y == 2 * x)]}))
+    rejected("identity", evidence, **{**parts, "given": [standing("on the line", y == 3 * x)]})
     replay(certificate("identity", {**evidence, "covered_by": "T-0"}, **parts))
 
 
