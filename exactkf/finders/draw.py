@@ -59,12 +59,12 @@ class Sampler:
         for example in self.examples:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
+        most = every[:max(4, 2 * len(every) // 3)]
         for k in range(tries):
             if k < len(every):
                 yield from self._try(every[k], "small")
-            else:  # small sizes more often than large ones
-                pick = min(self.random.randrange(len(every)), self.random.randrange(len(every)))
-                yield from self._try(every[pick], self.random.choice(_FLAVOURS))
+            else:  # the largest sizes once, the others again and again
+                yield from self._try(most[k % len(most)], self.random.choice(_FLAVOURS))
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
