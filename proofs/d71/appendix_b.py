@@ -307,11 +307,13 @@ claim("D71-E8.15", "an eigenvector of A that is a null vector of R",
       given=EIGEN_GIVEN,
       by=[combination([quadratic(to_expr(1)), quadratic(1/MODULUS)], n=(1, 2, 3)),
           example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=1, be=0, u=[1], w=[0]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=1, u=[1], w=[1]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=-1, u=[1], w=[1]),
           example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[1], w=[0]),
           example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[0], w=[1]),
-          instances(n=(2, 3, 4), using=EIGEN_USING,
+          instances(n=(2, 3), using=EIGEN_USING,
                     made_by={**eigenpair(ROTATED, FLAT), u: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), w: E*matrix_of(i, j, n, 1, when(i == 2, 1, 0))}),
-          instances(n=(2, 3, 4), using=EIGEN_USING,
+          instances(n=(2, 3), using=EIGEN_USING,
                     made_by={**eigenpair(STRAIGHT, CROSSED), be: to_expr(0), u: 2*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
                              w: 3*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
       note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw.")
@@ -320,10 +322,10 @@ n0 = sym("n0")
 SUM_NULL = (Q + R)*x == Zero(n, 1)
 
 claim("D71-E8.16", "a null vector of Q goes to another one",
-      eq(T(x)*(Q + R)*x, T(n0)*Q*n0, 0) & SUM_NULL & (SUM_NULL >> ((Q*x == Zero(n, 1)) & (R*x == Zero(n, 1)))),
+      eq(T(x)*(Q + R)*x, T(n0)*Q*n0, 0) & SUM_NULL & iff(SUM_NULL, (Q*x == Zero(n, 1)) & (R*x == Zero(n, 1))),
       sizes=["n"], over={A: nonsingular(n), Q: positive_semidefinite(n), R: positive_semidefinite(n), n0: vector(n)}, where=[let(x, inv(A)*n0)],
       given=[LYAPUNOV, given("Qn = 0", Q*n0 == Zero(n, 1))],
-      by=[order([], [], [Q, R], [Q, R]),
+      by=[order([], [], [Q, R], [Q, R], []),
           instances(n=range(1, 4), using=solved(THIN)["using"], made_by={**solved(THIN)["made_by"], n0: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
       note="Real case. The form x'(Q + R)x of a nonnegative definite matrix vanishes exactly if (Q + R)x = 0, and then Qx = Rx = 0. As x is again a "
            "null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
