@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.evidence import combination, example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -36,12 +36,10 @@ from exactkf.language import (
     always,
     coeff,
     det,
-    diagonal,
     eq,
     forall,
     function,
     given,
-    hstack,
     iff,
     inv,
     invertible,
@@ -51,8 +49,6 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     pd,
-    positive,
-    positive_definite,
     positive_semidefinite,
     prod,
     rank,
@@ -70,9 +66,9 @@ from exactkf.language import (
     vector,
     when,
 )
-from proofs.d71.notation import H, M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
+from proofs.d71.notation import M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
 
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 S = gram()
 
 # --- the update ---------------------------------------------------------------------------------------------------------
@@ -86,7 +82,8 @@ claim("D71-T8.1", "the update through M'V^{-1}M",
       invertible(I + S*P) & invertible(I + P*S) & eq(update(), P*inv(I + S*P), inv(I + P*S)*P),
       sizes=["n", "p"], over=ANY, given=[MPMV_REGULAR],
       by=[order([I - INNER], [I - P*T(M)*inv(M*P*T(M) + V)*M], []), instances(**UPDATE_SIZES)],
-      note="P and V are any symmetric matrices; V is invertible, as the formulas presuppose; P may be singular.")
+      note="P and V are any symmetric matrices; V is invertible, as the formulas presuppose and the theorem "
+           "does not say; P may be singular.")
 
 CROSS = {P: matrix(n, n), M: matrix(p, n), V: nonsingular(p)}
 
@@ -261,8 +258,9 @@ def solved(weight):
                         Q: T(inv(E))*matrix_of(i, j, n, n, weight[i, j]/(factor(i)*factor(j) - 1))*inv(E)}}
 
 
-#: a weight of full rank, and one with a zero row and column
+#: weights: any rank, rank one, a zero row and column
 FULL = G*T(G)
+RANK_ONE = matrix_of(i, j, n, n, G[i, 1]*G[j, 1])
 THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 
 claim("D71-E8.14", "the solution as a series",
@@ -316,7 +314,8 @@ claim("D71-E8.15", "an eigenvector of A that is a null vector of R",
           instances(n=(2, 3), using=EIGEN_USING,
                     made_by={**eigenpair(STRAIGHT, CROSSED), be: to_expr(0), u: 2*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
                              w: 3*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
-      note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw.")
+      note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw. The text says that "
+           "(8.14) makes x*Qx vanish; (8.15) does so at once, and (8.14) too, as its terms all vanish at x.")
 
 n0 = sym("n0")
 SUM_NULL = (Q + R)*x == Zero(n, 1)
@@ -339,6 +338,9 @@ claim("D71-T8.4", "when the solution is singular",
       by=[steps("D71-E8.15", "D71-E8.16", facts=["An invariant subspace other than {0} contains a complex eigenvector."],
                 prose="The null space of the sum is the largest A-invariant subspace inside the null space of R: by Cayley and Hamilton it is invariant, "
                       "and every eigenvector of A that R kills is in it."),
-          instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(THIN))],
+          example(n=2, A=[[0, -2], [2, 0]], R=[[1, 0], [0, 0]], Q=[["1/15", 0], [0, "4/15"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[0, 0], [0, 1]], Q=[[0, 0], [0, "1/3"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[1, 0], [0, 0]], Q=[["1/3", "-2/9"], ["-2/9", "5/27"]]),
+          instances(n=range(1, 4), **solved(RANK_ONE)), instances(12, n=range(1, 4), **solved(FULL)), instances(12, n=range(1, 4), **solved(THIN))],
       note="Real matrices. A real or complex eigenvector of A that is a null vector of R exists exactly if R, RA, ..., RA^{n-1} have a common null "
            "vector, that is, if the sum of their (A^k)'RA^k is singular.")
