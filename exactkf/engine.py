@@ -26,6 +26,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
+from flint import fmpq
+
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
@@ -33,7 +35,7 @@ from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.meaning import World
-from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.language import Statement
 
@@ -76,6 +78,12 @@ def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
     started = time.perf_counter()
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
+    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
+        return _verify(claim, seed, started)
+
+
+def _verify(claim: Claim, seed: int, started: float) -> dict[str, Any]:
+    """Verdict on the print, then on the repair where the print fails; then the mutants."""
     found = _find(claim.id, claim.statement, claim.by, seed)
     repaired, report = None, MutantReport()
     if found.verdict == "fails" and claim.repair is not None:

@@ -21,7 +21,7 @@ from math import isqrt
 from typing import Any
 
 from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar
-from exactkf.kernel.numbers import Algebraic, AlgebraicField, Laurent, Ratio, Symbolic, SymbolicField, Undefined, Unknown, divide, sign
+from exactkf.kernel.numbers import Algebraic, AlgebraicField, Laurent, Ratio, Symbolic, SymbolicField, Undefined, Unknown, divide, rational, sign
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
 
 __all__ = ["Signal", "World", "admissible", "generic", "read_instance", "read_number", "variables"]
@@ -80,7 +80,7 @@ class World:
     def integer(self, tree: Any, local: Mapping[str, Any]) -> int:
         """Value of an index."""
         k = self.value(tree, local)
-        if isinstance(k, Fraction) and k.denominator == 1:
+        if not isinstance(k, int) and getattr(k, "denominator", 0) == 1:
             k = int(k)
         if not isinstance(k, int):
             raise Undefined(f"index {tree!r} is not an integer")
@@ -280,8 +280,9 @@ def _prints(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 def _rounds_to(x: Any, printed: str) -> bool:
     """|x - printed| is at most half a unit of the last printed digit."""
     places = len(printed.partition(".")[2])
-    half = Fraction(1, 2 * 10**places)
-    return not (x - Fraction(printed) > half or x - Fraction(printed) < -half)
+    half, exact = rational(1, 2 * 10**places), Fraction(printed)
+    gap = x - rational(exact.numerator, exact.denominator)
+    return not (gap > half or gap < -half)
 
 
 # ---------------------------------------------------------------------- operations on values
@@ -346,7 +347,7 @@ def _sqrt(x: Any) -> Any:
     p, q = int(x.numerator), int(x.denominator)
     if p < 0 or isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
         raise Undefined("no rational square root")
-    return x * 0 + Fraction(isqrt(p), isqrt(q)) if not isinstance(x, int) else isqrt(p)
+    return isqrt(p) if isinstance(x, int) else rational(isqrt(p), isqrt(q))
 
 
 def _poly(x: Any) -> Laurent:
@@ -463,7 +464,7 @@ _SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
     "sym": World.name, "at": World.at, "sum": _sum, "prod": _prod, "forall": _every, "exists": _some, "always": _always,
     "=>": _implies, "defined": _defined, "mat": _mat, "col": _col, "entry": _entry, "prints": _prints,
     "block": _blocks, "rows": _table,
-    "rat": lambda w, t, loc: Fraction(t[1], t[2]),
+    "rat": lambda w, t, loc: rational(t[1], t[2]),
     "if": lambda w, t, loc: w.value(t[2] if _condition(w, t[1], loc) else t[3], loc),
     "and": lambda w, t, loc: all(_truth(w, x, loc) for x in t[1:]),
     "or": lambda w, t, loc: any(_truth(w, x, loc) for x in t[1:]),
@@ -508,7 +509,7 @@ def read_number(text: Any, field: AlgebraicField | None) -> Any:
     if isinstance(text, bool) or not isinstance(text, (int, str)):
         raise Undefined(f"{text!r} is not an exact number")
     value = Fraction(text)
-    return int(value) if value.denominator == 1 else value
+    return int(value) if value.denominator == 1 else rational(value.numerator, value.denominator)
 
 
 def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number: Callable[[Any], Any] | None = None) -> dict[str, Any]:

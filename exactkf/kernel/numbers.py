@@ -22,10 +22,15 @@ type with exact ``+ - * / ==``. A quantity that divides by zero is not defined:
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["Algebraic", "AlgebraicField", "Laurent", "Ratio", "Symbolic", "SymbolicField", "Undefined", "Unknown", "divide", "sign"]
+__all__ = [
+    "Algebraic", "AlgebraicField", "Laurent", "Ratio", "Symbolic", "SymbolicField", "Undefined", "Unknown", "divide", "rational",
+    "rationals", "sign",
+]
 
 
 class Undefined(Exception):
@@ -36,11 +41,30 @@ class Unknown(Exception):
     """This evaluator has no exact answer to the question."""
 
 
+_rational: Callable[[int, int], Any] = Fraction
+
+
+@contextmanager
+def rationals(make: Callable[[int, int], Any]) -> Iterator[None]:
+    """Another type for quotients of integers, such as a faster one for a search; replaying uses Fraction."""
+    global _rational
+    before, _rational = _rational, make
+    try:
+        yield
+    finally:
+        _rational = before
+
+
+def rational(p: int, q: int) -> Any:
+    """p / q in the type of quotients in force."""
+    return _rational(p, q)
+
+
 def divide(x: Any, y: Any) -> Any:
     """x / y, exact also for two ints."""
     if y == 0:
         raise Undefined("division by zero")
-    return Fraction(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
+    return _rational(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
 
 
 def sign(x: Any) -> int:
@@ -400,8 +424,8 @@ class Symbolic:
             return x
         if isinstance(x, int):
             return Symbolic(self.field, {0: x} if x else {}, 1, ())
-        if isinstance(x, Fraction):
-            return Symbolic(self.field, {0: x.numerator} if x else {}, x.denominator, ())
+        if hasattr(x, "denominator"):  # Fraction, or the faster type of a search
+            return Symbolic(self.field, {0: int(x.numerator)} if x else {}, int(x.denominator), ())
         return None
 
     def _lift(self, den: dict[int, int]) -> Poly:
@@ -558,7 +582,9 @@ class Algebraic:
     def _coerce(self, x: Any) -> Algebraic | None:
         if isinstance(x, Algebraic):
             return x
-        return Algebraic(self.field, [Fraction(x)] if x else []) if isinstance(x, (int, Fraction)) else None
+        if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
+            return Algebraic(self.field, [Fraction(int(x.numerator), int(x.denominator))] if x else [])
+        return None
 
     def __add__(self, other: Any) -> Any:
         y = self._coerce(other)

@@ -31,7 +31,7 @@ from typing import Any
 
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World, admissible, generic, read_instance
-from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
+from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown, rationals
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
@@ -82,7 +82,8 @@ def replay(certificate: Any) -> list[str]:
     if digest(certificate) != certificate["digest"]:
         raise Rejected("digest: the certificate was altered after it was written")
     try:
-        return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
+        with rationals(Fraction):
+            return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError, AssertionError) as error:

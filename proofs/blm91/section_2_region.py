@@ -78,7 +78,10 @@ claim("BLM91-S25", "the positive real region is bounded and contracts to a point
              let(As, Z**n + sum_of(i, 1, n, rho**i * a[i] * Z ** (n - i))), let(Gs, sum_of(i, 1, n, rho**i * g[i] * Z ** (n - i))),
              let(nums, As * recip(As) + Gs * recip(As) + recip(Gs) * As)],
       given=[*REAL, given("contraction", rho < 1)],
-      by=[instances(n=(1, 2, 3), using={u: vector(n), w: vector(n), x: positive()},
+      by=[steps("BLM91-E2.30", facts=["coefficients of a Schur polynomial are less than binomial coefficients", "b is Schur where b/(2a) is positive real",
+                                      "the real part of an analytic function takes its minimum on the boundary"],
+                prose="(rho^i a_i, rho^i g_i) belongs to Phi_+(z/rho), analytic with positive real part for |z| >= rho"),
+          instances(n=(1, 2, 3), using={u: vector(n), w: vector(n), x: positive()},
                     made_by={a: u / (1 + SU), g: w / (2 * (1 + SU) * (1 + SW)), rho: 1 / (1 + x)}),
           example(n=2, a=["-38/25", "9/10"], g=["4/5", "-9/10"], rho="9/10"), example(n=2, a=["2/25", "-9/10"], g=["-4/5", "9/10"], rho="1/2"),
           example(n=2, a=["38/25", "9/10"], g=["-4/5", "-9/10"], rho="9/10"), example(n=1, a=["-9/10"], g=["93/100"], rho="99/100")],
@@ -115,7 +118,9 @@ claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
       (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],
       over={al0: scalar(), ga0: scalar(), pp: scalar()}, where=[*ORBIT, let(dia, abs(al[m]) + abs(ga[m]))],
       given=[given("diamond", abs(al0) + abs(ga0) < 1), given("limit", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0), standing("smaller root", abs(pp) < 1)],
-      by=[instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", pp=0), example(m=3, alpha0="1/2", gamma0=0, pp="1/2")],
+      by=[steps("BLM91-E2.34", "BLM91-E3.13", prose="|alpha'| + |gamma'| = |alpha|/(1 - |gamma|) is less than 1 in the diamond; with gamma^2 from (3.13) the step is "
+                "alpha' = 1/(p + 1/p - alpha), so (alpha' - p)/(p alpha' - 1) is p^2 (alpha - p)/(p alpha - 1)"),
+          instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", pp=0), example(m=3, alpha0="1/2", gamma0=0, pp="1/2")],
       note="p = alpha_infinity is the root of p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 with |p| < 1. The equation is the convergence: alpha_t - p "
            "is p^(2t) times a bounded factor, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p) for p not 0. m is the time t.")
 kf, kfs = symbols("kf kfs")

@@ -93,14 +93,18 @@ MORE = [example(alpha0="1/2", gamma0="1/2", kap=1), example(alpha0=3, gamma0=2, 
 claim("BLM91-S34", "hyperbolas and regions", SAYS34, over=HYP, where=[let(D0, d_of(al0, ga0))], given=[ON],
       by=[example(alpha0=0, gamma0=1, kap=2), instances(60, **FROM_POINT)],
       repair=repair("boundary case", DEG, SAYS34, over={**HYP, al0: nonzero()}, where=[let(D0, d_of(al0, ga0))], given=[ON],
-                    by=[instances(60, **FROM_POINT), *MORE]),
+                    by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                              prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+                        instances(60, **FROM_POINT), *MORE]),
       note="kappa^2 < 1 in the sign definite regions, kappa^2 > 1 in the corridors (where D has both signs), kappa^2 = 1 on the lines |gamma| = |1 - |alpha||, |gamma| = 1 + |alpha|.")
 PAIR = dict(where=[let(kap, when(x == 0, rational("1/2"), 2)), let(D0, d_of(al0, ga0))], given=[ON])
 DRAWN = {al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * (2 / kap + 2 * y) / (1 - y**2)}
 claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", iff(x == 1, ~(SIGNDEF)), over={al0: scalar(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
       by=[example(alpha0=0, gamma0=1, x=1), instances(using={y: scalar()}, made_by=DRAWN)],
       repair=repair("boundary case", DEG, iff(x == 1, ~(SIGNDEF)), over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
-                    by=[instances(60, using={y: scalar()}, made_by=DRAWN)]),
+                    by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                              prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+                        instances(60, using={y: scalar()}, made_by=DRAWN)]),
       note="x = 0 stands for kappa = 1/2, in the sign definite regions, and x = 1 for kappa = 2, in the corridors.")
 claim("BLM91-S35", "the map commutes with gamma -> -gamma",
       always(t, (al[t] == bal[t]) & (ga[t] == -bga[t])), over=PLANE,
@@ -184,7 +188,9 @@ denb = sym("denb")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),
       over=PLANE, where=[*VA, let(denb, 1 + a * Z)],
-      by=[instances(80), *CROSSES, example(alpha0="3/2", gamma0="-1/2"), example(alpha0="1/2", gamma0="-3/2"), example(alpha0="1/4", gamma0="1/4"), example(alpha0=3, gamma0=1)],
+      by=[steps("BLM91-E3.12", "BLM91-E3.14a", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                prose="D > 0 on the diamond and where |alpha| > 1 + |gamma|, D < 0 where |gamma| > 1 + |alpha|; |a| > 1 in the two latter and |a| < 1 in the first"),
+          instances(80), *CROSSES, example(alpha0="3/2", gamma0="-1/2"), example(alpha0="1/2", gamma0="-3/2"), example(alpha0="1/4", gamma0="1/4"), example(alpha0=3, gamma0=1)],
       note="Interiors of the regions. v(1/z) = (1 + bz)/(2(1 + az)) is positive real when its pole -1/a is in the disc and D > 0, negative real when D < 0; as in (2.4) the pole "
            "counts even where it cancels (gamma_0 = 0).")
 ADJ = (*VA, let(ah, al0 / (a * b)))

@@ -36,7 +36,7 @@ _COORDINATES = [a[t] == a_of[t], g[t] == HALF * (b_of[t] - a_of[t])]
 
 claim("BLZ94-EA.1", "a(t), b(t), g(t) in the coordinates (alpha(t), gamma(t))",
       always(t, (a[t] == a_of[t]) & (a[t] + 2 * g[t] == b_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))), **_ALONG,
-      by=[induction(n=range(1, 6)), instances(n=(2, 3, 4), horizon=3)])
+      by=[induction(n=range(1, 7)), instances(n=(2, 3, 4), horizon=3)])
 
 _LEFT = -sum_of(i, 1, n - 1, gamma[t][n - i] * alpha[t + 1][i]) - gamma[t][n] + alpha[t + 1][n]
 _RIGHT = -sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) - gamma[t][n] + alpha[t + 1][n]
@@ -50,10 +50,10 @@ claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
                     **_ALONG, by=[induction(n=range(1, 6), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)]))
 
 claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]), **_ALONG,
-      by=[induction(n=range(1, 6), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
+      by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
 
 claim("BLZ94-EA.3", "the last coordinate alpha_n", always(t, alpha[t][n] == a[t][n] + g[t][n]), **_ALONG,
-      by=[induction(n=range(1, 6), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
+      by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
 
 _ALPHA1 = column(i, n, alpha(1, i))
 _A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2), gamma0[n - i + 1] * gamma0[n - j + 1]
@@ -61,13 +61,13 @@ _A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 
 claim("BLZ94-EA.5", "the inverse of A(gamma), and alpha = A(gamma)^-1 alpha(1)",
       (inv(A) == B) & (alpha0 == B * _ALPHA1), sizes=["n"], over=VECTOR_POINT,
       where=[*STEP, let(A, _A0), let(B, matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1, 0) - gamma0[n - i + 1] * gamma0[n - j + 1])))],
-      by=[identity(n=range(1, 5)), instances(n=(2, 3, 4))],
+      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a).")
 
 claim("BLZ94-EA.6", "alpha_j in terms of alpha_1(1), ..., alpha_j(1)",
       forall(j, 1, n, alpha0[j] == gamma(0, n - j) * gamma(0, n) + sum_of(i, 1, j - 1, gamma(0, n - j) * gamma(0, n - i) * alpha(1, i))
              + alpha(1, j)),
-      sizes=["n"], over=VECTOR_POINT, where=[*STEP], by=[identity(n=range(1, 5)), instances(n=(2, 3, 4))],
+      sizes=["n"], over=VECTOR_POINT, where=[*STEP], by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="gamma(0, k) are the Schur parameters of v, so gamma(0, n) is gamma_n; alpha(1) is found from (a(1), g(1)).")
 
 _SEVEN = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *RHO_T, *PI_T]}
@@ -94,7 +94,7 @@ claim("BLZ94-SA2", "shift identity for the Szego polynomials, and its inverse",
                                                  [(1 + gamma[0]) * (Z - 1), (1 - gamma[0]) * (Z + 1)]]) * _PAIR[0])
              & (_PAIR[0] == HALF * (1 / (Z * (1 - gamma[0] ** 2))) * block([[(1 - gamma[0]) * (1 + Z), (1 - gamma[0]) * (1 - Z)],
                                                                            [(1 + gamma[0]) * (1 - Z), (1 + gamma[0]) * (1 + Z)]]) * _PAIR[1])),
-      sizes=["n"], over=GAMMA, where=[*SHIFTED], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      sizes=["n"], over=GAMMA, where=[*SHIFTED], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
       note="phi(s, t), psi(s, t) have degree t and the parameters gamma_s, gamma_{s+1}, ....")
 
 _SHIFT = {"sizes": ["n"], "over": GAMMA, "where": [*SHIFTED]}
@@ -179,7 +179,7 @@ claim("BLZ94-EA.15", "D as a double sum", D == sum_of(i, 0, n, sum_of(j, 0, n, x
       note="x_i is alpha_i with alpha_0 = 1; sigma(0, i, j) is sigma_ij.",
       repair=repair("index", "a and b are sums of alpha_i phi_{n-i} and alpha_i psi_{n-i}, so the weight alpha_i alpha_j belongs to sigma_{n-i,n-j}.",
                     D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, n - i, n - j))), **_SIGMA,
-                    by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))]))
+                    by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
 
 claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma_{i-j}, ..., gamma_{i-1}",
       forall(i, 1, n, (sigma(0, i, i) == r(0, i)) & (sigma(0, i, i - 1) == r(0, i - 1) * Z)
@@ -192,14 +192,14 @@ claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n 
       (coeff(D, 0) == sum_of(i, 0, n - 1, r(0, i) * alpha[n - i] ** 2) + r(0, n))
       & eq(sum_of(i, 1, n, coeff(D, i) * Z**i), sum_of(i, 0, n - 1, sum_of(j, i + 1, n, x[i] * x[j] * sigma(0, n - i, n - j))),
            sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j))) + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
-      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **_SIGMA, by=[identity(n=range(1, 6)), instances(n=(2, 3, 4))])
+      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **_SIGMA, by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))])
 
 claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and of the gammas by one",
       forall(k, 1, n - 1, forall(l, 0, k - 1, sigma(0, k + 1, l + 1) * r(1, l) == r(0, l + 1) * sigma(1, k, l)))
       & (sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
          == (1 - gamma[0] ** 2) * sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(1, n - 1 - i, n - 1 - j))))
       & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]), **_SIGMA,
-      by=[identity(n=range(2, 6)), instances(n=(2, 3, 4))],
+      by=[identity(n=range(2, 7)), instances(n=(2, 3, 4))],
       note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first list is read as the r. "
            "In the sum the shift of the r is the factor 1 - gamma_0^2.")
 
@@ -210,6 +210,6 @@ claim("BLZ94-SA8", "if d_1, ..., d_n vanish, alpha is zero and d_0 = r_n",
       (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)), **_SIGMA,
       given=[_HIGHER, given("gamma_k^2 != 1", forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
       by=[combination([[(inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)],
-                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]], n=range(1, 5)),
+                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]], n=range(1, 7)),
           instances(n=(1, 2, 3), made_by={alpha: column(i, n, 0)})],
       note="d_0 = r_n is a product of the 1 - gamma_k^2, none of which is zero.")

@@ -68,7 +68,7 @@ claim("BLZ94-E2.8", "the gain (2.8) gives the linear least-squares estimate: its
       where=[rec(P, t, Zero(n, n), F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h)),
              function(gain, [t], (g - F * P[t] * h) / (1 - T(h) * P[t] * h)),
              function(L, [t, s], when(s == t - 1, gain[t - 1], (F - gain[t - 1] * T(h)) * L(t - 1, s))),
-             function(c, [k], when(k == 0, 1, T(h) * F ** (k - 1) * g))],
+             function(c, [m], when(m == 0, 1, T(h) * F ** (m - 1) * g))],
       by=[identity(n=(1, 2)), instances(n=(2, 3))],
       note="A definition; what is checked, through covariances, is that the filter is the one it is said to be: the estimate "
            "at t is the sum of L(t, s) y_s over s < t, the covariance of x_t with y_s is F^(t-s-1) g, that of y_t with y_s is "
@@ -110,7 +110,7 @@ claim("BLZ94-E2.10", "the observer form is the shift minus ah'",
 
 claim("BLZ94-E2.11", "the transfer function of the observer form",
       T(h) * inv(Z * Identity(n) - F) * g == strict_of(g) / monic_of(a0), sizes=["n"], over={a0: vector(n), g: vector(n)},
-      where=[*OBSERVER], by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))])
+      where=[*OBSERVER], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
 claim("BLZ94-E2.12", "v = b/(2a) with b = a + 2g monic",
       (HALF + strict_of(g) / monic_of(a) == HALF * ((monic_of(a) + 2 * strict_of(g)) / monic_of(a)))
@@ -155,7 +155,7 @@ _f, _f1 = a[t] + g[t] - a0, a[t + 1] + g[t + 1] - a0  # the gain of the fast alg
 claim("BLZ94-E2.17", "the fast algorithm gives the gain of the Riccati recursion from zero",
       always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == a[t] + g[t] - a0), sizes=["n"],
       over={a0: vector(n), g0: vector(n)}, where=[*RICCATI, *FAST, *SCALE],
-      by=[induction(n=(1, 2), also=[r[t] == 1 - T(h) * P[t] * h, P[t + 1] == P[t] + r[t] * g[t] * T(g[t]), T(_k) == T(_f),
+      by=[induction(n=(1, 2, 3), also=[r[t] == 1 - T(h) * P[t] * h, P[t + 1] == P[t] + r[t] * g[t] * T(g[t]), T(_k) == T(_f),
                                     T(P[t + 1]) == T(P[t]) + r[t] * g[t] * T(g[t])],
                     cofactors=[
                         [(_den / _den1, 0, 1), ((_f1 - _f) / _den1, 1, 1), ((_f1 * T(h) - F) / _den1, 2, h)],

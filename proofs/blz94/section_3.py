@@ -56,7 +56,10 @@ claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positi
                     sizes=["n"], over={a: monic(n), b: monic(n)},
                     where=[let(R, schur(a) & pos_on_circle(D)), let(v, b / (2 * a)), let(D, symmetric_part(a, b)), function(c, [k], laurent(v, k)), *TOEPLITZ],
                     given=[given("lowest terms", coprime(a, b)), given("no zero on the circle", circle_roots(Z**n * D) == 0)],
-                    by=[instances(n=(1, 2), horizon=12),
+                    by=[steps("BLZ94-E2.3", facts=["Herglotz: all T_m are nonnegative if and only if v is analytic with nonnegative real part on |z| > 1",
+                                                   "a Toeplitz form is the mean of |x(z)|^2 (v(z) + v(1/z)) over the circle"],
+                              prose="A pole of v on the circle would be a zero of D there."),
+                        instances(n=(1, 2), horizon=12),
                         instances(12, n=(1, 2, 3), horizon=8, using={u: monic(n), x: monic(n)},
                                   made_by={a: substitute(u, 4 * Z) / to_expr(4) ** n, b: substitute(x, 4 * Z) / to_expr(4) ** n})]))
 
@@ -66,7 +69,7 @@ claim("BLZ94-E3.5", "phi_t and phi_t* have the shape (3.3), (3.4), and the phi_t
              & (phis[t] == sum_of(k, 1, t, co(phi, t, k) * Z**k) + 1)
              & forall(s, 0, t, sum_of(i, 0, s, sum_of(j, 0, t, coeff(phi[s], i) * coeff(phi[t], j) * c[abs(i - j)])) == when(s == t, r[t], 0))),
       sizes=["n"], over=GAMMA, where=[*CORRELATIONS],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3, 4))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that the recursion produces monic polynomials of the stated form, orthogonal with "
            "respect to the sequence c of (3.10), with squared norms r_t.")
 
@@ -78,12 +81,12 @@ claim("BLZ94-E3.6", "(3.6) is the choice of gamma_t that makes phi_{t+1} orthogo
       forall(t, 1, n, forall(k, 0, t - 1, sum_of(j, 0, t, coeff(phi[t], j) * tau[j - k]) == 0)
              & (sum_of(j, 0, t, coeff(phi[t], j) * tau[j - t]) == r[t])),
       sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, function(tau, [k], when(k == 0, 1, c[abs(k)]))],
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3, 4))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that these gamma_t and r_t belong to the orthogonal polynomials of the sequence c.")
 
 claim("BLZ94-P3.1", "det T_t = r_0 r_1 ... r_t",
       det(Toeplitz[n]) == prod(k, 0, n, r[k]), sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, *TOEPLITZ],
-      by=[identity(n=range(0, 5)), instances(n=(1, 2, 3, 4, 5))])
+      by=[identity(n=range(0, 7)), instances(n=(1, 2, 3, 4, 5))])
 
 claim("BLZ94-E3.8", "T_t is positive definite if and only if gamma_0, ..., gamma_{t-1} are less than one in modulus",
       iff(pd(Toeplitz[n]), forall(k, 0, n - 1, abs(gamma[k]) < 1)), sizes=["n"], over={c: signal(1)}, where=[*SCHUR, *TOEPLITZ],
@@ -106,7 +109,8 @@ claim("BLZ94-S9", "for each t, sequences c with nonsingular T_1, ..., T_t corres
 
 claim("BLZ94-S10", "the Schur parameters go on as long as none has had modulus one",
       iff(defined(gamma[n]), forall(k, 0, n - 1, gamma[k] ** 2 != 1)), sizes=["n"], over={c: sequence(1, n + 1)},
-      where=[*SCHUR], by=[instances(40, n=(1, 2, 3, 4)), example(n=2, c=[1, 2, 3]), example(n=2, c=[0, -1, 3]), example(n=3, c=[0, 0, 1, 1])],
+      where=[*SCHUR], by=[steps("BLZ94-E3.6", prose="r_t is the product of the 1 - gamma_k^2, k < t."),
+                          instances(40, n=(1, 2, 3, 4)), example(n=2, c=[1, 2, 3]), example(n=2, c=[0, -1, 3]), example(n=3, c=[0, 0, 1, 1])],
       note="gamma_t divides by r_t, which vanishes from the first gamma_k of modulus one on; t = n.")
 
 claim("BLZ94-E3.10", "(3.10) inverts (3.6)",
@@ -251,7 +255,7 @@ claim("BLZ94-S21", "(3.11) as a relation of matrices, hence beta = alpha",
              let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), *A_MATRIX],
       given=[_MATCH],
       by=[combination([[(vstack(Zero(1, n), 2 * A), "(3.11)", 1)],
-                       [(2 * inv(matrix_of(i, j, n, n, coeff(psi[n - j], n - i))) * A, "(3.11)", 1)]], n=range(1, 5)),
+                       [(2 * inv(matrix_of(i, j, n, n, coeff(psi[n - j], n - i))) * A, "(3.11)", 1)]], n=range(1, 7)),
           instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})])
 
 claim("BLZ94-C3.4", "Psi(gamma) = Phi(-gamma), Phi(0) = Psi(0) = I, and (3.21)",

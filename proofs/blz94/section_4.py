@@ -39,7 +39,8 @@ VECTOR_POINT = {alpha0: vector(n), gamma0: vector(n)}
 claim("BLZ94-D4.U", "the map takes U_gamma, and nothing else, into V_c",
       iff(prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0, prod(k, 1, n - 1, det(Toeplitz[k])) != 0), sizes=["n"], over=POINT,
       where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ],
-      by=[instances(40, n=(2, 3)), example(n=2, alpha=[1, 1], gamma=["1/2", 1]), example(n=2, alpha=[1, 1], gamma=[1, "1/2"])],
+      by=[steps("BLZ94-P3.1", "BLZ94-L3.3", prose="By Lemma 3.3 the c_k of (a, b) are those of gamma; det T_k is the product of r_0, ..., r_k."),
+          instances(40, n=(2, 3)), example(n=2, alpha=[1, 1], gamma=["1/2", 1]), example(n=2, alpha=[1, 1], gamma=[1, "1/2"])],
       note="A definition; what is checked is that the two sets correspond. The display of V_c prints T_t for i = 1, ..., n-1; "
            "T_i is meant. gamma_{n-1} may have modulus one.")
 
@@ -47,7 +48,7 @@ claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that i
       forall(k, 1, n, substitute(c[k], 1) == laurent(monic_of(b) / (2 * monic_of(a)), k))
       & forall(i, 1, n - 1, coeff(det(Toeplitz[i]), 0) == 1), sizes=["n"], over={a: vector(n), b: vector(n)},
       where=[function(c, [k], HALF * (Z * b[k] - Z * a[k]) - sum_of(j, 1, k - 1, c[j] * (Z * a[k - j]))), *TOEPLITZ],
-      by=[identity(n=range(1, 5)), instances(n=(2, 3))],
+      by=[identity(n=range(1, 7)), instances(n=(2, 3))],
       note="c_k and det T_i are polynomials in (a, b); here they are followed along the line from (0, 0), at z = 0, to (a, b), at "
            "z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points arbitrarily near to z = 1.")
 
@@ -70,7 +71,7 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
              function(tau, [k], coeff(u, n - k) - coeff(f[n], n - k) - sum_of(j, 1, k - 1, tau[j] * coeff(f[n - j], n - k)))],
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
              standing("(u, v) lies in V", prod(k, 0, n - 2, 1 - theta[k] ** 2) != 0)],
-      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of the (tau, theta) "
            "found from it. gamma_{n-1} = 1 and -1 are allowed.")
 
@@ -91,14 +92,14 @@ _A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1
                                                / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
 _ALPHA1 = column(i, n, alpha(1, i))
 claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", _ALPHA1 == A * alpha0, sizes=["n"], over=VECTOR_POINT, where=[*STEP, let(A, _A)],
-      by=[identity(n=range(1, 5)), instances(n=(2, 3, 4))],
+      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a). The "
            "algorithm does not depend on t otherwise.")
 
 claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
       column(i, n, gamma(1, i - 1)) == G * gamma0, sizes=["n"], over=VECTOR_POINT,
       where=[*STEP, let(G, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -alpha(1, n - j + 1))))],
-      by=[identity(n=range(1, 5)), instances(n=(2, 3, 4))],
+      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="For an arbitrary point of the orbit; gamma(1) is found from (a(1), g(1)) by (3.11) and (3.6).")
 
 _START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
@@ -107,7 +108,8 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t])) & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
       sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *_START, *FAST],
       by=[induction(n=range(1, 6)), instances(n=(2, 3, 4), horizon=3)],
-      note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7).")
+      note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
+           "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 
 claim("BLZ94-T4.3.4", "the recursion for the Schur parameters of v",
       gamma(0, m + n) == -sum_of(i, 1, n, alpha(m + 1, i) * gamma(0, m + n - i)), sizes=["n"],
@@ -187,7 +189,7 @@ _ORBIT_D = (*ORBIT, *VECTORS, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
             function(D, [t], symmetric_part(monic_of(a_of[t]), monic_of(b_of[t]))))
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D,
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3), horizon=3)],
+      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
       note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later start.")
 
 claim("BLZ94-S24", "the n + 1 functions d_0, ..., d_{n-1} are invariant up to a common factor",
@@ -196,7 +198,7 @@ claim("BLZ94-S24", "the n + 1 functions d_0, ..., d_{n-1} are invariant up to a 
       note="The first equation counts the functions.",
       repair=repair("index", "The n + 1 functions are d_0, ..., d_n; d_n = alpha_n is left out by the printed range.",
                     always(t, (sum_of(i, 0, n, 1) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1)))),
-                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[induction(n=range(1, 6)), instances(n=(1, 2, 3), horizon=3)]))
+                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)]))
 
 # ---------------------------------------------------------------------- the level sets
 V, K, M = symbols("V K M")
@@ -248,6 +250,6 @@ claim("BLZ94-S26", "if the last alphas vanish, the algorithm is that of smaller 
              function(o, [t, k], when(k == 0, 1, o(t, k - 1) + gg[t][k] * Z * e(t, k - 1))),
              function(a2, [t], f(t, m) + sum_of(i, 1, m, aa[t][i] * f(t, m - i))),
              function(b2, [t], e(t, m) + sum_of(i, 1, m, aa[t][i] * e(t, m - i)))],
-      by=[induction(m=(1, 2), l=(1, 2)), instances(m=(1, 2), l=(1, 2), horizon=3), instances(m=(2,), l=(1,), horizon=3)],
+      by=[induction(m=(1, 2, 3), l=(1, 2, 3)), instances(m=(1, 2), l=(1, 2), horizon=3), instances(m=(2,), l=(1,), horizon=3)],
       note="m is the k of the text, l = n - k; (beta, delta) is the orbit of (alpha_1..alpha_k; gamma_{n-k}..gamma_{n-1}) in dimension k. "
            "The last equation reduces the level set.")

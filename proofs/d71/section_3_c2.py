@@ -110,7 +110,7 @@ BASIS = [let(E, block([[F, inv(Y)], [Gam, Zero(m, n)]])), let(Einv, block([[Zero
 claim("D71-T3.5.d", "J and K share out the eigenvalues of R",
       charpoly(R) == charpoly(J)*charpoly(K),
       sizes=["n", "m"], over=BOTH, where=[ELIMINATED, BLOCKS, *RIGHT, *LEFT],
-      by=[identity(n=(1, 2), m=(1,)), instances(**MORE)],
+      by=[identity(n=(1, 2), m=(1, 2)), instances(**MORE)],
       note="The equation is solved for A, which eliminates it.")
 
 J1, Y1 = symbols("J1 Y1")
@@ -180,7 +180,7 @@ claim("D71-E3.33", "R in the new basis",
 claim("D71-E3.34", "characteristic polynomials",
       eq(charpoly(R), charpoly(Einv*R*E), charpoly(J)*charpoly(K)),
       sizes=["n", "m"], over=BOTH, where=[ELIMINATED, BLOCKS, *RIGHT, *LEFT, *BASIS],
-      by=[identity(n=(1, 2), m=(1,)), instances(**MORE)],
+      by=[identity(n=(1, 2), m=(1, 2)), instances(**MORE)],
       note="The equation is solved for A, which eliminates it.")
 
 claim("D71-E3.35", "from RT = TJ to the quadratic equation",
@@ -223,19 +223,24 @@ UPPER_LEADING = matrix_of(i, j, m, m, when(i <= j, U[i, j], 0))
 Iq = Identity(q)
 FIRST = matrix_of(i, j, q, m, E[i, j])
 
+ADJUGATE = det(R - mu*Iq)*inv(R - mu*Iq)
+
 claim("D71-S29", "an eigenvalue of J that R does not have",
-      ((R - mu*Iq)*TT*x == Zero(q, 1)) & eq(TT*x, inv(R - mu*Iq)*((R - mu*Iq)*TT*x), Zero(q, 1)),
+      ((R - mu*Iq)*TT*x == Zero(q, 1)) & (det(R - mu*Iq)*TT*x == Zero(q, 1)),
       sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), mu: scalar(), x: vector(m)},
       given=[given("RT = TJ", R*TT == TT*J), given("Jx = mu x", J*x == mu*x)],
-      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)], [],
-                       [(inv(R - mu*Iq), "RT = TJ", x), (inv(R - mu*Iq)*TT, "Jx = mu x", 1)]], q=(1, 2, 3), m=(1, 2, 3)),
+      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)], [(ADJUGATE, "RT = TJ", x), (ADJUGATE*TT, "Jx = mu x", 1)]],
+                      q=(1, 2, 3), m=(1, 2, 3)),
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m), s: scalar()},
                     made_by={R: E*UPPER*inv(E),
                              TT: matrix_of(i, j, q, m, when(j == 1, 0, E[i, j - 1]))*inv(G),
                              J: G*matrix_of(i, j, m, m, when(j == 1, when(i == 1, mu, 0), when(i == 1, W1[1, j], when(i <= j, U[i - 1, j - 1], 0))))
                              * inv(G),
+                             x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))}),
+          instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), s: scalar()},
+                    made_by={mu: U[1, 1], R: E*UPPER*inv(E), TT: FIRST*inv(G), J: G*UPPER_LEADING*inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))})],
-      note="If R - mu I is invertible then Tx = 0, which independent columns of T forbid; so every eigenvalue of J is one of R.")
+      note="If mu is no eigenvalue of R the determinant is not zero and Tx = 0, which independent columns of T forbid; so every eigenvalue of J is one of R.")
 
 nullity = sym("nullity")
 

@@ -37,19 +37,104 @@ from fractions import Fraction
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import (
-    Identity, T, Zero, block, column, diag, eq, forall, function, given, hstack, iff, integer, inv, invertible,
-    kernel_basis, let, loewner, matrix,
-    nonsingular, positive_definite, positive_semidefinite, psd, rank, size_of, standing, sym, symbols, symmetric,
-    symmetric_matrix, vector, vstack, when,
+    Identity,
+    T,
+    Zero,
+    block,
+    column,
+    diag,
+    eq,
+    forall,
+    function,
+    given,
+    hstack,
+    iff,
+    integer,
+    inv,
+    invertible,
+    kernel_basis,
+    let,
+    matrix,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    rank,
+    size_of,
+    standing,
+    sym,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    vector,
+    vstack,
+    when,
 )
 from proofs.nwl92.notation import (
-    BLOCKS, E0, E1, F, FULL_COLUMN_RANK, IMPLIED_RANK, NORMAL_FORM, ONE_INVERSE, OTHER, OTHER_IN_COORDINATES, PAIR,
-    PARAMETERS, S, SECOND,
-    SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, TWO_BLOCK, UNBIASED, W2, Y2, Y3, Y4, Y5, G, G2, H, L, R, Tb, U,
-    U2, V, W, X, Y, Ze, Zd,
-    Zm, any_one_inverse, blocks_of, excess, in_coordinates, inverse_in_coordinates, inverses, lam, likeliest, lower,
-    made_inverse, n,
-    one_inverse, ones, p, q, r, rho, two_block, two_inverses, upper, w, w0, x, x0, y,
+    BLOCKS,
+    E0,
+    E1,
+    FULL_COLUMN_RANK,
+    IMPLIED_RANK,
+    NORMAL_FORM,
+    ONE_INVERSE,
+    OTHER,
+    OTHER_IN_COORDINATES,
+    PAIR,
+    PARAMETERS,
+    ROTATED,
+    SECOND,
+    SECOND_GIVEN,
+    SECOND_INVERSE,
+    SETTING,
+    SIZES,
+    T2,
+    TWO_BLOCK,
+    U2,
+    UNBIASED,
+    W2,
+    Y3,
+    Y4,
+    Y5,
+    F,
+    G,
+    H,
+    L,
+    R,
+    S,
+    Tb,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Zd,
+    Ze,
+    Zm,
+    any_one_inverse,
+    blocks_of,
+    excess,
+    in_coordinates,
+    inverse_in_coordinates,
+    inverses,
+    lam,
+    likeliest,
+    lower,
+    made_inverse,
+    n,
+    one_inverse,
+    ones,
+    p,
+    q,
+    r,
+    rho,
+    two_block,
+    two_inverses,
+    upper,
+    w,
+    w0,
+    x,
+    x0,
+    y,
 )
 
 half = Fraction(1, 2)
@@ -83,8 +168,8 @@ claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2
                     using={X: matrix(n, p), Q: matrix(n, p)}, n=(1, 2), p=(1, 2))],
       note=("The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its "
             "error covariance P - KCP. It is linear and unbiased in (m, z), and its error has the covariance P - KCP "
-            "with the error of every other unbiased L(m; z), so none has a smaller error covariance: it is the "
-            "maximum likelihood estimate for (2.2)."))
+            "with the error of every other unbiased L(m; z), so none has a smaller error covariance: it is the maximum "
+            "likelihood estimate for (2.2)."))
 
 claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
@@ -201,9 +286,9 @@ claim("NWL92-L2.1", "two rank conditions make Z invertible",
       invertible(Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK], given=[FULL_COLUMN_RANK, FULL_ROW_RANK],
       by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
                 facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
-                prose=("A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 "
-                       "and x'[R H] = 0, so x = 0 as [R H] has full row rank; then y'H' = 0, so y = 0 as H has full "
-                       "column rank.")),
+                prose=("A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 and "
+                       "x'[R H] = 0, so x = 0 as [R H] has full row rank; then y'H' = 0, so y = 0 as H has full column "
+                       "rank.")),
           instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
@@ -241,14 +326,14 @@ claim("NWL92-E2.14", "(2.13) transposed and multiplied by y'",
           instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h}, using={h: vector(p)}, p=(2, 3),
                     n=(1, 2))])
 
-S = sym("S")
 claim("NWL92-E2.15", "(2.12) multiplied by x, with (2.14)",
       T(x) * R * x == 0, sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)},
       given=[given("(2.12)", T(x) * R + T(y) * T(H) == Zero(1, p)), given("(2.14)", T(y) * T(H) * x == 0)],
       by=[combination([(1, "(2.12)", x), (-1, "(2.14)", 1)], p=(1, 2, 3), n=(1, 2)),
           instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h,
                              "M": T(x) * x * Identity(p) - x * T(x),
-                             R: sym("M") * S * sym("M") - (H * y * T(x) + x * T(y) * T(H)) / (T(x) * x) + x * (T(x) * H * y) * T(x) / (T(x) * x) ** 2},
+                             R: sym("M") * S * sym("M") - (H * y * T(x) + x * T(y) * T(H)) / (T(x) * x)
+                             + x * (T(x) * H * y) * T(x) / (T(x) * x) ** 2},
                     using={h: vector(p), S: symmetric_matrix(p)}, p=(2, 3), n=(1, 2))],
       note="R >= 0 is not needed here.")
 
@@ -353,7 +438,7 @@ claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
                     P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1), H: F * upper(n, p - n),
                     **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n)},
           using={V1: matrix(n, q), **{v: t for v, t in PARAMETERS.items() if v is not P}},
-          fact=NORMAL_FORM + "; with an orthogonal change of w, V becomes [V1, 0; 0, I; 0, 0] up to the order of its columns", p=(2, 3), n=(1, 2), q=(1, 2)),
+          fact=NORMAL_FORM + ROTATED, p=(2, 3), n=(1, 2), q=(1, 2)),
           inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
       note=("Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, as w0'w0 = wh'wh + |w0 - wh|^2; the last "
             "equation says that no other x goes with wh. V is any square root of R. Full column rank is the "
@@ -466,11 +551,11 @@ REDUCED_FACT = NORMAL_FORM + (" (for R and H1); H2 = [I, 0] Sn with Sn invertibl
 
 
 def reduced(made=None, using=None, **sizes):
-    """The conclusion as an identity in all R >= 0, full rank factors H1, H2 and all (1)-inverses of both 2-block matrices."""
+    """The conclusion as an identity in all R >= 0, full rank factors H1, H2 and all their (1)-inverses."""
     noise = made or {E1: ones(p - r, p - r), R: F * diag(P, E1) * T(F)}
     return identity(given_by={F: inv(S), **noise, **REDUCED},
                     using={**REDUCED_PARAMETERS, **(using or {P: symmetric_matrix(r)})},
-                    fact=REDUCED_FACT, **(sizes or {"p": (2, 3), "n": 2, "r": 1}))
+                    fact=REDUCED_FACT + (ROTATED if made else ""), **(sizes or {"p": (2, 3), "n": 2, "r": 1}))
 
 
 claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
@@ -486,8 +571,8 @@ claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
                   using={V1: matrix(r, q)}, p=(2, 3), n=2, r=1, q=1),
           factored(q=(1, 2))],
       note=("For measurements y = Hx + v with v in the range of R, where they lie with probability one; for other y "
-            "the two forms may differ. Of all (x, w) with y = Hx + Vw, wh is the smallest w, and H2 x is the same "
-            "for all x that go with it."))
+            "the two forms may differ. Of all (x, w) with y = Hx + Vw, wh is the smallest w, and H2 x is the same for "
+            "all x that go with it."))
 
 claim("NWL92-S13", "both forms of the estimate of z are unbiased",
       (T(U1) * H == H2) & (H2 * T(U) * H == H2),

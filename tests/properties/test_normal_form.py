@@ -44,7 +44,8 @@ def _part(M, rows, cols):
     return Matrix([[M.rows[i][j] for j in cols] for i in rows], len(cols))
 
 
-@pytest.mark.parametrize("p,n,rank", [(2, 1, 0), (2, 1, 1), (2, 2, 1), (3, 1, 0), (3, 1, 1), (3, 1, 2), (3, 2, 1), (4, 2, 1), (4, 1, 2), (5, 2, 2)])
+@pytest.mark.parametrize(("p", "n", "rank"), [
+    (2, 1, 0), (2, 1, 1), (2, 2, 1), (3, 1, 0), (3, 1, 1), (3, 1, 2), (3, 2, 1), (4, 2, 1), (4, 1, 2), (5, 2, 2)])
 def test_normal_form_reaches_everything(p, n, rank):
     """S brings R, H and every (1)-inverse to the form that `proofs.nwl92.notation.NORMAL_FORM` states."""
     rng = random.Random(f"{p} {n} {rank}")
@@ -54,7 +55,8 @@ def test_normal_form_reaches_everything(p, n, rank):
         N = null_basis(Ht)
         c = N.transpose() * R * N if N.ncols else _zeros(0, 0)
         kernel = null_basis(c)
-        M1, M2 = N * null_basis(kernel.transpose()) if N.ncols else _zeros(p, 0), N * kernel if N.ncols else _zeros(p, 0)
+        M1 = N * null_basis(kernel.transpose()) if N.ncols else _zeros(p, 0)
+        M2 = N * kernel if N.ncols else _zeros(p, 0)
         left = (Ht * H).inverse() * Ht
         if M1.ncols:
             left = left - left * R * M1 * (M1.transpose() * R * M1).inverse() * M1.transpose()
@@ -70,7 +72,8 @@ def test_normal_form_reaches_everything(p, n, rank):
             assert _part(turned, a, b) == _zeros(len(a), len(b))
         P, Q = _part(turned, first, first), _part(turned, middle, middle)
         assert inertia(P)[1] == 0 and inertia(Q)[1:] == (0, 0)
-        W, U, T = _part(G, range(p), range(p)), _part(G, range(p), range(p, p + n)), _part(G, range(p, p + n), range(p, p + n))
+        above, below = range(p), range(p, p + n)
+        W, U, T = _part(G, above, above), _part(G, above, below), _part(G, below, below)
         W, U = F.transpose() * W * F, F.transpose() * U
         assert _part(W, first, first) == _zeros(n, n)
         assert _part(W, middle, first) == _zeros(r, n)
