@@ -41,7 +41,7 @@ from proofs.d71.notation import H, K, M, P, Phi, Q, V, gain, gram, joseph, n, p,
 x, xh, dy, h = symbols("x xh dy h")
 y, xt, x1, xh1 = symbols("y xt x1 xh1")
 L = sym("L")
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 
 SIZES = {"n": range(1, 4), "p": range(1, 3)}
 SMALL = {"n": range(1, 4), "p": range(1, 4)}

@@ -25,6 +25,7 @@ from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
+    Zero,
     defined,
     eq,
     forall,
@@ -49,28 +50,24 @@ from exactkf.language import (
     symmetric_matrix,
     vector,
     when,
-    Zero,
 )
 from proofs.d71.notation import (
-    across,
-    annihilating,
     COVARIANCE,
-    cut,
     GW,
-    MW,
     P0,
     TRANSITION,
     VARYING,
-    WW,
     H,
     K,
     M,
     N,
     P,
     Phi,
-    PhiW,
     Tr,
     V,
+    across,
+    annihilating,
+    cut,
     gain,
     gram,
     i,
@@ -83,7 +80,7 @@ from proofs.d71.notation import (
     varying_step,
 )
 
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 z, m, c = symbols("z m c")
 RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]

@@ -37,7 +37,7 @@ from exactkf.language import (
 from proofs.d71.notation import H, M, P, Phi, V, gram, n, p, r_matrix, step, update
 
 A, B, C, D, S, Pe, Rp = symbols("A B C D S Pe Rp")
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 PhiT = inv(T(Phi))
 
 SMALL = {"n": (1, 2), "p": (1, 2)}
