@@ -199,7 +199,7 @@ SAME = recip(vz) == b / a * (rational("1/2") * (Z + (ah + gh)) / (Z + (ah - gh))
 claim("BLM91-R3.6.8", "the point of the diamond that represents v(1/z)", SAME, over=PLANE, where=[*ADJ, let(gh, ga0 / (a * b))], given=[OUT],
       by=[example(alpha0=3, gamma0=1), instances()],
       repair=repair("sign", "with gamma/(ab) the pole of the represented function is -1/b and the zero -1/a, the wrong way round; the second coordinate is -gamma/(ab)",
-                    SAME, over=PLANE, where=[*ADJ, let(gh, -ga0 / (a * b))], given=[OUT], by=[identity(), instances()]),
+                    SAME, over=PLANE, where=[*ADJ, let(gh, -ga0 / (a * b))], given=[OUT], by=[identity(), instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})]),
       note="v(1/z) has the pole -1/a and the zero -1/b; represented by a point as in the first part of the remark, up to the constant b/a.")
 claim("BLM91-R3.6.9", "that point is in the diamond and on the same hyperbola",
       (dia < 1) & ((1 + ah**2 - gh**2) / ah == (1 + al0**2 - ga0**2) / al0), over=PLANE,
