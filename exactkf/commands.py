@@ -19,9 +19,10 @@ from exactkf.display import describe, summary
 from exactkf.files import check_folder, check_target, dump_json, write_text
 from exactkf.output import contract, export_certificates
 from exactkf.progress import Meter
-from exactkf.record import Record, record_files
-from exactkf.run import Options, default_jobs, run, unfinished, work
+from exactkf.record import NOT_ON_RECORD, Record, record_files
+from exactkf.run import run
 from exactkf.store import Store, claim_key, state_folder
+from exactkf.workers import Options, default_jobs, unfinished, work
 
 __all__ = ["Session", "list_command", "mutate_command", "report_command", "show_command", "verify_command"]
 
@@ -92,6 +93,8 @@ def verify_command(session: Session, json_file: Path | None, certificates: Path 
     short = [(r["id"], why) for r in results if (why := record.shortfall(r))]
     for id, why in short:
         click.echo(f"fell short: {id}: {why}")
+    if any(why == NOT_ON_RECORD for _, why in short):
+        click.echo("--record enters what a run finds")
     click.echo(f"{len(results) - len(short)} of {len(results)} claims reached what is on record")
     return 1 if short else 0
 

@@ -45,7 +45,7 @@ def _paragraph(title: str, lines: Any) -> Iterator[str]:
     if lines:
         yield f"\n{title}"
         for line in lines:
-            yield f"  {line}"
+            yield f"  {line}".rstrip()
 
 
 def _statement(statement: Statement | None) -> list[str]:

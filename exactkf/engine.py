@@ -26,6 +26,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
 
+from flint import fmpq
+
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
@@ -33,7 +35,7 @@ from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.meaning import World
-from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.language import Statement
 
@@ -76,6 +78,12 @@ def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
     started = time.perf_counter()
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
+    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
+        return _verify(claim, seed, started)
+
+
+def _verify(claim: Claim, seed: int, started: float) -> dict[str, Any]:
+    """Verdict on the print, then on the repair where the print fails; then the mutants."""
     found = _find(claim.id, claim.statement, claim.by, seed)
     repaired, report = None, MutantReport()
     if found.verdict == "fails" and claim.repair is not None:
@@ -243,12 +251,12 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
 
 def _ordered(id: str, data: dict, hints: Mapping[str, Any], found: Findings) -> None:
     """Order, invertibility and equations for every size, leaf by leaf."""
-    sums, roots = json.loads(json.dumps([hints.get("sums", ()), hints.get("roots", ())]))
-    parts = find_order(data, sums, roots)
-    if parts is not None and _accept(seal(id, "order", data, {"parts": parts}), found):
+    sums, roots, lemmas = json.loads(json.dumps([hints.get(key, ()) for key in ("sums", "roots", "lemmas")]))
+    parts = find_order(data, sums, roots, lemmas)
+    if parts is not None and _accept(seal(id, "order", data, {"parts": parts, "lemmas": lemmas}), found):
         found.strength, found.sizes = "proved", None
         found.evidence.append("for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-                              "classical facts: sums, congruences, inverses and roots of semidefinite matrices")
+                              "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices")
     elif sums:
         found.evidence.append("order: the terms given do not prove it")
 
@@ -316,7 +324,8 @@ def _steps(e: Evidence, found: Findings) -> None:
         found.evidence.append(f"steps not proved: {', '.join(weak)}")
     elif found.strength == "instances":
         found.strength = "steps"
-        found.evidence.append(f"displayed steps {', '.join(standings)} proved; classical facts: {'; '.join(e.hints['facts']) or 'none'}")
+        shown = f"displayed steps {', '.join(standings)} proved; " if standings else ""
+        found.evidence.append(f"{shown}classical facts: {'; '.join(e.hints['facts']) or 'none'}")
         if e.hints["prose"]:
             found.evidence.append(f"between the steps: {e.hints['prose']}")
 

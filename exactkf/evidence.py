@@ -107,17 +107,17 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
     return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
 
 
-def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None) -> Evidence:
+def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = ()) -> Evidence:
     """A conclusion about matrices of every size made of equations, order (psd, pd, loewner) and invertibility.
 
-    For each leaf of the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms:
-    for an order, terms that are semidefinite by their form and add up to its matrix under the hypotheses;
-    for an invertibility, the inverse; for an equation, nothing. Where the list is empty the engine tries
-    the matrix itself and those of the hypotheses. ``roots`` names symmetric square roots of semidefinite
-    terms that the lists use.
+    For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of
+    terms: for an order, terms that are semidefinite by their form and add up to its matrix under the
+    hypotheses; for an invertibility, the inverse; for an equation nothing, such terms for the matrix K of a
+    hypothesis Kx = 0, or inverses that the statement does not write down. Where the list is empty the engine tries the matrix itself and those of the
+    hypotheses. ``roots`` names symmetric square roots of semidefinite terms that the lists use.
     """
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
-                              "roots": tuple(_named(roots).items())})
+                              "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas)})
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

@@ -27,6 +27,7 @@ __all__ = ["STRENGTHS", "Record"]
 
 #: strongest first; the vocabulary of the engine, here without importing it
 STRENGTHS = ("proved", "proved-sizes", "steps", "instances", "enclosed")
+NOT_ON_RECORD = "nothing is on record"
 _HEADING = ("| claim | what | verdict | strength | |", "| --- | --- | --- | --- | --- |")
 _REMEDY = "restore it, or write a new one with 'exactkf verify --record'"
 
@@ -58,7 +59,7 @@ class Record:
         """In what a result falls short of the record; empty if it does not."""
         entry = self.entries.get(result["id"])
         if entry is None:
-            return "nothing is on record; write it with 'exactkf verify --record'"
+            return NOT_ON_RECORD
         worse = _worse(entry, result)
         if worse or entry["verdict"] != "fails" or not entry.get("repair"):
             return worse

@@ -21,9 +21,10 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.kernel.instances import admissible
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
 
@@ -59,8 +60,12 @@ class Sampler:
         for example in self.examples:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
+        most = every[:max(4, 2 * len(every) // 3)]
         for k in range(tries):
-            yield from self._try(every[k % len(every)], self.random.choice(_FLAVOURS) if k >= len(every) else "small")
+            if k < len(every):
+                yield from self._try(every[k], "small")
+            else:  # the largest sizes once, the others again and again
+                yield from self._try(most[k % len(most)], self.random.choice(_FLAVOURS))
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
@@ -95,7 +100,7 @@ class Sampler:
 
     def _from_example(self, example: Mapping[str, Any]) -> tuple[dict, dict]:
         """Complete a hand-made instance (columns as lists, missing horizon) to JSON."""
-        from exactkf.kernel.meaning import read_instance
+        from exactkf.kernel.instances import read_instance
 
         sizes = {n: example[n] for n in self.statement["sizes"]}
         data: dict[str, Any] = {"sizes": {**sizes, "horizon": example.get("horizon", self.horizon)}, "values": {}}
@@ -127,14 +132,14 @@ class Sampler:
         r = self.random
         match flavour:
             case "degenerate":
-                return r.choice((0, 0, 0, 1, -1, Fraction(1, 2)))
+                return r.choice((0, 0, 0, 1, -1, rational(1, 2)))
             case "tiny":
                 return r.choice((0, 1, -1, 2))
             case "small":
-                return r.choice((0, 1, -1, 2, -2, 3, -3, Fraction(1, 2), Fraction(-1, 2)))
+                return r.choice((0, 1, -1, 2, -2, 3, -3, rational(1, 2), rational(-1, 2)))
             case "wide":
-                return _tidy(Fraction(r.randint(-12, 12), r.randint(1, 7)))
-        return _tidy(Fraction(r.randint(-5, 5), r.randint(1, 5)))
+                return _tidy(rational(r.randint(-12, 12), r.randint(1, 7)))
+        return _tidy(rational(r.randint(-5, 5), r.randint(1, 5)))
 
     def _nonzero(self, flavour: str) -> Any:
         while (x := self.number("small" if flavour == "degenerate" else flavour)) == 0:
@@ -205,7 +210,7 @@ class Sampler:
 _MATRICES = {"matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal"}
 
 
-def _tidy(x: Fraction) -> Any:
+def _tidy(x: Any) -> Any:
     return int(x) if x.denominator == 1 else x
 
 
@@ -236,10 +241,10 @@ def plain(value: Any) -> Any:
         return [plain(value[k]) for k in sorted(value)]
     if isinstance(value, Ratio):
         raise Unknown("a rational function of z as a drawn value")
-    if isinstance(value, Fraction):
-        return int(value) if value.denominator == 1 else str(value)
     if isinstance(value, int):
         return value
+    if hasattr(value, "denominator"):
+        return int(value.numerator) if value.denominator == 1 else f"{value.numerator}/{value.denominator}"
     raise Unknown(f"a drawn value of type {type(value).__name__}")
 
 

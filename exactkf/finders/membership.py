@@ -68,18 +68,20 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
     return out
 
 
-def find_order(statement: dict, sums: Any = (), roots: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
-    """For every leaf of a conclusion the terms of a proof, or None.
+def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
+    """For every leaf of the lemmas and the conclusion the terms of a proof, or None.
 
     Parameters
     ----------
     sums : sequence of lists of terms
-        For each leaf the terms to try: semidefinite summands, or an inverse. An empty list, or none, leaves it to the finder.
+        For each leaf the terms to try, see `exactkf.kernel.order.Leaf`. An empty list, or none, leaves it to the finder.
     roots : sequence of (name, term)
         Names for symmetric square roots that the terms use.
+    lemmas : sequence of formulas
+        Shown first, used after.
     """
     out = []
-    for k, (case, formula) in enumerate(leaves(statement)):
+    for k, (case, formula) in enumerate(leaves(statement, lemmas)):
         for terms in [sums[k]] if k < len(sums) and sums[k] else _own_terms(case, formula):
             found = _complete(case, formula, terms, roots, degree, seconds)
             if found is not None:
@@ -117,18 +119,23 @@ def _without(big: Any, small: Any) -> Any:
 
 def _complete(case: dict, formula: Any, terms: list, roots: Any, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
-    try:
-        leaf = Leaf(case, formula, terms, roots)
-        system = _System({name: _plain(p) for name, p in leaf.assumed().items()}, degree, time.perf_counter() + seconds)
-        blocks = []
-        for goal, _, _ in leaf.goals:
-            found = system.express(_plain(goal))
-            if found is None:
-                return None
-            blocks.append([[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()])
-    except (Unknown, Undefined):
-        return None
-    return {"sum": terms, "blocks": blocks} | ({"roots": [list(r) for r in roots]} if roots else {})
+    equation = formula[0] in ("=", "symmetric", "symplectic")
+    nulls = [label for label, f, _ in reversed(case["given"]) if f[0] == "="] if equation and terms else []
+    for null in [*nulls, ""]:
+        try:
+            leaf = Leaf(case, formula, terms, roots, null)
+            blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
+        except (Unknown, Undefined):
+            continue
+        if None not in blocks:
+            return {"sum": terms, "blocks": blocks} | ({"roots": [list(r) for r in roots]} if roots else {}) | ({"null": null} if null else {})
+    return None
+
+
+def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
+    system = _System({name: _plain(p) for name, p in leaf.assumed(k).items()}, degree, time.perf_counter() + seconds)
+    found = system.express(_plain(leaf.goals[k][0]))
+    return None if found is None else [[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()]
 
 
 def _plain(p: dict) -> Poly:

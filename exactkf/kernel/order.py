@@ -12,14 +12,17 @@
 4. a congruence X'PX of a semidefinite matrix is semidefinite, and of a definite
    one definite if X is nonsingular;
 5. the inverse of an invertible semidefinite matrix is definite;
-6. a semidefinite matrix is the square of one.
+6. a semidefinite matrix is the square of one;
+7. a null vector of a sum of semidefinite matrices is one of each of them, and
+   a null vector of X'PX one of PX.
 
 A conclusion is taken apart by `leaves`: conjunctions, implications and
 equivalences become equations, statements of order and of invertibility, each
 with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
-invertibility by an inverse. An inverse that the evidence brings in must be one
+invertibility by an inverse. An equation may use fact 7 for a hypothesis Kx = 0
+with terms that add up to K. Lemmas are shown first and then used. An inverse that the evidence brings in must be one
 of a matrix that is nonsingular by its form (`exists`).
 """
 
@@ -36,10 +39,10 @@ __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 
 
 # ---------------------------------------------------------------------- taking a conclusion apart
-def leaves(statement: Mapping[str, Any]) -> Iterator[tuple[dict, Any]]:
-    """Statements whose conclusions together are the conclusion, each with its own hypotheses."""
+def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
+    """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
     for case in _cases({**statement, "given": []}, [list(g) for g in statement["given"]]):
-        yield from _leaves(case, statement["says"])
+        yield from _leaves(case, ["and", *lemmas, statement["says"]])
 
 
 def _cases(statement: dict, rest: list) -> Iterator[dict]:
@@ -86,9 +89,19 @@ class Leaf:
     statement, formula
         From `leaves`.
     terms : sequence of trees
-        Semidefinite summands for an order, the inverse for an invertibility, nothing for an equation.
+        Semidefinite summands for an order, the inverse for an invertibility; for an equation semidefinite
+        summands of the matrix K of a hypothesis Kx = 0, or inverses to be used in the multiples.
     roots : sequence of (name, tree)
         Symmetric matrices whose squares are the given semidefinite terms.
+    null : str
+        Label of that hypothesis.
+
+    Attributes
+    ----------
+    goals : list of (polynomial, rows, columns)
+        To be made of the polynomials that `assumed` gives.
+    known : list of (polynomial, letter)
+        Inverses of the statement.
 
     Raises
     ------
@@ -96,9 +109,9 @@ class Leaf:
         With what is not shown.
     """
 
-    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = ()) -> None:
+    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: str = "") -> None:
         self.reader = reader = Reader(statement)
-        op, found, wanted = formula[0], [], 0
+        op, found, wanted, self.first = formula[0], [], 0, 0
         if op == "invertible":
             found = [reader.read(formula[1])]
             if not isinstance(found[0], Blocks) or len(found[0].rows) != 1 or found[0].rows != found[0].cols:
@@ -127,8 +140,12 @@ class Leaf:
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
             for tree in terms:
                 found[0] = reader._plus(found[0], reader.read(tree), -1)
-        elif terms:
-            raise Unknown("terms for an equation")
+        elif terms and null:
+            found = [self._null(null, terms), *found]
+            self.first = 1
+        else:
+            for tree in terms:
+                reader.read(tree)
         self.goals = [(p, b.rows[i], b.cols[j]) for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
 
     def _root(self, name: str, tree: Any) -> None:
@@ -142,9 +159,46 @@ class Leaf:
         letter: Poly = {((), (name,)): Fraction(1)}
         self.extra[f"root {name}"] = add(multiply(letter, letter), square.grid[0][0], -1)
 
-    def assumed(self) -> dict[str, Poly]:
-        """Named polynomials that vanish."""
-        return {**relations(self.reader), **self.extra}
+    def _null(self, label: str, terms: Any) -> Blocks:
+        """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
+        reader = self.reader
+        equation = next((f for name, f, _ in reader.statement["given"] if name == label), ["", 0, 0])
+        if equation[0] != "=" or len(equation) != 3 or not _is_zero(equation[2]) or equation[1][0] != "*":
+            raise Unknown("no hypothesis Kx = 0")
+        *factors, x = equation[1][1:]
+        rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
+        self.vanishing: dict[str, Poly] = {}
+        for n, tree in enumerate(terms):
+            if not definiteness(reader, tree):
+                raise Unknown("a term is not semidefinite by its form")
+            rest = reader._plus(rest, reader.read(tree), -1)
+            for m, part in enumerate(_halves(reader, tree)):
+                p = reader._times(reader.read(part), reader.read(x)).grid[0][0]
+                self.vanishing[f"null {n}/{m}"], self.vanishing[f"null {n}/{m}'"] = p, reader.transpose_poly(p)
+        return rest
+
+    def assumed(self, goal: int) -> dict[str, Poly]:
+        """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
+        return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
+
+
+def _is_zero(tree: Any) -> bool:
+    return tree == 0 or (isinstance(tree, (list, tuple)) and tree[0] == "O")
+
+
+def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
+    """A semidefinite term P, and for a congruence X'QX also QX; for X'X also X."""
+    yield tree
+    factors = list(tree[1:]) if isinstance(tree, (list, tuple)) and tree[0] == "*" else []
+    while factors and isinstance(factors[0], int):
+        if factors.pop(0) == 0:
+            return
+    outer: list = []
+    while len(factors) > 1 and _transposed(reader, factors[0], factors[-1]):
+        outer.insert(0, factors.pop())
+        factors.pop(0)
+        rest = [*factors, *outer]
+        yield rest[0] if len(rest) == 1 else ["*", *rest]
 
 
 def exists(reader: Reader, tree: Any, known: list) -> bool:
@@ -241,13 +295,16 @@ def _nonsingular(reader: Reader, tree: Any) -> bool:
         return _nonsingular(reader, tree[1])
     if tree[0] == "*":
         return all(_nonsingular(reader, x) for x in tree[1:])
-    if tree[0] == "sym" and reader.kinds.get(tree[1], ("",))[0] in ("nonsingular", "pd"):
+    if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
         return True
+    if tree[0] == "sym" and tree[1] not in reader.kinds and reader.lets.get(tree[1], ("",))[0] == "let" and not reader.lets[tree[1]][2]:
+        return _nonsingular(reader, reader.lets[tree[1]][3]) or _invertible_by_hypothesis(reader, tree)
     return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
 
 
 def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
-    return any(formula == ["invertible", tree] for _, formula, _kind in reader.statement["given"])
+    said = [f[1] for _, f, _kind in reader.statement["given"] if f[0] == "invertible"]
+    return any(tree == x for x in said) or any(_transposed(reader, tree, x) or _transposed(reader, ["T", tree], x) for x in said)
 
 
 def _by_hypothesis(reader: Reader, tree: Any) -> int:

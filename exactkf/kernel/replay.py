@@ -29,10 +29,12 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible, generic, read_instance
-from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rationals
 from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.symbolic import SymbolicField
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -82,7 +84,8 @@ def replay(certificate: Any) -> list[str]:
     if digest(certificate) != certificate["digest"]:
         raise Rejected("digest: the certificate was altered after it was written")
     try:
-        return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
+        with rationals(Fraction):
+            return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError, AssertionError) as error:
@@ -168,7 +171,9 @@ def _collect(into: list[str], field: SymbolicField) -> None:
 def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
-    _need(not given_by or bool(evidence.get("covered_by")), "a parametrisation needs the claim that says it reaches everything")
+    said = [formula for _, formula, _ in statement["given"]]  # a hypothesis x = term covers x by itself
+    _need(bool(evidence.get("covered_by")) or all(["=", ["sym", name], tree] in said for name, tree in given_by.items()),
+          "a parametrisation needs the claim that says it reaches everything")
     parameters = evidence.get("parameters") or []
     taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
     _need(not taken & {*given_by, *(name for name, _ in parameters)}, "a parametrisation redefines a name")
@@ -286,15 +291,14 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows:
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    todo, denominators = list(leaves(statement)), []
+    todo, denominators = list(leaves(statement, evidence.get("lemmas", ()))), []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
-        leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()))
+        leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()), proof.get("null", ""))
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
         _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
-        assumed = leaf.assumed()
-        for (goal, rows, cols), terms in zip(leaf.goals, blocks, strict=True):
-            _need(not _less_multiples(leaf.reader, assumed, goal, rows, cols, terms), f"part {number}: the terms do not add up")
+        for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
+            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {number}: the terms do not add up")
         denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
     return denominators
 

@@ -7,7 +7,7 @@ Main definitions
     LaTeX of one tree.
 `statement_latex`
     The whole statement: variables, definitions, hypotheses, conclusion.
-`says_latex`, `over_latex`, `where_latex`, `given_latex`
+`says_latex`, `says_lines`, `over_latex`, `where_latex`, `given_latex`
     Its parts.
 `type_latex`, `definition_latex`
     One typed variable, one definition.
@@ -22,12 +22,12 @@ from itertools import groupby
 from typing import Any
 
 from exactkf.language.latex_notation import LaTeX
-from exactkf.language.notation import RANGES, Bind, fill
+from exactkf.language.notation import RANGES, Bind, fill, values_and_trees
 from exactkf.language.statement import Statement, as_tuples
 
 __all__ = [
-    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "statement_latex", "type_latex",
-    "where_latex",
+    "definition_latex", "given_latex", "latex", "over_latex", "says_latex", "says_lines", "statement_latex",
+    "type_latex", "where_latex",
 ]
 
 #: type -> LaTeX; #1 is the names, #2 and #3 the type's arguments
@@ -93,6 +93,13 @@ def says_latex(statement: Statement) -> str:
     return _printer(statement)(statement.says)
 
 
+def says_lines(statement: Statement) -> list[str]:
+    """LaTeX of the conclusion, the members of a conjunction apart."""
+    printer, says = _printer(statement), statement.says
+    parts = says[1:] if isinstance(says, tuple) and says[0] == "and" else [says]
+    return [printer(part) for part in parts]
+
+
 def over_latex(statement: Statement) -> list[str]:
     """LaTeX of the sizes and typed variables, those of one type together."""
     printer = _printer(statement)
@@ -137,8 +144,7 @@ def statement_latex(statement: Statement) -> str:
 
 
 def _printer(statement: Statement) -> LaTeX:
-    values = {name for name, type_ in statement.over if type_[0] != "integer"}
-    trees = (statement.where, tuple(g[1] for g in statement.given), statement.says)
+    values, trees = values_and_trees(statement)
     return LaTeX(values, LaTeX(values).functions_in(trees), statement.tex)
 
 

@@ -44,10 +44,9 @@ class LaTeX(Notation):
         "ncols": Form(Bind.ATOM, r"\operatorname{cols}\left(#1\right)"),
         "deg": Form(Bind.ATOM, r"\deg\left(#1\right)"),
         "coeff": Form(Bind.PRODUCT, r"[z^{#2}]\,#1", (Bind.POWER, Bind.LOOSE)),
-        "laurent": Form(Bind.PRODUCT, r"[z^{-#2}]_{\infty}\,#1", (Bind.POWER, Bind.POWER)),
-        "roots_in": Form(Bind.ATOM, _COUNT % "|z|<1"),
-        "roots_on": Form(Bind.ATOM, _COUNT % "|z|=1"),
-        "roots_out": Form(Bind.ATOM, _COUNT % "|z|>1"),
+        "roots_in": Form(Bind.ATOM, _COUNT % r"\left|z\right|<1"),
+        "roots_on": Form(Bind.ATOM, _COUNT % r"\left|z\right|=1"),
+        "roots_out": Form(Bind.ATOM, _COUNT % r"\left|z\right|>1"),
         "real_roots": Form(Bind.ATOM, _COUNT % r"#2<z\le #3", (Bind.SUM, Bind.SUM, Bind.SUM)),
         "loewner": Form(Bind.RELATION, r"#1 \succeq #2", (Bind.SUM,)),
         "psd": Form(Bind.RELATION, r"#1 \succeq 0", (Bind.SUM,)),
@@ -60,8 +59,8 @@ class LaTeX(Notation):
         "similar": Form(Bind.RELATION, r"#1 \sim #2", (Bind.SUM,)),
         "cospectral": Form(Bind.RELATION, r"\det\left(zI - #1\right) = \det\left(zI - #2\right)", (Bind.BIG,)),
         "coprime": Form(Bind.RELATION, r"#1,\ #2\ \text{coprime}", (Bind.SUM,)),
-        "pos_circle": Form(Bind.RELATION, r"#1 > 0\ \text{on}\ |z|=1", (Bind.SUM,)),
-        "nonneg_circle": Form(Bind.RELATION, r"#1 \ge 0\ \text{on}\ |z|=1", (Bind.SUM,)),
+        "pos_circle": Form(Bind.RELATION, r"#1 > 0\ \text{on}\ \left|z\right|=1", (Bind.SUM,)),
+        "nonneg_circle": Form(Bind.RELATION, r"#1 \ge 0\ \text{on}\ \left|z\right|=1", (Bind.SUM,)),
         "not": Form(Bind.NOT, r"\neg #1", (Bind.ATOM,)),
         "<=>": Form(Bind.IMPLIES, r"#1 \;\Longleftrightarrow\; #2", (Bind.OR,)),
     }
@@ -116,14 +115,11 @@ class LaTeX(Notation):
         return f"{self.parens(self(base))}_{{{joint.join(low)}}}", Bind.ATOM
 
     def times(self, *args: Any) -> tuple[str, int]:
-        out, strength = self.signed_first(args[0], Bind.FRACTION)
+        last, strength = self.signed_first(args[0], Bind.FRACTION)
+        out = last
         for before, arg in zip(args, args[1:], strict=False):
             text = self.arg(arg, Bind.FRACTION)
-            if text[0].isdigit() or (text.startswith(r"\frac") and _numeral(before)):
-                out += r" \cdot "
-            else:
-                out += r"\," if text.startswith(r"\left(") and _numeral(before) is False else " "
-            out += text
+            out, last = out + _between(last, text, _numeral(before)) + text, text
         return out, strength
 
     def power(self, base: Any, exponent: Any) -> tuple[str, int]:
@@ -179,6 +175,10 @@ class LaTeX(Notation):
         named = isinstance(poly, tuple) and poly[0] in ("sym", "at") and not text.endswith(")")
         return f"{text}({point})" if named else rf"\left[{text}\right]_{{z\to {point}}}"
 
+    def laurent(self, function: Any, k: Any) -> tuple[str, int]:
+        power = str(-k) if isinstance(k, int) else f"-{self.script(k, Bind.POWER)}"
+        return rf"[z^{{{power}}}]_{{\infty}}\,{self.arg(function, Bind.POWER)}", Bind.PRODUCT
+
     def recip(self, poly: Any) -> tuple[str, int]:
         return self._value(poly, "1/z"), Bind.ATOM
 
@@ -206,6 +206,15 @@ class LaTeX(Notation):
 
     def always(self, index: str, body: Any) -> tuple[str, int]:
         return rf"\forall\,{self.name(index)[0]}\ge 0:\; {self(body)}", Bind.QUANTIFIER
+
+
+def _between(left: str, right: str, after_numeral: bool) -> str:
+    """What keeps two factors apart: nothing between letters, a dot where digits would run together."""
+    if right[0].isdigit() or (after_numeral and right.startswith(r"\frac")):
+        return r" \cdot "
+    if (right.startswith(r"\left(") and not after_numeral) or r"\mathrm" in (left[:7], right[:7]):
+        return r"\,"
+    return " "
 
 
 def _numeral(tree: Any) -> bool:

@@ -21,7 +21,7 @@ from typing import Any
 from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, bottom, top
 
-__all__ = ["RANGES", "Bind", "Form", "Notation", "fill", "rows_of"]
+__all__ = ["RANGES", "Bind", "Form", "Notation", "fill", "rows_of", "values_and_trees"]
 
 #: types whose arguments are bounds or a degree, not the sides of a matrix
 RANGES = ("integer", "sequence", "signal", "poly", "monic")
@@ -162,6 +162,12 @@ class Notation:
             stem = tree[1].split("_")[0].rstrip("0123456789")
             return len(stem) == 1 and stem.islower() and tree[1] not in self.values
         return _op(tree) in ("+", "-", "*", "neg") and all(self.is_index(a) for a in tree[1:])
+
+
+def values_and_trees(statement: Any) -> tuple[set[str], tuple]:
+    """Names that stand for values rather than indices in a statement, and all its trees."""
+    values = {name for name, type_ in statement.over if type_[0] != "integer"}
+    return values, (statement.where, tuple(g[1] for g in statement.given), statement.says)
 
 
 def fill(pattern: str, texts: Sequence[str]) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactkf.language.notation import RANGES, Bind, Form, Notation, fill, rows_of
+from exactkf.language.notation import RANGES, Bind, Form, Notation, fill, rows_of, values_and_trees
 from exactkf.language.statement import Statement, as_tuples
 
 __all__ = ["Text", "statement_text", "text"]
@@ -155,11 +155,10 @@ def text(tree: Any) -> str:
 
 def statement_text(statement: Statement) -> str:
     """Plain text of a statement, one line for each variable, definition and hypothesis, the conclusion last."""
-    values = {name for name, type_ in statement.over if type_[0] != "integer"}
-    trees = (statement.where, tuple(g[1] for g in statement.given), statement.says)
+    values, trees = values_and_trees(statement)
     show = Text(values, Text(values).functions_in(trees))
     lines = [f"for   {name} = 0, 1, 2, ..." for name in statement.sizes]
-    lines += [f"for   {_typed(show, name, type_)}" for name, type_ in statement.over]
+    lines += [f"for   {_typed(show, name, type_)}" for name, type_ in tuple(statement.over)]
     lines += [f"with  {line}" for definition in statement.where for line in _definition(show, definition)]
     lines += [f"given {show(formula)}    ({label})" for label, formula, _ in statement.given]
     return "\n".join([*lines, f"then  {show(statement.says)}" if lines else show(statement.says)])

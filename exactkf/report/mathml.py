@@ -18,6 +18,9 @@ _REPAIRS = (
     # math fonts disagree on the size and height of a prime, text fonts do not
     (re.compile(r"<mi>′</mi>"), '<mpadded class="prime" voffset="-0.4em" height="0.5em"><mtext>′</mtext></mpadded>'),
     (re.compile(r"<mi>:</mi>\s*<mo>=</mo>"), "<mo>≔</mo>"),
+    (re.compile(r"<mo>/</mo>"), '<mo lspace="0" rspace="0">/</mo>'),
+    # det, rank: an operator would stand apart from its argument
+    (re.compile(r"<mo[^>]*>([a-z]{2,})</mo>"), r"<mi>\1</mi>"),
     (re.compile(rf"<mi>({_SIGNS})</mi>"), r"<mo>\1</mo>"),
     (re.compile(r"<mtext>([^<]*)</mtext><mtext>(\s*)</mtext>"), r"<mtext>\1\2</mtext>"),
 )

@@ -17,7 +17,7 @@ from exactkf.describe import instance_lines
 from exactkf.display import column_of, describe, ranges
 from exactkf.files import write_text
 from exactkf.language import Statement
-from exactkf.language.latex import given_latex, over_latex, says_latex, statement_latex, where_latex
+from exactkf.language.latex import given_latex, over_latex, says_lines, statement_latex, where_latex
 from exactkf.report.mathml import formula
 
 __all__ = ["render", "write_report"]
@@ -130,6 +130,6 @@ def _standing(result: Mapping[str, Any]) -> str:
 
 def _statement(statement: Statement | None) -> dict[str, Any]:
     if statement is None:
-        return {"says": "", "over": [], "where": [], "given": [], "latex": ""}
-    return {"says": says_latex(statement), "over": over_latex(statement), "where": where_latex(statement),
+        return {"says": [], "over": [], "where": [], "given": [], "latex": ""}
+    return {"says": says_lines(statement), "over": over_latex(statement), "where": where_latex(statement),
             "given": given_latex(statement), "latex": statement_latex(statement)}

@@ -4,13 +4,17 @@
 Matrices of order 2d are written in d x d blocks, M = [[A, B], [C, D]]; T(M) is the
 paper's M*. The form J = [[0, I], [-I, 0]] defines the symplectic group, and H is the
 part of it in which A is invertible and BA*, A*C are nonnegative. The subsets H1, H2
-and H0 ask A*C, BA* or both to be positive. A positive A*C or BA* forces A to be
-invertible, so that condition is not repeated in `in_h1` and `in_h2`.
+and H0 ask A*C, BA* or both to be positive.
 
 Every member of H is [[A, AP], [QA, inv(A*) + QAP] with P, Q nonnegative (S38), which is
 how members are made here: `member` gives the three blocks that A, P and Q determine.
 A sequence of n matrices is kept side by side in one wide matrix, and `piece` takes the
 k-th of them.
+
+For a product M3 = M2 M1 the matrices P2 = inv(A2)B2 and Q1 = C1 inv(A1) are written in
+`Factor` as congruences of BA* and A*C, which shows that they are nonnegative, and
+`Product` has the sums of nonnegative terms and the inverse that every proof of section
+1.1 uses.
 """
 
 from __future__ import annotations
@@ -31,16 +35,16 @@ from exactkf.language import (
     standing,
     sym,
     symbols,
+    symplectic,
     vstack,
 )
 
 d, n, p, q, r = symbols("d n p q r")
 i, j, k = symbols("i j k")
+#: the columns that pick the first and the second block row
+UPPER, LOWER = vstack(Identity(d), Zero(d, d)), vstack(Zero(d, d), Identity(d))
 J = sym("J")
 FORM = let(J, block([[Zero(d, d), Identity(d)], [-Identity(d), Zero(d, d)]]))
-#: the columns that pick the first and the second block row
-UPPER = vstack(Identity(d), Zero(d, d))
-LOWER = vstack(Zero(d, d), Identity(d))
 
 
 def hamiltonian(A: Expr, S: Expr, R: Expr) -> Expr:
@@ -48,48 +52,70 @@ def hamiltonian(A: Expr, S: Expr, R: Expr) -> Expr:
     return block([[A, S * inv(T(A))], [R * A, (Identity(d) + R * S) * inv(T(A))]])
 
 
-def preserves_form(M: Expr) -> Expr:
-    """M*JM = J."""
-    return T(M) * J * M == J
-
-
 def in_h(M: Expr, A: Expr, B: Expr, C: Expr) -> Expr:
     """M = [[A, B], [C, D]] is in H."""
-    return preserves_form(M) & invertible(A) & psd(B * T(A)) & psd(T(A) * C)
+    return symplectic(M) & invertible(A) & psd(B * T(A)) & psd(T(A) * C)
 
 
 def in_h1(M: Expr, A: Expr, B: Expr, C: Expr) -> Expr:
     """M is in H1: A*C is positive."""
-    return preserves_form(M) & psd(B * T(A)) & pd(T(A) * C)
+    return symplectic(M) & invertible(A) & psd(B * T(A)) & pd(T(A) * C)
 
 
 def in_h2(M: Expr, A: Expr, B: Expr, C: Expr) -> Expr:
     """M is in H2: BA* is positive."""
-    return preserves_form(M) & pd(B * T(A)) & psd(T(A) * C)
+    return symplectic(M) & invertible(A) & pd(B * T(A)) & psd(T(A) * C)
 
 
 def in_h0(M: Expr, A: Expr, B: Expr, C: Expr) -> Expr:
     """M is in H1 and in H2."""
-    return preserves_form(M) & pd(B * T(A)) & pd(T(A) * C)
+    return symplectic(M) & invertible(A) & pd(B * T(A)) & pd(T(A) * C)
 
 
-def assumed(M: Expr, A: Expr, B: Expr, C: Expr, standing_only: bool = False) -> list[tuple]:
-    """Hypotheses that M is in H, for a nonsingular A."""
+def member_of_h(M: Expr, A: Expr, B: Expr, C: Expr, *needed: str) -> list[tuple]:
+    """Hypotheses that M is in H, for a nonsingular A; those named, of Sp, BA* and A*C, are needed and not just the setting."""
     name = M.tree[1]
-    rule = standing if standing_only else given
-    return [given(f"{name} in Sp", preserves_form(M)), rule(f"{name}: BA* >= 0", psd(B * T(A))), rule(f"{name}: A*C >= 0", psd(T(A) * C))]
+    parts = {"Sp": (f"{name} in Sp", symplectic(M)), "BA*": (f"{name}: BA* >= 0", psd(B * T(A))),
+             "A*C": (f"{name}: A*C >= 0", psd(T(A) * C))}
+    return [(given if key in needed else standing)(*part) for key, part in parts.items()]
 
 
-def member(A: Expr, B: Expr, C: Expr, D: Expr, P: Expr, Q: Expr) -> dict[Expr, Expr]:
+def member(A: Expr, B: Expr, C: Expr, D: Expr, P: Expr, Q: Expr) -> dict[str, Expr]:
     """The blocks B, C, D of the member of H that A, P and Q determine."""
-    return {key.tree[1]: value for key, value in ((B, A * P), (C, Q * A), (D, inv(T(A)) + Q * A * P))}
+    return {B.tree[1]: A * P, C.tree[1]: Q * A, D.tree[1]: inv(T(A)) + Q * A * P}
 
 
 def part(M: Expr, row: int, column: int) -> Expr:
     """Block of a matrix of order 2d, counted from 0."""
-    return matrix_of(i, j, d, d, M[i + row * d if row else i, j + column * d if column else j])
+    return T((UPPER, LOWER)[row]) * M * (UPPER, LOWER)[column]
 
 
 def piece(wide: Expr, rows: Expr, columns: Expr) -> Expr:
     """The k-th of the matrices that stand side by side in a wide matrix."""
     return matrix_of(i, j, rows, columns, wide[i, j + (k - 1) * columns])
+
+
+class Factor:
+    """P = inv(A)B and Q = C inv(A) of a member of H, as congruences of BA* and A*C."""
+
+    def __init__(self, A: Expr, B: Expr, C: Expr) -> None:
+        self.A, self.B, self.C = A, B, C
+        self.BA, self.AC = B * T(A), T(A) * C
+        self.P, self.Q = inv(A) * self.BA * T(inv(A)), T(inv(A)) * self.AC * inv(A)
+
+
+class Product:
+    """The product of ``last`` and ``first``, whose upper left block is A3.
+
+    ``inverse`` is the inverse of A3 = A2(I + P2 Q1)A1, with ``root`` a symmetric square root of P2;
+    ``lower`` and ``upper`` are the summands of A*C and BA* of the product.
+    """
+
+    def __init__(self, last: Factor, first: Factor, A3: Expr, root: Expr) -> None:
+        P, Q, H = last.P, first.Q, root
+        middle = Identity(d) - H * inv(Identity(d) + H * Q * H) * H * Q
+        self.roots = {root: P}
+        self.inverse = [inv(first.A) * middle * inv(last.A)]
+        x, y = inv(last.A) * A3, T(inv(first.A)) * T(A3)
+        self.lower = [T(x) * last.AC * x, first.AC, T(first.C) * P * first.C]
+        self.upper = [T(y) * first.BA * y, last.BA, last.B * Q * T(last.B)]

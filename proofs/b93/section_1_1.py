@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The semigroup of Hamiltonian matrices (section 1.1).
 
-A matrix M of order 2d is symplectic when M*JM = J. Multiplying by J on the left and by
-inv(M) on the right, with JJ = -I, gives inv(M) = -JM*J, and so MJM* = J: the transpose
-is symplectic too. (The printed text has inv(M) = JM*J, which the identity matrix
-refutes.) In blocks, M*JM = J reads A*C = C*A, B*D = D*B, A*D - C*B = I, and MJM* = J
-reads AB* = BA*, CD* = DC*, AD* - BC* = I.
+A matrix M of order 2d is symplectic when M*JM = J. If N is its inverse, multiplying by J
+on the left and by N on the right gives N = -JM*J, because
+JJ = -I, and then MJM* = J: the transpose is symplectic too. (The printed text has
+N = JM*J, which the identity matrix refutes.) In blocks, M*JM = J reads A*C = C*A,
+B*D = D*B, A*D - C*B = I, and MJM* = J reads AB* = BA*, CD* = DC*, AD* - BC* = I.
 
 H consists of the symplectic M with A invertible and BA*, A*C nonnegative. Then
 P = inv(A)B and Q = C inv(A) are nonnegative, D = inv(A*) + QAP, and M is the
@@ -13,25 +13,26 @@ Hamiltonian matrix of the system with S = BA* and R = Q. H1 asks A*C > 0, H2 ask
 BA* > 0, and transposition exchanges them.
 
 For a product M3 = M2 M1 in H, A3 = A2(I + P2 Q1)A1 with P2 = inv(A2)B2 and
-Q1 = C1 inv(A1). A product of two nonnegative matrices has real nonnegative eigenvalues,
-so I + P2 Q1 is invertible (Lemma 1.2) with eigenvalues at least one; one is reached as
-soon as P or Q is singular. The form
+Q1 = C1 inv(A1). With H a symmetric root of P2 the inverse of I + P2 Q1 is
+I - H inv(I + H Q1 H) H Q1 (Lemma 1.2). The eigenvalues of I + P2 Q1 are those of the
+symmetric I + H Q1 H: at least one, and not all greater than one if P2 or Q1 is
+singular. With X = (I + P2 Q1)A1 = inv(A2)A3,
 
-    A3*C3 = (A2(I + P2 Q1)A1)* ... = X*(A2*C2)X + A1*C1 + C1*P2 C1,  X = (I + P2 Q1)A1,
+    A3*C3 = X*(A2*C2)X + A1*C1 + C1*P2 C1,
 
-shows at once that A3*C3 is nonnegative, that it is positive when A1*C1 or A2*C2 is
+which shows at once that A3*C3 is nonnegative, that it is positive when A1*C1 or A2*C2 is
 (H1 is an ideal; the text says H2 at this place), and that its null space is the
 common null space of A1*C1 and A2*C2 A1. Iterating the last remark gives
-Proposition 1.3. A system of equations for x is compared with another one through
-ranks: they have the same solutions when each has the rank of both together.
+Proposition 1.3. There, for n matrices, a system of equations for x is compared with
+another one through ranks: they have the same solutions when each has the rank of both
+together.
 """
 
 from proofs.b93.notation import (
     FORM,
-    LOWER,
-    UPPER,
+    Factor,
     J,
-    assumed,
+    Product,
     d,
     hamiltonian,
     i,
@@ -42,17 +43,17 @@ from proofs.b93.notation import (
     j,
     k,
     member,
+    member_of_h,
     n,
     p,
     part,
     piece,
-    preserves_form,
     q,
     r,
 )
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -66,9 +67,9 @@ from exactkf.language import (
     function,
     given,
     iff,
-    inside_roots,
     inv,
     invertible,
+    kernel_basis,
     let,
     matrix,
     matrix_of,
@@ -79,254 +80,285 @@ from exactkf.language import (
     positive_semidefinite,
     psd,
     rank,
-    standing,
     sum_of,
     symbols,
     symmetric_matrix,
+    symplectic,
     to_expr,
     trace,
+    vector,
     vstack,
     when,
 )
 
-A, B, C, D, M, N, F, P, Q, R, S, U, E, L, W = symbols("A B C D M N F P Q R S U E L W")
+A, B, C, D, M, N, F, P, Q, R, S, U, E, H, L, W, x = symbols("A B C D M N F P Q R S U E H L W x")
 A1, B1, C1, D1, M1, P1, Q1 = symbols("A1 B1 C1 D1 M1 P1 Q1")
 A2, B2, C2, D2, M2, P2, Q2 = symbols("A2 B2 C2 D2 M2 P2 Q2")
-A3, B3, C3, M3 = symbols("A3 B3 C3 M3")
+A3, B3, C3, M3, A4, B4, C4, M4 = symbols("A3 B3 C3 M3 A4 B4 C4 M4")
 FIRST, LAST = let(M1, block([[A1, B1], [C1, D1]])), let(M2, block([[A2, B2], [C2, D2]]))
 PRODUCT = (let(M3, M2 * M1), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)))
 BLOCKS = let(M, block([[A, B], [C, D]]))
+ANY_BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}
 SYSTEM = (let(R, T(C) * C), let(S, F * T(F)), let(M, hamiltonian(A, S, R)))
+PARAMETERS = {A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}
 UP_TO_6 = (1, 2, 3, 4, 6)
+SYSTEM_SIZES = {"d": UP_TO_6, "p": (1, 2, 3), "q": (1, 2, 3)}
+
+
+def _symplectic(lower: bool = False) -> dict:
+    """Blocks of a symplectic matrix; with ``lower`` one whose A = LP vanishes or is singular with P."""
+    made = (L * P, -L, inv(T(L)) + Q * L * P, -(Q * L)) if lower else (L, L * P, Q * L, inv(T(L)) + Q * L * P)
+    return {"using": {L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
+            "made_by": dict(zip((A, B, C, D), made, strict=True))}
+
 
 claim("B93-E7", "the Hamiltonian matrix is an observation update after a time update",
-      M == block([[Identity(d), Zero(d, d)], [R, Identity(d)]]) * block([[A, S * inv(T(A))], [Zero(d, d), inv(T(A))]]),
-      sizes=["d", "p", "q"], over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}, where=SYSTEM,
-      by=[identity(d=(1, 2, 3), p=(1, 2), q=(1, 2)), instances(d=UP_TO_6, p=(1, 2, 3), q=(1, 2, 3))],
+      M == block([[Identity(d), Zero(d, d)], [R, Identity(d)]])
+      * block([[A, S * inv(T(A))], [Zero(d, d), inv(T(A))]]),
+      sizes=["d", "p", "q"], over=PARAMETERS, where=SYSTEM,
+      by=[identity(d=(1, 2), p=(1, 2), q=(1, 2)), instances(**SYSTEM_SIZES)],
       note="A definition. What is checked is that the blocks fit, and another form of the matrix.")
 
-claim("B93-S5", "the symplectic matrices are a group",
-      T(M * inv(N)) * J * (M * inv(N)) == J, sizes=["d"], over={M: matrix(2 * d, 2 * d), N: nonsingular(2 * d)}, where=[FORM],
-      given=[given("M in Sp", preserves_form(M)), given("N in Sp", preserves_form(N))],
-      by=[combination([(T(inv(N)), "M in Sp", inv(N)), (-T(inv(N)), "N in Sp", inv(N))], d=(1, 2)),
-          instances(d=(1, 2, 3), using={A: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d), A1: nonsingular(d), P1: symmetric_matrix(d), Q1: symmetric_matrix(d)},
-                    made_by={M: J * block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]]), N: block([[A1, A1 * P1], [Q1 * A1, inv(T(A1)) + Q1 * A1 * P1]])})],
-      note="A definition. What is checked is that it defines a group: with M and N the matrix M inv(N) is a member.")
+claim("B93-S5", "the symplectic matrices are closed under products",
+      T(M * N) * J * (M * N) == J, sizes=["d"],
+      over={**ANY_BLOCKS, A1: matrix(d, d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d)},
+      where=[FORM, BLOCKS, let(N, block([[A1, B1], [C1, D1]]))],
+      given=[given("M in Sp", T(M) * J * M == J), given("N in Sp", T(N) * J * N == J)],
+      by=[order(),
+          instances(d=(1, 2, 3, 6), using={**_symplectic()["using"], P1: symmetric_matrix(d), Q1: symmetric_matrix(d)},
+                    made_by={**_symplectic(lower=True)["made_by"], A1: L, B1: L * P1, C1: Q1 * L,
+                             D1: inv(T(L)) + Q1 * L * P1})],
+      note="A definition. What is checked is that it defines something closed under products; the inverse is S7.")
 
 claim("B93-S6", "Hamiltonian matrices are symplectic",
-      preserves_form(M), sizes=["d", "p", "q"], over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}, where=[FORM, *SYSTEM],
-      by=[identity(d=(1, 2, 3), p=(1, 2), q=(1, 2)), instances(d=UP_TO_6, p=(1, 2, 3), q=(1, 2, 3))])
+      T(M) * J * M == J, sizes=["d", "p", "q"], over=PARAMETERS, where=[FORM, *SYSTEM],
+      by=[identity(d=(1, 2), p=(1, 2), q=(1, 2)), instances(**SYSTEM_SIZES)])
 
-SYMPLECTIC = {"using": {A: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
-              "made_by": {M: block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]])}}
+INVERSE = {**ANY_BLOCKS, A1: matrix(d, d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d)}
+IS_INVERSE = given("N is the inverse of M", (M * N == Identity(2 * d)) & (N * M == Identity(2 * d)))
+INVERSE_MADE = {A1: part(inv(M), 0, 0), B1: part(inv(M), 0, 1), C1: part(inv(M), 1, 0), D1: part(inv(M), 1, 1)}
+BOTH_BLOCKS = [FORM, BLOCKS, let(N, block([[A1, B1], [C1, D1]]))]
 
 claim("B93-S7", "the inverse of a symplectic matrix",
-      iff(preserves_form(M), inv(M) == J * T(M) * J), sizes=["d"], over={M: nonsingular(2 * d)}, where=[FORM],
-      by=[example(d=1, M=[[1, 0], [0, 1]]), instances(d=(1, 2, 3), **SYMPLECTIC)],
+      iff(T(M) * J * M == J, N == J * T(M) * J), sizes=["d"], over=INVERSE, where=BOTH_BLOCKS, given=[IS_INVERSE],
+      by=[example(d=1, A=[[1]], B=[[0]], C=[[0]], D=[[1]], A1=[[1]], B1=[[0]], C1=[[0]], D1=[[1]]),
+          instances(d=(1, 2, 3), made_by=INVERSE_MADE)],
       repair=repair("sign", "JJ = -I, so that solving M*JM = J for the inverse of M gives a minus sign.",
-                    iff(preserves_form(M), inv(M) == -(J * T(M) * J)), sizes=["d"], over={M: nonsingular(2 * d)}, where=[FORM],
-                    by=[combination([(J, "M in Sp", inv(M))], d=(1, 2, 3)), instances(d=(1, 2, 3), **SYMPLECTIC), instances(d=(1, 2, 3))]))
+                    iff(T(M) * J * M == J, N == -(J * T(M) * J)), sizes=["d"], over=INVERSE, where=BOTH_BLOCKS,
+                    given=[IS_INVERSE],
+                    by=[order(),
+                        instances(d=(1, 2, 3, 6), using=_symplectic()["using"],
+                                  made_by={**_symplectic()["made_by"], **INVERSE_MADE}),
+                        instances(8, d=(1, 2), made_by=INVERSE_MADE)]))
 
 claim("B93-S8", "the transpose of a symplectic matrix is symplectic",
-      M * J * T(M) == J, sizes=["d"], over={M: nonsingular(2 * d)}, where=[FORM], given=[given("M in Sp", preserves_form(M))],
-      by=[combination([(-(M * J), "M in Sp", inv(M) * J)], d=(1, 2)), instances(d=(1, 2, 3, 6), **SYMPLECTIC)],
-      note="A symplectic matrix is nonsingular. The relation S7, from which the text deduces this, has a wrong sign; the conclusion is right.")
+      symplectic(T(M)), sizes=["d"], over=ANY_BLOCKS, where=[BLOCKS], given=[given("M in Sp", symplectic(M))],
+      by=[order(), instances(d=(1, 2, 3, 6), **_symplectic()), instances(8, d=(1, 2, 3), **_symplectic(lower=True))],
+      note="The relation S7, from which the text deduces this, has a wrong sign; the conclusion is right.")
 
 claim("B93-S9", "the relations between the blocks of a symplectic matrix",
       (B * T(A) == A * T(B)) & (T(A) * C == T(C) * A) & (T(A) * D - T(C) * B == Identity(d)), sizes=["d"],
-      over={A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}, where=[FORM, BLOCKS],
-      given=[given("M in Sp", preserves_form(M))],
-      by=[combination([[(T(UPPER) * M * J, "M in Sp", inv(M) * J * UPPER)], [(T(UPPER), "M in Sp", UPPER)],
-                       [(T(UPPER), "M in Sp", LOWER)]], d=(1, 2)),
-          instances(d=(1, 2, 3, 6), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
-                    made_by={A: L, B: L * P, C: Q * L, D: inv(T(L)) + Q * L * P}),
-          instances(8, d=(1, 2, 3), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
-                    made_by={A: L * P, B: -L, C: inv(T(L)) + Q * L * P, D: -(Q * L)})],
-      note="In the second family of instances A = LP vanishes or is singular with P.")
+      over=ANY_BLOCKS, where=[BLOCKS], given=[given("M in Sp", symplectic(M))],
+      by=[order(), instances(d=(1, 2, 3, 6), **_symplectic()), instances(8, d=(1, 2, 3), **_symplectic(lower=True))])
 
 claim("B93-S10", "a family of members of H",
-      in_h(M, A, A * P, Q * A), sizes=["d"], over={A: nonsingular(d), P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-      where=[FORM, let(M, block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]]))],
-      by=[instances(d=UP_TO_6)],
-      note="A definition. What is checked is that the set is not empty: each nonsingular A with nonnegative P and Q gives a member. S38 shows that there are no others.")
+      in_h(M, A, A * P, Q * A), sizes=["d"],
+      over={A: nonsingular(d), P: positive_semidefinite(d), Q: positive_semidefinite(d)},
+      where=[let(M, block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]]))],
+      by=[order([], [], [A * P * T(A)], [T(A) * Q * A]), instances(d=UP_TO_6)],
+      note="A definition. What is checked is that the set is not empty: each nonsingular A with nonnegative P and Q "
+           "gives a member. S38 shows that there are no others.")
 
 claim("B93-S11", "Hamiltonian matrices are in H",
-      in_h(M, A, S * inv(T(A)), R * A), sizes=["d", "p", "q"], over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}, where=[FORM, *SYSTEM],
-      by=[steps("B93-S6", prose="BA* is S = FF* and A*C is A*RA with R = C*C; both are nonnegative."),
-          instances(d=UP_TO_6, p=(1, 2, 3), q=(1, 2, 3))])
+      in_h(M, A, S * inv(T(A)), R * A), sizes=["d", "p", "q"], over=PARAMETERS, where=SYSTEM,
+      by=[order([], [], [F * T(F)], [T(A) * T(C) * C * A]), instances(**SYSTEM_SIZES)])
 
-FA, CA = symbols("FA CA")
+GENERAL = {A: nonsingular(d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}
+MADE = {"using": {P: positive_semidefinite(d), Q: positive_semidefinite(d)}, "made_by": member(A, B, C, D, P, Q)}
+SELF = Factor(A, B, C)
+
 claim("B93-S12", "every member of H is the Hamiltonian matrix of a system",
-      psd(C * inv(A)) & (((FA * FA == B * T(A)) & (CA * CA == C * inv(A))) >> (M == hamiltonian(A, FA * T(FA), T(CA) * CA))),
-      sizes=["d"], over={A: nonsingular(d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), FA: positive_semidefinite(d), CA: positive_semidefinite(d)},
-      where=[FORM, BLOCKS],
-      given=[given("M in Sp", preserves_form(M)), standing("BA* >= 0", psd(B * T(A))), given("A*C >= 0", psd(T(A) * C))],
-      by=[steps("B93-S38", "B93-S17", facts=["a nonnegative symmetric matrix has exactly one nonnegative symmetric square root"],
-                prose="With S = BA* and R = C inv(A) the factors of S38 multiply to the matrix (7)."),
-          instances(d=UP_TO_6, made_by={"B": FA * FA * inv(T(A)), "C": CA * CA * A, "D": inv(T(A)) + CA * CA * FA * FA * inv(T(A))}),
-          example(d=1, A=[[1]], B=[[0]], C=[[-1]], D=[[1]], FA=[[0]], CA=[[0]])],
-      note="The roots are nonnegative symmetric matrices FA and CA, so that FF* is BA* and C*C is C inv(A).")
+      psd(C * inv(A)) & (M == hamiltonian(A, B * T(A), C * inv(A))), sizes=["d"], over=GENERAL, where=[BLOCKS],
+      given=member_of_h(M, A, B, C, "Sp", "A*C"),
+      by=[order([SELF.Q]), example(d=1, A=[[1]], B=[[0]], C=[[-1]], D=[[1]]), instances(d=UP_TO_6, **MADE)],
+      note="With F and C_n the nonnegative symmetric roots of BA*, nonnegative by hypothesis, and of C inv(A), "
+           "nonnegative as shown, FF* = BA* and C_n*C_n = C inv(A) are the S and R of (7).")
 
-claim("B93-S13", "in H, a positive A*C is a positive C inv(A), and a positive BA* a positive inv(A)B",
+claim("B93-S13", "a positive A*C is a positive C inv(A), and a positive BA* a positive inv(A)B",
       iff(pd(T(A) * C), pd(C * inv(A))) & iff(pd(B * T(A)), pd(inv(A) * B)), sizes=["d"],
-      over={A: nonsingular(d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}, where=[FORM, BLOCKS],
-      given=assumed(M, A, B, C, standing_only=True),
-      by=[instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d)}, made_by=member(A, B, C, D, P, Q))],
-      note="A definition. What is checked is the form in which it is used later: H1 asks Q = C inv(A) > 0 and H2 asks P = inv(A)B > 0.")
+      over={A: nonsingular(d), B: matrix(d, d), C: matrix(d, d)},
+      by=[order([SELF.Q], [T(A) * (C * inv(A)) * A], [SELF.P], [A * (inv(A) * B) * T(A)]),
+          instances(d=UP_TO_6, using=MADE["using"], made_by={B: A * P, C: Q * A})],
+      note="A definition. What is checked is the form in which it is used later: H1 asks C inv(A) > 0 and H2 asks "
+           "inv(A)B > 0.")
 
+DUAL = (let(N, T(M)), let(A1, T(A)), let(B1, T(C)), let(C1, T(B)))
 claim("B93-S14", "transposition exchanges H1 and H2",
-      iff(in_h1(M, A, B, C), in_h2(T(M), T(A), T(C), T(B))), sizes=["d"],
-      over={A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}, where=[FORM, BLOCKS],
-      by=[steps("B93-S8", "B93-S9", prose="The blocks of M* are A*, C*, B*, D*: its BA* is C*A = A*C and its A*C is AB* = BA*."),
-          instances(d=UP_TO_6, using={L: nonsingular(d), P: positive_semidefinite(d), Q: positive_semidefinite(d)},
+      iff(in_h1(M, A, B, C), in_h2(N, A1, B1, C1)), sizes=["d"], over=ANY_BLOCKS, where=[BLOCKS, *DUAL],
+      by=[order(),
+          instances(d=UP_TO_6, using={**MADE["using"], L: nonsingular(d)},
                     made_by={A: L, B: L * P, C: Q * L, D: inv(T(L)) + Q * L * P}),
-          instances(d=(1, 2), using={L: nonsingular(d), P: symmetric_matrix(d), Q: symmetric_matrix(d)},
-                    made_by={A: L, B: L * P, C: Q * L, D: inv(T(L)) + Q * L * P})],
-      note="A positive A*C, or a positive BA*, forces A to be invertible, which is therefore not repeated.")
+          instances(d=(1, 2), **_symplectic()), instances(8, d=(1, 2), **_symplectic(lower=True))])
 
-PAIR = {A1: nonsingular(d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d), A2: nonsingular(d), B2: matrix(d, d), C2: matrix(d, d), D2: matrix(d, d)}
-BOTH = [*assumed(M1, A1, B1, C1), *assumed(M2, A2, B2, C2)]
-SETTING = [*assumed(M1, A1, B1, C1, standing_only=True), *assumed(M2, A2, B2, C2, standing_only=True)]
-MADE = {"using": {P1: positive_semidefinite(d), Q1: positive_semidefinite(d), P2: positive_semidefinite(d), Q2: positive_semidefinite(d)},
-        "made_by": {**member(A1, B1, C1, D1, P1, Q1), **member(A2, B2, C2, D2, P2, Q2)}}
+PAIR = {A1: nonsingular(d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d),
+        A2: nonsingular(d), B2: matrix(d, d), C2: matrix(d, d), D2: matrix(d, d)}
+SETTING = [FORM, FIRST, LAST, *PRODUCT]
+USING = {P1: positive_semidefinite(d), Q1: positive_semidefinite(d), P2: positive_semidefinite(d), Q2: positive_semidefinite(d)}
+MADE_PAIR = {**member(A1, B1, C1, D1, P1, Q1), **member(A2, B2, C2, D2, P2, Q2)}
+PAIRS = instances(d=UP_TO_6, using=USING, made_by=MADE_PAIR)
+ONE, TWO = Factor(A1, B1, C1), Factor(A2, B2, C2)
+BOTH = Product(TWO, ONE, A3, H)
+ALL = ("Sp", "BA*", "A*C")
+PAIR_IN_H = [*member_of_h(M1, A1, B1, C1, *ALL), *member_of_h(M2, A2, B2, C2, *ALL)]
+# P2 = 1 and Q1 = -1: without the sign of A1*C1 the product has A3 = 0
+SIGN_NEEDED = example(d=1, A1=[[1]], B1=[[0]], C1=[[-1]], D1=[[1]], A2=[[1]], B2=[[1]], C2=[[0]], D2=[[1]])
+OTHER_SIGN_NEEDED = example(d=1, A1=[[1]], B1=[[0]], C1=[[1]], D1=[[1]], A2=[[1]], B2=[[-1]], C2=[[0]], D2=[[1]])
 
 claim("B93-P1.1.1", "H is a semigroup",
-      in_h(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=BOTH,
-      by=[steps("B93-S5", "B93-S18", "B93-E8", "B93-S20", "B93-L1.2", prose="The product is symplectic, A3 is invertible by S18, and (8) and its dual give the two signs."),
-          instances(d=UP_TO_6, **MADE)])
+      in_h(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=SETTING, given=PAIR_IN_H,
+      by=[order([], BOTH.inverse, BOTH.upper, BOTH.lower, roots=BOTH.roots), PAIRS])
 
-SIDES = (let(M3, M * N), let(L, N * M))
-BLOCKS_N = let(N, block([[A1, B1], [C1, D1]]))
-WITH_N = {A: nonsingular(d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), A1: nonsingular(d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d)}
+SIDES = (let(M3, M * N), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)),
+         let(M4, N * M), let(A4, part(M4, 0, 0)), let(B4, part(M4, 0, 1)), let(C4, part(M4, 1, 0)))
+WITH_N = {**GENERAL, A1: nonsingular(d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d)}
+K = symbols("K")[0]
+LEFT, RIGHT = Product(SELF, ONE, A3, H), Product(ONE, SELF, A4, K)
 
 
-def _ideal(ledger_id: str, title: str, test, extra: tuple, p1_type: tuple, q1_type: tuple, *ids: str) -> None:
+def _ideal(ledger_id: str, title: str, test, signs: tuple, p_type: tuple, q_type: tuple) -> None:
     """M in H, N in the subset: MN and NM are in the subset."""
-    claim(ledger_id, title,
-          test(M3, part(M3, 0, 0), part(M3, 0, 1), part(M3, 1, 0)) & test(L, part(L, 0, 0), part(L, 0, 1), part(L, 1, 0)),
-          sizes=["d"], over=WITH_N, where=[FORM, BLOCKS, BLOCKS_N, *SIDES], given=[*assumed(M, A, B, C), *extra],
-          by=[steps(*ids, prose="One of the two factors makes the sum in (8), or in its dual, positive."),
-              instances(d=(1, 2, 3), using={P: positive_semidefinite(d), Q: positive_semidefinite(d), P1: p1_type, Q1: q1_type},
+    claim(ledger_id, title, test(M3, A3, B3, C3) & test(M4, A4, B4, C4),
+          sizes=["d"], over=WITH_N, where=[BLOCKS, let(N, block([[A1, B1], [C1, D1]])), *SIDES],
+          given=[*member_of_h(M, A, B, C, *ALL), given("N in Sp", symplectic(N)), *signs],
+          by=[order([], LEFT.inverse, LEFT.upper, LEFT.lower, [], RIGHT.inverse, RIGHT.upper, RIGHT.lower,
+                    roots={**LEFT.roots, **RIGHT.roots}),
+              instances(d=(1, 2, 3, 6), using={**MADE["using"], P1: p_type, Q1: q_type},
                         made_by={**member(A, B, C, D, P, Q), **member(A1, B1, C1, D1, P1, Q1)})])
 
 
-IN_SP = given("N in Sp", preserves_form(N))
 _ideal("B93-P1.1.2", "H1 is a two-sided ideal", in_h1,
-       (IN_SP, given("N: BA* >= 0", psd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
-       positive_semidefinite(d), positive_definite(d), "B93-P1.1.1", "B93-S21", "B93-E8")
+       (given("N: BA* >= 0", psd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
+       positive_semidefinite(d), positive_definite(d))
 _ideal("B93-P1.1.3", "H2 is a two-sided ideal", in_h2,
-       (IN_SP, given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C >= 0", psd(T(A1) * C1))),
-       positive_definite(d), positive_semidefinite(d), "B93-P1.1.2", "B93-S14", "B93-S8")
+       (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C >= 0", psd(T(A1) * C1))),
+       positive_definite(d), positive_semidefinite(d))
 _ideal("B93-P1.1.4", "H0 is a two-sided ideal", in_h0,
-       (IN_SP, given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
-       positive_definite(d), positive_definite(d), "B93-P1.1.2", "B93-P1.1.3")
+       (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
+       positive_definite(d), positive_definite(d))
 
+NONNEGATIVE_PAIR = {P: positive_semidefinite(d), Q: positive_semidefinite(d)}
 claim("B93-L1.2", "I + PQ is invertible for nonnegative P and Q",
-      invertible(Identity(d) + P * Q), sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-      by=[steps("B93-S15", "B93-S16", prose="By S16, as corrected, no eigenvalue of I + PQ is less than one."), instances(d=UP_TO_6)])
+      invertible(Identity(d) + P * Q), sizes=["d"], over=NONNEGATIVE_PAIR,
+      by=[order([Identity(d) - H * inv(Identity(d) + H * Q * H) * H * Q], roots={H: P}), instances(d=UP_TO_6)])
 
 claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
-      (inv(P) == T(M) * M) & (Q == T(M) * D * M) & psd(D) & (Identity(d) + P * Q == inv(M) * (Identity(d) + D) * M), sizes=["d"],
+      (inv(P) == T(M) * M) & (Q == T(M) * D * M) & psd(D)
+      & (Identity(d) + P * Q == inv(M) * (Identity(d) + D) * M), sizes=["d"],
       over={P: positive_definite(d), Q: positive_semidefinite(d), L: nonsingular(d), U: matrix(d, d), D: diagonal(d)},
       where=[let(M, T(U) * inv(L))],
-      given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)), given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
-      by=[steps(facts=["a positive matrix is LL* for some nonsingular L", "a symmetric matrix is UDU* with U orthogonal and D diagonal"],
-                prose="M = U*inv(L) is the matrix asked for."),
-          instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d), A: matrix(d, d)},
-                    made_by={"P": L * T(L), "U": (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), "D": E * E,
-                             "Q": inv(T(L)) * U * D * T(U) * inv(L)})],
-      note="Existence is stated through the construction M = U*inv(L), where P = LL* and L*QL = UDU*.")
+      given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)),
+             given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
+      by=[steps(facts=["every positive P is LL* with a nonsingular L",
+                       "every symmetric matrix is UDU* with U orthogonal and D diagonal"],
+                prose="Such L and U exist; inv(P) = inv(L*)inv(L) = M*M, Q = inv(L*)UDU*inv(L) = M*DM and D = "
+                      "U*(L*QL)U >= 0; then PQ = inv(M)inv(M*)M*DM = inv(M)DM."),
+          instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
+                    made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
+                             Q: inv(T(L)) * U * D * T(U) * inv(L)})],
+      note="The matrix M asked for is M = U*inv(L). That P = LL* and L*QL = UDU* can be written so, with U orthogonal "
+           "and D diagonal, is the spectral theorem.")
 
-# the matrix of tr N^(i+j-1) is nonnegative exactly when all eigenvalues of N are real and nonnegative
 claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
-      outside_roots(charpoly(Identity(d) + P * Q)) == d, sizes=["d"],
-      over={P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-      by=[example(d=1, P=[[1]], Q=[[0]]), example(d=2, P=[[1, 0], [0, 1]], Q=[[1, 0], [0, 0]]), instances(d=(1, 2, 3, 4))],
-      repair=repair("boundary case", "Each common or single null direction gives an eigenvalue one: they are at least one, and greater than one only if P and Q are both positive.",
-                    psd(matrix_of(i, j, d, d, trace((P * Q) ** (i + j - 1)))) & iff(outside_roots(charpoly(Identity(d) + P * Q)) == d, pd(P) & pd(Q)),
-                    sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-                    by=[steps("B93-S15", facts=["the Hankel matrix of the power sums of the eigenvalues, weighted by them, is nonnegative exactly when they are real and nonnegative"],
-                              prose="The eigenvalues are 1 + D[i, i] for positive P; the others follow by continuity."),
-                        instances(d=(1, 2, 3, 4))]),
-      note="The eigenvalues are real, so greater than one means outside the unit circle.")
+      outside_roots(charpoly(Identity(d) + P * Q)) == d, sizes=["d"], over=NONNEGATIVE_PAIR,
+      by=[example(d=1, P=[[1]], Q=[[0]]), example(d=2, P=[[1, 0], [0, 1]], Q=[[1, 0], [0, 0]]), instances(d=(1, 2, 3))],
+      repair=repair(
+          "boundary case",
+          "Every null vector of P or of Q gives the eigenvalue one: the eigenvalues are at least one, and greater than "
+          "one only if both matrices are positive.",
+          psd(W), sizes=["d"], over=NONNEGATIVE_PAIR,
+          where=[let(W, matrix_of(i, j, d, d, trace((P * Q) ** (i + j - 1))))],
+          by=[steps("B93-L1.2",
+                    facts=["a matrix N has real nonnegative eigenvalues only exactly when the matrix with the entries "
+                           "tr N^(i+j-1) is nonnegative", "XY and YX have the same eigenvalues if both are square"],
+                    prose="With H the symmetric root of P, PQ = H(HQ) has the eigenvalues of HQH, which is symmetric "
+                          "and nonnegative. One is added to each for I + PQ."),
+              instances(d=(1, 2, 3, 4))]),
+      note="The eigenvalues are real, so greater than one means outside the unit circle. In the correction W is "
+           "nonnegative exactly when the eigenvalues of PQ are real and nonnegative.")
 
 claim("B93-S17", "C1 inv(A1) and inv(A2)B2 are nonnegative",
-      eq(Q1, inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,
-      where=[FORM, FIRST, LAST, let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2)],
-      given=[standing("M1 in Sp", preserves_form(M1)), standing("M1: BA* >= 0", psd(B1 * T(A1))), given("M1: A*C >= 0", psd(T(A1) * C1)),
-             standing("M2 in Sp", preserves_form(M2)), given("M2: BA* >= 0", psd(B2 * T(A2))), standing("M2: A*C >= 0", psd(T(A2) * C2))],
-      by=[instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), P1: positive_semidefinite(d), Q2: positive_semidefinite(d)},
-                    made_by={**member(A1, B1, C1, D1, P1, Q), **member(A2, B2, C2, D2, P, Q2)})])
+      (Q1 == inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,
+      where=[FIRST, LAST, let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2)],
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, "BA*")],
+      by=[order([], [ONE.Q], [TWO.P]),
+          instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), U: positive_semidefinite(d), W: positive_semidefinite(d)},
+                    made_by={**member(A1, B1, C1, D1, P, Q), **member(A2, B2, C2, D2, U, W)})])
 
-WITH_PQ = {**PAIR, Q1: symmetric_matrix(d), P2: symmetric_matrix(d)}
-NAMED = [given("Q1 = C1 inv(A1)", Q1 == C1 * inv(A1)), given("P2 = inv(A2)B2", P2 == inv(A2) * B2)]
-REACHED = {**member(A1, B1, C1, D1, P1, Q1), **member(A2, B2, C2, D2, P2, Q2)}
-TYPED = {**PAIR, P1: positive_semidefinite(d), Q1: positive_semidefinite(d), P2: positive_semidefinite(d), Q2: positive_semidefinite(d)}
+NAMED = (let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2))
+PAIRS_PQ = instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), U: positive_semidefinite(d), W: positive_semidefinite(d)},
+                     made_by={**member(A1, B1, C1, D1, P, Q), **member(A2, B2, C2, D2, U, W)})
 
 claim("B93-S18", "the first block of a product",
-      eq(A3, A2 * A1 + B2 * C1, A2 * (Identity(d) + inv(A2) * B2 * C1 * inv(A1)) * A1, A2 * (Identity(d) + P2 * Q1) * A1) & invertible(A3),
-      sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT, let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2)],
-      given=[standing("M1 in Sp", preserves_form(M1)), standing("M1: BA* >= 0", psd(B1 * T(A1))), given("M1: A*C >= 0", psd(T(A1) * C1)),
-             standing("M2 in Sp", preserves_form(M2)), given("M2: BA* >= 0", psd(B2 * T(A2))), standing("M2: A*C >= 0", psd(T(A2) * C2))],
-      by=[steps("B93-S17", "B93-L1.2", prose="The chain is an identity; the factor in the middle is invertible by Lemma 1.2."),
-          instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), P1: positive_semidefinite(d), Q2: positive_semidefinite(d)},
-                    made_by={**member(A1, B1, C1, D1, P1, Q), **member(A2, B2, C2, D2, P, Q2)})])
-
-BY_HAMILTON = {"given_by": REACHED, "covered_by": "B93-S38"}
-TIED = [given("Q1 = C1 inv(A1)", C1 == Q1 * A1), given("P2 = inv(A2)B2", B2 == A2 * P2), standing("P1 = inv(A1)B1", B1 == A1 * P1), given("Q2 = C2 inv(A2)", C2 == Q2 * A2)]
-SYMPLECTIC_PAIR = [standing("M1 in Sp", preserves_form(M1)), given("M2 in Sp", preserves_form(M2))]
+      eq(A3, A2 * A1 + B2 * C1, A2 * (Identity(d) + inv(A2) * B2 * C1 * inv(A1)) * A1, A2 * (Identity(d) + P2 * Q1) * A1)
+      & invertible(A3),
+      sizes=["d"], over=PAIR, where=[*SETTING, *NAMED],
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, "Sp", "BA*")],
+      by=[order([], BOTH.inverse, roots=BOTH.roots), SIGN_NEEDED, OTHER_SIGN_NEEDED, PAIRS_PQ])
 
 claim("B93-S19", "two relations for the computation of C3",
-      eq(T(A2) * D2, T(C2) * B2 + Identity(d), T(C2) * A2 * P2 + Identity(d), T(A2) * C2 * P2 + Identity(d)) & (C3 == C2 * A1 + D2 * C1),
-      sizes=["d"], over=TYPED, where=[FORM, FIRST, LAST, *PRODUCT], given=[*TIED[1:2], *TIED[3:], *SYMPLECTIC_PAIR[1:]],
-      by=[identity(**BY_HAMILTON, d=(1, 2, 3)), instances(d=UP_TO_6, made_by=REACHED)],
-      note="Q2 = C2 inv(A2) is nonnegative by S17, as P2 is.")
+      eq(T(A2) * D2, T(C2) * B2 + Identity(d), T(C2) * A2 * P2 + Identity(d), T(A2) * C2 * P2 + Identity(d))
+      & (C3 == C2 * A1 + D2 * C1),
+      sizes=["d"], over=PAIR, where=[*SETTING, *NAMED],
+      given=[*member_of_h(M1, A1, B1, C1), *member_of_h(M2, A2, B2, C2, "Sp")],
+      by=[order(), PAIRS_PQ])
 
-SUM = T(A1) * (Identity(d) + Q1 * P2) * T(A2) * C2 * (Identity(d) + P2 * Q1) * A1 + T(A1) * C1 + T(C1) * P2 * C1
+SQUEEZED = (Identity(d) + P2 * Q1) * A1
+TERM = T(A1) * (Identity(d) + Q1 * P2) * T(A2) * C2 * (Identity(d) + P2 * Q1) * A1
 claim("B93-E8", "A3*C3 is a sum of three nonnegative matrices",
       eq(T(A3) * C3, T(A1) * (Identity(d) + Q1 * P2) * T(A2) * (C2 * A1 + D2 * C1),
          T(A1) * (Identity(d) + Q1 * P2) * (T(A2) * C2 * A1 + T(A2) * C2 * P2 * C1 + C1),
          T(A1) * (Identity(d) + Q1 * P2) * T(A2) * C2 * (A1 + P2 * C1) + T(A1) * C1 + T(C1) * P2 * C1,
-         SUM),
-      sizes=["d"], over=TYPED, where=[FORM, FIRST, LAST, *PRODUCT], given=[TIED[0], TIED[1], TIED[3], SYMPLECTIC_PAIR[1]],
-      by=[identity(**BY_HAMILTON, d=(1, 2)), instances(d=UP_TO_6, made_by=REACHED)],
-      note="Q1, P2 and Q2 are the matrices C inv(A) and inv(A)B of the two factors, nonnegative by S17.")
+         TERM + T(A1) * C1 + T(C1) * P2 * C1),
+      sizes=["d"], over=PAIR, where=[*SETTING, *NAMED],
+      given=[*member_of_h(M1, A1, B1, C1, "Sp"), *member_of_h(M2, A2, B2, C2, "Sp")],
+      by=[order(), PAIRS_PQ])
 
 claim("B93-S20", "the two blocks of a product that have to be nonnegative",
-      psd(T(A3) * C3) & psd(A3 * T(B3)), sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=BOTH,
-      by=[steps("B93-E8", "B93-S17", "B93-S14", prose="Each summand of (8) is nonnegative; the other block follows by transposition."), instances(d=UP_TO_6, **MADE)])
+      psd(T(A3) * C3) & psd(A3 * T(B3)), sizes=["d"], over=PAIR, where=SETTING, given=PAIR_IN_H,
+      by=[order(BOTH.lower, BOTH.upper), PAIRS])
 
 ONE_INVERTIBLE = given("one of the A*C is invertible", invertible(T(A2) * C2) | invertible(T(A1) * C1))
-HALF = {"using": {P1: positive_semidefinite(d), Q1: positive_definite(d), P2: positive_semidefinite(d), Q2: positive_semidefinite(d)}, "made_by": MADE["made_by"]}
-OTHER_HALF = {"using": {P1: positive_semidefinite(d), Q1: positive_semidefinite(d), P2: positive_semidefinite(d), Q2: positive_definite(d)}, "made_by": MADE["made_by"]}
+HALF = instances(d=UP_TO_6, using={**USING, Q1: positive_definite(d)}, made_by=MADE_PAIR)
+OTHER_HALF = instances(d=UP_TO_6, using={**USING, Q2: positive_definite(d)}, made_by=MADE_PAIR)
+SHOWN_TWICE = (BOTH.inverse, BOTH.lower)
 
 claim("B93-S21", "when A3*C3 is positive",
-      pd(T(A3) * C3), sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=[*BOTH, ONE_INVERTIBLE],
-      by=[steps("B93-E8", "B93-S18", prose="The summand with the invertible factor is positive, the others nonnegative."),
-          instances(d=UP_TO_6, **HALF), instances(d=UP_TO_6, **OTHER_HALF)])
+      pd(T(A3) * C3), sizes=["d"], over=PAIR, where=SETTING, given=[*PAIR_IN_H, ONE_INVERTIBLE],
+      by=[order(BOTH.inverse, BOTH.lower, BOTH.inverse, BOTH.lower, roots=BOTH.roots, lemmas=[invertible(A3)]),
+          HALF, OTHER_HALF])
 
+IN_H1 = (*[[], BOTH.inverse, BOTH.upper, BOTH.lower],) * 2
 claim("B93-S22", "the ideal that this gives",
-      in_h2(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=[*BOTH, ONE_INVERTIBLE],
-      by=[example(d=1, A1=[[1]], B1=[[0]], C1=[[1]], D1=[[1]], A2=[[1]], B2=[[0]], C2=[[1]], D2=[[1]]), instances(d=(1, 2, 3), **HALF)],
+      in_h2(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=SETTING, given=[*PAIR_IN_H, ONE_INVERTIBLE],
+      by=[example(d=1, A1=[[1]], B1=[[0]], C1=[[1]], D1=[[1]], A2=[[1]], B2=[[0]], C2=[[1]], D2=[[1]]), HALF],
       repair=repair("index", "A positive A*C is the definition of H1: the two ideals are exchanged.",
-                    in_h1(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=[*BOTH, ONE_INVERTIBLE],
-                    by=[steps("B93-P1.1.1", "B93-S21", prose="The product is in H, and its A*C is positive."),
-                        instances(d=UP_TO_6, **HALF), instances(d=UP_TO_6, **OTHER_HALF)]))
+                    in_h1(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=SETTING, given=[*PAIR_IN_H, ONE_INVERTIBLE],
+                    by=[order(*IN_H1, roots=BOTH.roots), HALF, OTHER_HALF]))
 
-# n members of H, side by side in wide matrices
-As, Bs, Cs, Ds = symbols("As Bs Cs Ds")
-Ak, Bk, Ck, Dk, Mk, Xi, Product, Tail, Alpha, Beta, Stack, X = symbols("A B C D M xi Product Tail alpha beta Stack X")
+# ---------------------------------------------------------------- n members of H, side by side in wide matrices
+As, Bs, Cs, Ds, Us, Vs, a, b = symbols("As Bs Cs Ds Us Vs a b")
+Ak, Bk, Ck, Dk, Mk, Xi, Chain, Tail, Alpha, Beta, Stack, X = symbols("A B C D M xi Chain Tail alpha beta Stack X")
 WIDE = {As: matrix(d, d * n), Bs: matrix(d, d * n), Cs: matrix(d, d * n), Ds: matrix(d, d * n)}
+XI = function(Xi, [X], T(part(X, 0, 0)) * part(X, 1, 0))
 SEQUENCE = (
-    FORM,
-    function(Ak, [k], piece(As, d, d)), function(Bk, [k], piece(Bs, d, d)), function(Ck, [k], piece(Cs, d, d)), function(Dk, [k], piece(Ds, d, d)),
+    function(Ak, [k], piece(As, d, d)), function(Bk, [k], piece(Bs, d, d)),
+    function(Ck, [k], piece(Cs, d, d)), function(Dk, [k], piece(Ds, d, d)),
     function(Mk, [k], block([[Ak(k), Bk(k)], [Ck(k), Dk(k)]])),
-    function(Product, [k], when(k == 1, Mk(1), Mk(k) * Product(k - 1))),
-    function(Xi, [X], T(part(X, 0, 0)) * part(X, 1, 0)),
+    function(Chain, [k], when(k == 1, Mk(1), Mk(k) * Chain(k - 1))), XI,
     function(Alpha, [k], when(k == 0, Identity(d), Ak(k) * Alpha(k - 1))),
 )
 ALL_IN_H = given("every M_k is in H", forall(k, 1, n, in_h(Mk(k), Ak(k), Bk(k), Ck(k))))
-# the block column in which column j of a wide matrix stands, and its place there
+# the block column in which column j of a wide matrix stands
 NUMBER = 1 + sum_of(k, 1, n, when(j > k * d, 1, 0))
 
 
@@ -344,64 +376,83 @@ def _square(wide, number, rank_):
 def _members(rank_: int) -> dict:
     """How to make n members of H whose P and Q have no more than the given rank."""
     return {"using": {Us: matrix(d, rank_ * n), Vs: matrix(d, rank_ * n)},
-            "made_by": {"Bs": _wide(lambda c: Ak(c) * _square(Us, c, rank_)), "Cs": _wide(lambda c: _square(Vs, c, rank_) * Ak(c)),
-                        "Ds": _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
+            "made_by": {Bs: _wide(lambda c: Ak(c) * _square(Us, c, rank_)),
+                        Cs: _wide(lambda c: _square(Vs, c, rank_) * Ak(c)),
+                        Ds: _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
 
 
-Us, Vs, a, b = symbols("Us Vs a b")
 MANY = (instances(d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(1, 2), **_members(2)))
 TWO_OR_MORE = (instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(2, 3), **_members(2)))
 OBSERVABILITY = sum_of(k, 1, n, T(Alpha(k - 1)) * (T(Ak(k)) * Ck(k)) * Alpha(k - 1))
 CONTROLLABILITY = sum_of(k, 1, n, Beta(k) * (Bk(k) * T(Ak(k))) * T(Beta(k)))
-WHOLE = (let(M3, Product(n)), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)))
+WHOLE = (let(M3, Chain(n)), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)))
+STACK = function(Stack, [k], when(k == 1, Xi(Mk(1)), vstack(Stack(k - 1), Xi(Mk(k)) * Alpha(k - 1))))
 RANGE = "The matrices M_1, .., M_n stand side by side, block by block, in As, Bs, Cs, Ds."
+RANKS = "Two systems have the same solutions x exactly when each has the rank of both together."
 
 claim("B93-P1.3.1", "when a product is in H1",
-      iff(in_h1(M3, A3, B3, C3), det(OBSERVABILITY) != 0), sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, *WHOLE], given=[ALL_IN_H],
-      by=[steps("B93-S26", "B93-S27", "B93-P1.1.1", prose="The product is in H, so it is in H1 exactly when its A*C has no null vector, and S27 names the null vectors."),
-          *MANY], note=RANGE)
+      iff(in_h1(M3, A3, B3, C3), det(OBSERVABILITY) != 0), sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, *WHOLE],
+      given=[ALL_IN_H],
+      by=[steps("B93-S23", "B93-E11", "B93-S24", "B93-S25", "B93-P1.1.1",
+                prose="The product is in H, so it is in H1 exactly when its A*C has no null vector. S23, applied to M_1 "
+                      "and the product of the others and repeated, gives its null vectors as the common ones of the "
+                      "xi(M_k)alpha(k - 1), which by S24 and S25 are those of the sum."), *MANY],
+      note=RANGE)
 
 claim("B93-P1.3.2", "when a product is in H2",
       iff(in_h2(M3, A3, B3, C3), det(CONTROLLABILITY) != 0), sizes=["d", "n"], over=WIDE,
       where=[*SEQUENCE, *WHOLE, function(Beta, [k], when(k == n, Identity(d), Beta(k + 1) * Ak(k + 1)))], given=[ALL_IN_H],
-      by=[steps("B93-P1.3.1", "B93-S14", prose="Transposition reverses the product and exchanges the two sums."), *MANY], note=RANGE)
+      by=[steps("B93-S14", "B93-S23", "B93-E11", "B93-S24", "B93-S25", "B93-P1.1.1",
+                prose="Transposition reverses the product and exchanges H1 with H2, and the first sum with the second."),
+          *MANY], note=RANGE)
 
+
+
+def _null_vector(matrix_) -> object:
+    """The first of a basis of the null space, where it is not zero alone."""
+    return matrix_of(i, j, d, 1, kernel_basis(matrix_)[i, 1])
+
+
+XI3, XI1, XI2 = T(A3) * C3, T(A1) * C1, T(A2) * C2
 claim("B93-S23", "the null vectors of A*C of a product of two",
-      eq(rank(T(A3) * C3), rank(vstack(T(A1) * C1, T(A2) * C2 * A1)), rank(vstack(T(A3) * C3, T(A1) * C1, T(A2) * C2 * A1))),
-      sizes=["d"], over=PAIR, where=[FORM, FIRST, LAST, *PRODUCT], given=SETTING,
-      by=[steps("B93-E11", "B93-S24", "B93-S25", prose="By (11) a null vector of the sum is one of every summand, and C1 x = 0 makes P2 Q1 A1 x vanish."), instances(d=UP_TO_6, **MADE)],
-      note="Two systems have the same solutions x exactly when each has the rank of both together.")
+      iff(XI3 * x == Zero(d, 1), (XI1 * x == Zero(d, 1)) & (XI2 * A1 * x == Zero(d, 1))), sizes=["d"],
+      over={**PAIR, x: vector(d)}, where=SETTING, given=PAIR_IN_H,
+      by=[order(BOTH.lower, BOTH.lower, [inv(A1), inv(A2)]),
+          instances(d=(1, 2, 3, 6), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI3)}),
+          instances(d=(1, 2, 3, 6), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI1)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI2 * A1)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by=MADE_PAIR)])
 
 claim("B93-S24", "a null vector of a sum of nonnegative matrices is one of each",
-      eq(rank(P + Q), rank(vstack(P, Q)), rank(vstack(P + Q, P, Q))), sizes=["d"],
-      over={P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-      by=[instances(d=UP_TO_6)],
-      note="Two systems have the same solutions x exactly when each has the rank of both together.")
+      ((P + Q) * x == Zero(d, 1)) >> ((P * x == Zero(d, 1)) & (Q * x == Zero(d, 1))), sizes=["d"],
+      over={**NONNEGATIVE_PAIR, x: vector(d)},
+      by=[order([P, Q], [P, Q]), instances(d=UP_TO_6, made_by={x: _null_vector(P + Q)}), instances(8, d=(1, 2, 3))])
 
 claim("B93-S25", "a null vector of M*PM is one of PM",
-      eq(rank(T(M) * P * M), rank(P * M)), sizes=["d", "r"], over={P: positive_semidefinite(d), M: matrix(d, r)},
-      by=[instances(d=(1, 2, 3, 4), r=(1, 2, 3, 4))],
-      note="The null vectors of PM are null vectors of M*PM, so that there are no others exactly when the ranks agree. M need not be square.")
+      (T(M) * P * M * x == Zero(r, 1)) >> (P * M * x == Zero(d, 1)), sizes=["d", "r"],
+      over={P: positive_semidefinite(d), M: matrix(d, r), x: vector(r)},
+      by=[order([T(M) * P * M]),
+          instances(d=(1, 2, 3, 4), r=(1, 2, 3, 4), made_by={x: matrix_of(i, j, r, 1, kernel_basis(T(M) * P * M)[i, 1])}),
+          instances(8, d=(1, 2, 3), r=(1, 2, 3))],
+      note="M need not be square.")
 
 claim("B93-E11", "A*C of a product as a sum of nonnegative matrices",
-      (Xi(M3) == SUM) & psd(T(A1) * (Identity(d) + Q1 * P2) * T(A2) * C2 * (Identity(d) + P2 * Q1) * A1) & psd(T(A1) * C1) & psd(T(C1) * P2 * C1),
-      sizes=["d"], over=TYPED, where=[FORM, FIRST, LAST, let(M3, M2 * M1), function(Xi, [X], T(part(X, 0, 0)) * part(X, 1, 0))],
-      given=[TIED[0], TIED[1], TIED[3], SYMPLECTIC_PAIR[1]],
-      by=[steps("B93-E8", "B93-S17", prose="Each summand is a congruence of a nonnegative matrix."), instances(d=UP_TO_6, made_by=REACHED)],
-      note="The equation is (8).")
+      (Xi(M3) == TERM + T(A1) * C1 + T(C1) * P2 * C1) & psd(TERM) & psd(T(A1) * C1) & psd(T(C1) * P2 * C1),
+      sizes=["d"], over=PAIR, where=[FIRST, LAST, let(M3, M2 * M1), XI, *NAMED],
+      given=[*member_of_h(M1, A1, B1, C1, "Sp", "A*C"), *member_of_h(M2, A2, B2, C2, *ALL)],
+      by=[order([], [T(SQUEEZED) * TWO.AC * SQUEEZED], [], BOTH.lower[2:]), PAIRS_PQ])
 
 TAILS = function(Tail, [k], when(k == n, Mk(n), Tail(k + 1) * Mk(k)))
 claim("B93-S26", "the null vectors of A*C of a product of n",
-      eq(rank(Xi(Product(n))), rank(vstack(Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))), rank(vstack(Xi(Product(n)), Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))))
-      & eq(rank(Xi(Product(n))), rank(Stack(n)), rank(vstack(Xi(Product(n)), Stack(n)))),
-      sizes=["d", "n"], over=WIDE,
-      where=[*SEQUENCE, TAILS, function(Stack, [k], when(k == 1, Xi(Mk(1)), vstack(Stack(k - 1), Xi(Mk(k)) * Alpha(k - 1))))], given=[ALL_IN_H],
-      by=[steps("B93-S23", prose="S23 for M_1 and the product of the others, repeated."), *TWO_OR_MORE],
-      note="Two systems have the same solutions x exactly when each has the rank of both together. Tail(2) is M_n ... M_2, for n at least two.")
+      eq(rank(Xi(Chain(n))), rank(vstack(Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))),
+         rank(vstack(Xi(Chain(n)), Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))))
+      & eq(rank(Xi(Chain(n))), rank(Stack(n)), rank(vstack(Xi(Chain(n)), Stack(n)))),
+      sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, TAILS, STACK], given=[ALL_IN_H],
+      by=[steps("B93-S23", "B93-P1.1.1", prose="S23 for M_1 and the product of the others, and so on."), *TWO_OR_MORE],
+      note=f"{RANKS} Tail(2) is M_n ... M_2, for n at least two.")
 
 claim("B93-S27", "one symmetric matrix for all the conditions",
       eq(rank(Stack(n)), rank(OBSERVABILITY), rank(vstack(Stack(n), OBSERVABILITY))),
-      sizes=["d", "n"], over=WIDE,
-      where=[*SEQUENCE, function(Stack, [k], when(k == 1, Xi(Mk(1)), vstack(Stack(k - 1), Xi(Mk(k)) * Alpha(k - 1))))], given=[ALL_IN_H],
-      by=[steps("B93-S24", "B93-S25", prose="A sum of the nonnegative matrices X*PX vanishes at x exactly when each PXx does."), *MANY],
-      note="Two systems have the same solutions x exactly when each has the rank of both together.")
+      sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, STACK], given=[ALL_IN_H],
+      by=[steps("B93-S24", "B93-S25", prose="A sum of the nonnegative matrices X*PX vanishes at x exactly when each PXx does."),
+          *MANY], note=RANKS)

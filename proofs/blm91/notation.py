@@ -13,8 +13,10 @@ Q = P - F P F', S = g - F P h, R = 1 - h' P h. The identities need no
 nonnegativity, so they are checked for every symmetric P.
 """
 
+from exactkf.evidence import example
 from exactkf.language import (
-    Identity, T, Z, Zero, block, coeff, function, hstack, let, matrix_of, rec, recip, sum_of, symbols, vstack, when,
+    Identity, T, Z, Zero, block, coeff, function, given, hstack, let, matrix_of, nonzero, pos_on_circle, rec, recip, scalar, schur, sum_of, symbols,
+    vector, vstack, when,
 )
 
 n, m, t, k, j, i, s = symbols("n m t k j i s")
@@ -86,7 +88,34 @@ POLYNOMIALS = (
 INVARIANT = let(D, 1 / r[0] * (Qp(0) * recip(Qp(0)) - Qs(0) * recip(Qs(0))))
 
 
-def polynomial_of(vector, lead=1):
+def polynomial_of(v, lead=1):
     """z^n + v_1 z^(n-1) + ... + v_n, or without the first term for lead 0."""
-    tail = sum_of(i, 1, n, vector[i] * Z ** (n - i))
+    tail = sum_of(i, 1, n, v[i] * Z ** (n - i))
     return Z**n + tail if lead else tail
+
+
+# ---------------------------------------------------------------------- positive real data (a, g)
+u, w, az, gz, num = symbols("u w az gz num")
+SU, SW = sum_of(i, 1, n, abs(u[i])), sum_of(i, 1, n, abs(w[i]))
+#: sum |a_i| < 1 and sum |g_i| < (1 - sum |a_i|)/2 give a Schur polynomial a(z) with |g/a| < 1/2 on the circle
+CLASSICAL = dict(using={u: vector(n), w: vector(n)}, made_by={a: u / (1 + SU), g: w / (2 * (1 + SU) * (1 + SW))})
+REAL = [given("a(z) Schur", schur(az)), given("Popov condition", pos_on_circle(num))]
+DATA = (let(az, polynomial_of(a)), let(gz, polynomial_of(g, 0)), let(num, az * recip(az) + gz * recip(az) + recip(gz) * az))
+EDGE = [example(n=1, m=3, a=["1/2"], g=["-7/10"]), example(n=1, m=3, a=["-9/10"], g=["93/100"]), example(n=2, m=3, a=[0, "9/10"], g=[0, "-1/2"]),
+        example(n=2, m=3, a=["-38/25", "9/10"], g=["4/5", "-9/10"]), example(n=3, m=2, a=[0, 0, "7/8"], g=["1/50", 0, "-7/8"])]
+EDGE.append(example(n=2, m=2, a=["2/25", "-9/10"], g=["-4/5", "9/10"]))
+
+# ---------------------------------------------------------------------- n = 1: (alpha_t, gamma_t) = (q_t, q*_t)
+al, ga, al0, ga0, pp, s1 = symbols("alpha gamma alpha0 gamma0 pp s1")
+
+
+def scalar_orbit(start, start_star):
+    """(2.34), the same as (3.10)."""
+    return (rec(al, t, start, al[t] / (1 - ga[t] ** 2)), rec(ga, t, start_star, -ga[t] * al[t] / (1 - ga[t] ** 2)))
+
+
+ORBIT = scalar_orbit(al0, ga0)
+#: points of the curve 1 + alpha^2 - gamma^2 = (p + 1/p) alpha, the part inside the diamond
+INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={
+    pp: u / (1 + abs(u)), al0: pp * ((s1 + s1 / abs(s1)) ** 2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2),
+    ga0: (s1 + s1 / abs(s1)) * (pp**2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2)})

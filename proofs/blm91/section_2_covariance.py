@@ -84,7 +84,9 @@ claim("BLM91-S13", "covariances of a stationary model make Phi_+ positive real",
                     over={F: matrix(n, n), h: vector(n), P: positive_semidefinite(n), S: vector(n)}, where=[*GAIN, *POPOV],
                     given=[given("white noise", psd(block([[Q, S], [T(S), R]]))),
                            given("state covariance nonsingular", invertible(P))],
-                    by=[instances(n=(1, 2, 3), using={Mk: matrix(n, n), u: vector(n), x: positive()},
+                    by=[steps("BLM91-E2.4", facts=["a pseudo-polynomial that is a form of a semidefinite matrix is nonnegative on the circle"],
+                              prose="Phi_+(z) + Phi_+(1/z) is the noise covariance between (h'(zI - F)^(-1), 1) and its value at 1/z; w*Pw (1 - |lambda|^2) = w*Qw >= 0 for a left eigenvector w"),
+                        instances(n=(1, 2, 3), using={Mk: matrix(n, n), u: vector(n), x: positive()},
                                   made_by={F: Mk / (1 + trace(Mk * T(Mk))), **PSD_MODEL}),
                         example(n=1, F=[[1]], h=[1], P=[["1/2"]], S=[0]),
                         example(n=2, F=[[0, -1], [1, 0]], h=[1, 1], P=[["1/3", 0], [0, "1/3"]], S=[0, 0])]),
@@ -109,7 +111,9 @@ claim("BLM91-S14", "positive realness is positive definiteness of all Toeplitz m
       by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"],
                     over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
-                    by=[instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
+                    by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
+                              prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
+                        instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
                         example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
       note=MA_NOTE)
 claim("BLM91-S16", "positive realness is |gamma_t| < 1 for all t",
@@ -118,7 +122,9 @@ claim("BLM91-S16", "positive realness is |gamma_t| < 1 for all t",
       repair=repair("boundary case", WEAK.replace("positive Toeplitz matrices give", "Schur parameters inside (-1, 1) give").replace("T_t > 0 for every t", "gamma_t = (-1)^t/(t+2)"),
                     nonneg_on_circle(num) >> (abs(gm) < 1), sizes=["n", "m"],
                     over={a: vector(n), g: vector(n)}, where=[*AB, *szego(cc), let(gm, gam(m))], given=[given("F stable", schur(F))],
-                    by=[instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
+                    by=[steps("BLM91-E2.3", "BLM91-E2.4", "BLM91-E2.13", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
+                              prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero; T_t > 0 for all t makes all r_t positive"),
+                        instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
                         example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
       note=MA_NOTE)
 
@@ -144,12 +150,12 @@ SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i)
           function(rr, [t], when(t == 0, 1, det(Toep(t)) / det(Toep(t - 1)))))
 claim("BLM91-E2.7", "the Schur parameter in terms of covariances",
       forall(t, 0, n, -coeff(phi(t + 1), 0) == 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1))), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
       note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0). "
            "The coefficient phi_(t,t-k) belongs to z^k.")
 claim("BLM91-E2.8", "recursion of the squared norms",
       (rr(0) == 1) & forall(t, 0, n, rr(t + 1) == (1 - coeff(phi(t + 1), 0) ** 2) * rr(t)), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
       note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
 
 # c -> gamma -> c and gamma -> c -> gamma
@@ -195,7 +201,7 @@ claim("BLM91-E2.11", "the linear least-squares prediction",
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
       vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
-      by=[identity(n=range(1, 4)), instances(n=range(1, 5))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",

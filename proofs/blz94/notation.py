@@ -3,6 +3,7 @@
 
 Vectors ``a``, ``b``, ``g`` of length n hold the coefficients of z^(n-1), ..., 1
 of the polynomials a(z), b(z) (monic of degree n) and g(z) = (b(z) - a(z))/2.
+A bar marks initial values.
 A time index comes first: ``a[t]`` is the vector at time t, ``a[t][i]`` its i-th
 entry; ``phi(t, k)`` is the Szego polynomial of degree k for the Schur
 parameters at time t.
@@ -36,7 +37,7 @@ HALF = rational("1/2")
 
 # ---------------------------------------------------------------------- polynomials of vectors
 a, b, g, h, F, J, P, r = symbols("a b g h F J P r")
-a0, b0, g0 = symbols("a0 b0 g0")
+a0, b0, g0 = symbols("abar bbar gbar")
 apoly, bpoly, D = symbols("a_z b_z D")
 
 
@@ -102,14 +103,15 @@ CORRELATIONS = (
 )
 #: the Schur parameters from c_1, c_2, ..., (3.6)
 SCHUR = (*PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])))
-#: T_t of (3.2) for a sequence c_1, c_2, ... of variables, and for the function c with c_0 = 1
+#: T_t of (3.2)
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 
 #: a(z) and b(z) of (3.12)
-KIMURA = (*PHI, *PSI, let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])), let(b, psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])))
+KIMURA = (*PHI, *PSI, let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])),
+          let(b, psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])))
 
 # ---------------------------------------------------------------------- Szego polynomials along a trajectory
-alpha0, gamma0, A, G = symbols("alpha0 gamma0 A G")
+alpha0, gamma0, A, G = symbols("alphabar gammabar A G")
 
 #: polynomials for the Schur parameters gamma(t), entries gamma_0(t) = gamma[t][1], ...
 PHI_T = (
@@ -153,4 +155,28 @@ INVERSE = (
     function(r, [t, k], prod(j, 0, k - 1, 1 - gamma(t, j) ** 2)),
     function(gamma, [t, k], 1 / r(t, k) * sum_of(j, 0, k, coeff(phi(t, k), j) * c(t, j + 1))),
     function(alpha, [t, k], a[t][k] - cot(phi, t, n, k) - sum_of(j, 1, k - 1, alpha(t, j) * cot(phi, t, n - j, k - j))),
+)
+
+#: the fast algorithm from the (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
+phi0, phi0s, psi0, psi0s = symbols("phi0 phi0s psi0 psi0s")
+#: the fast algorithm from the vectors (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
+STEP = (
+    rec(phi0, k, 1, Z * phi0[k] - gamma0[k + 1] * phi0s[k]), rec(phi0s, k, 1, phi0s[k] - gamma0[k + 1] * Z * phi0[k]),
+    rec(psi0, k, 1, Z * psi0[k] + gamma0[k + 1] * psi0s[k]), rec(psi0s, k, 1, psi0s[k] + gamma0[k + 1] * Z * psi0[k]),
+    let(a0, column(i, n, coeff(phi0[n], n - i) + sum_of(j, 1, i, alpha0[j] * coeff(phi0[n - j], n - i)))),
+    let(b0, column(i, n, coeff(psi0[n], n - i) + sum_of(j, 1, i, alpha0[j] * coeff(psi0[n - j], n - i)))),
+    let(g0, HALF * (b0 - a0)), *FAST, *INVERSE,
+)
+
+# ---------------------------------------------------------------------- shifted parameters
+sigma = sym("sigma")
+#: Szego polynomials phi(s, t), psi(s, t) of degree t for the parameters gamma_s, gamma_{s+1}, ...
+SHIFTED = (
+    function(phi, [s, t], when(t == 0, 1, Z * phi(s, t - 1) - gamma[s + t - 1] * phis(s, t - 1))),
+    function(phis, [s, t], when(t == 0, 1, phis(s, t - 1) - gamma[s + t - 1] * Z * phi(s, t - 1))),
+    function(psi, [s, t], when(t == 0, 1, Z * psi(s, t - 1) + gamma[s + t - 1] * psis(s, t - 1))),
+    function(psis, [s, t], when(t == 0, 1, psis(s, t - 1) + gamma[s + t - 1] * Z * psi(s, t - 1))),
+    function(pi, [s, t], HALF * (psi(s, t) + phi(s, t))), function(rho, [s, t], HALF * (psi(s, t) - phi(s, t))),
+    function(r, [s, t], prod(j, 0, t - 1, 1 - gamma[s + j] ** 2)),
+    function(sigma, [s, i, j], HALF * (phi(s, i) * recip(psi(s, j)) + psi(s, i) * recip(phi(s, j)))),
 )

@@ -17,8 +17,28 @@ from typing import Any
 
 from exactkf.evidence import Evidence, identity, instances
 from exactkf.language import (
-    Expr, Identity, T, Zero, block, diag, given, hstack, integer, inv, kernel_basis, let, matrix, matrix_of, positive_semidefinite,
-    rank, standing, sym, symbols, symmetric_matrix, vstack, when,
+    Expr,
+    Identity,
+    T,
+    Zero,
+    block,
+    diag,
+    given,
+    hstack,
+    integer,
+    inv,
+    kernel_basis,
+    let,
+    matrix,
+    matrix_of,
+    positive_semidefinite,
+    rank,
+    standing,
+    sym,
+    symbols,
+    symmetric_matrix,
+    vstack,
+    when,
 )
 
 # sizes
@@ -53,7 +73,7 @@ def one_inverse(Z: Expr) -> Expr:
 
 
 def any_one_inverse(Z: Expr, Y: Expr, K: Expr | None = None) -> Expr:
-    """All symmetric (1)-inverses of a symmetric matrix, one for each matrix Y (of the size of Z); K spans the kernel."""
+    """All symmetric (1)-inverses of a symmetric matrix, one for each Y of its size; K spans the kernel."""
     K = kernel_basis(Z) if K is None else K
     return inv(Z + K * T(K)) + K * (T(K) * Y) + T(Y) * K * T(K)
 
@@ -86,7 +106,8 @@ IMPLIED_RANK = standing("H has full column rank", rank(H) == n)
 OTHER = {L0: inv(T(H) * H) * T(H), L: L0 + X * (Identity(p) - H * L0)}
 
 
-def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: Expr = Y, whole: Expr = G) -> tuple[dict, dict]:
+def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: Expr = Y,
+                 whole: Expr = G) -> tuple[dict, dict]:
     """What `instances` needs so that the named blocks form a random symmetric (1)-inverse of Z: made_by and using."""
     kernel = sym(f"ker{whole.tree[1]}")
     made = {kernel: kernel_basis(Z), whole: any_one_inverse(Z, free, kernel),
@@ -94,10 +115,12 @@ def made_inverse(Z: Expr, names: tuple[Expr, Expr, Expr], p: Any, n: Any, free: 
     return made, {free: matrix(p + n, p + n)}
 
 
-def inverses(count: int = 24, *, made_by: dict | None = None, using: dict | None = None, before: dict | None = None, **sizes: Any) -> Evidence:
+def inverses(count: int = 24, *, made_by: dict | None = None, using: dict | None = None, before: dict | None = None,
+             **sizes: Any) -> Evidence:
     """Instances in which (W, U, T) is a random symmetric (1)-inverse of Z; ``before`` computes R or H first."""
     made, free = made_inverse(Zm, (W, U, Tb), p, n)
-    return instances(count, made_by={**(before or {}), **made, **(made_by or {})}, using={**free, **(using or {})}, **(sizes or SIZES))
+    return instances(count, made_by={**(before or {}), **made, **(made_by or {})}, using={**free, **(using or {})},
+                     **(sizes or SIZES))
 
 
 def two_inverses(count: int = 24, *, made_by: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
@@ -119,9 +142,11 @@ def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
 # ------------------------------------------------------------------ coordinates
 S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
 NORMAL_FORM = (
-    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where I has size "
-    "rank [R H] - n; there the symmetric (1)-inverses have W = [0, K'; K, M], U = [I; L], T = -P, where diag(I, 0) annihilates K and L "
-    "and M is a symmetric (1)-inverse of diag(I, 0)")
+    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where "
+    "I has size rank [R H] - n; there the symmetric (1)-inverses have W = [0, K'; K, M], U = [I; L], T = -P, where "
+    "diag(I, 0) annihilates K and L and M is a symmetric (1)-inverse of diag(I, 0)")
+
+ROTATED = "; with an orthogonal change of w, a square root V of R becomes S^-1 [0, V1; I, 0; 0, 0]"
 
 
 def ones(nrows: Any, ncols: Any) -> Expr:
@@ -142,13 +167,15 @@ COORDINATES = {
     **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n),
 }
 COORDINATES_2 = inverse_in_coordinates((W2, U2, T2), (Y5, Y6, Y7), n)
-PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n), Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
+PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n),
+              Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
 PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
 #: L with LH = I
 OTHER_IN_COORDINATES = {L: hstack(Identity(n), X) * S}
 
 
-def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
+def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None,
+                   **sizes: Any) -> Evidence:
     """The conclusion as an identity in all R >= 0, H of full column rank and all their symmetric (1)-inverses."""
     return identity(given_by={**COORDINATES, **(COORDINATES_2 if second else {}), **(made or {})},
                     using={**PARAMETERS, **(PARAMETERS_2 if second else {}), **(using or {})}, fact=NORMAL_FORM,

@@ -37,15 +37,104 @@ from fractions import Fraction
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import (
-    Identity, T, Zero, block, column, diag, eq, function, given, hstack, iff, integer, inv, invertible, kernel_basis, let, loewner, matrix,
-    nonsingular, positive_definite, positive_semidefinite, psd, rank, size_of, standing, sym, symbols, symmetric,
-    symmetric_matrix, vector, vstack, when,
+    Identity,
+    T,
+    Zero,
+    block,
+    column,
+    diag,
+    eq,
+    forall,
+    function,
+    given,
+    hstack,
+    iff,
+    integer,
+    inv,
+    invertible,
+    kernel_basis,
+    let,
+    matrix,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    rank,
+    size_of,
+    standing,
+    sym,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    vector,
+    vstack,
+    when,
 )
 from proofs.nwl92.notation import (
-    BLOCKS, E0, E1, F, FULL_COLUMN_RANK, IMPLIED_RANK, NORMAL_FORM, ONE_INVERSE, OTHER, OTHER_IN_COORDINATES, PAIR, PARAMETERS, S, SECOND,
-    SECOND_GIVEN, SECOND_INVERSE, SETTING, SIZES, T2, TWO_BLOCK, UNBIASED, W2, Y2, Y3, Y4, Y5, G, G2, H, L, R, Tb, U, U2, V, W, X, Y, Ze, Zd,
-    Zm, any_one_inverse, blocks_of, excess, in_coordinates, inverse_in_coordinates, inverses, lam, likeliest, lower, made_inverse, n,
-    one_inverse, ones, p, q, r, rho, two_block, two_inverses, upper, w, w0, x, x0, y,
+    BLOCKS,
+    E0,
+    E1,
+    FULL_COLUMN_RANK,
+    IMPLIED_RANK,
+    NORMAL_FORM,
+    ONE_INVERSE,
+    OTHER,
+    OTHER_IN_COORDINATES,
+    PAIR,
+    PARAMETERS,
+    ROTATED,
+    SECOND,
+    SECOND_GIVEN,
+    SECOND_INVERSE,
+    SETTING,
+    SIZES,
+    T2,
+    TWO_BLOCK,
+    U2,
+    UNBIASED,
+    W2,
+    Y3,
+    Y4,
+    Y5,
+    F,
+    G,
+    H,
+    L,
+    R,
+    S,
+    Tb,
+    U,
+    V,
+    W,
+    X,
+    Y,
+    Zd,
+    Ze,
+    Zm,
+    any_one_inverse,
+    blocks_of,
+    excess,
+    in_coordinates,
+    inverse_in_coordinates,
+    inverses,
+    lam,
+    likeliest,
+    lower,
+    made_inverse,
+    n,
+    one_inverse,
+    ones,
+    p,
+    q,
+    r,
+    rho,
+    two_block,
+    two_inverses,
+    upper,
+    w,
+    w0,
+    x,
+    x0,
+    y,
 )
 
 half = Fraction(1, 2)
@@ -59,41 +148,45 @@ I_n, Q, UB = Identity(n), sym("Q"), sym("UB")
 FIRST_N, LAST_P = L * upper(n, p), L * lower(n, p)
 GAIN_LS = "gain of least squares"
 claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2.2), with the same error covariance",
-      (m + K * (z - C * m) == T(UB) * vstack(m, z)) & (T(UB) * R * UB == P - K * C * P) & excess(L, UB, R),
+      (T(UB) * R * UB == P - K * C * P) & (m + K * (z - C * m) == T(UB) * vstack(m, z))
+      & (L * R * UB == T(UB) * R * UB),
       sizes=["n", "p"],
-      over={P: positive_semidefinite(n), N: positive_semidefinite(p), C: matrix(p, n), K: matrix(n, p), m: vector(n), z: vector(p),
+      over={P: positive_semidefinite(n), N: positive_semidefinite(p), C: matrix(p, n), K: matrix(n, p), m: vector(n),
+            z: vector(p),
             L: matrix(n, n + p)},
       where=[*BAYES, let(UB, T(hstack(I_n - K * C, K)))],
       given=[given(GAIN_LS, K * (C * P * T(C) + N) == P * T(C)), UNBIASED],
       by=[combination([
-          [],
           [(1, GAIN_LS, T(K))],
-          [(1, "Ly is unbiased", P - K * C * P), (T(P - K * C * P), "Ly is unbiased'", 1),
-           (FIRST_N, GAIN_LS, T(K)), (-FIRST_N * K, GAIN_LS + "'", 1), (LAST_P, GAIN_LS + "'", 1),
-           (LAST_P * C, GAIN_LS, T(K)), (-LAST_P * C * K, GAIN_LS + "'", 1),
-           (K, GAIN_LS + "'", T(FIRST_N)), (-1, GAIN_LS, T(K) * T(FIRST_N)), (1, GAIN_LS, T(LAST_P)),
-           (K, GAIN_LS + "'", T(C) * T(LAST_P)), (-1, GAIN_LS, T(K) * T(C) * T(LAST_P)),
-           (-1, GAIN_LS, T(K)), (-K, GAIN_LS + "'", 1)]], n=(1, 2), p=(1, 2)),
+          [],
+          [(1, "Ly is unbiased", P - K * C * P), (FIRST_N, GAIN_LS, T(K)), (-FIRST_N * K, GAIN_LS + "'", 1),
+           (LAST_P, GAIN_LS + "'", 1),
+           (LAST_P * C, GAIN_LS, T(K)), (-LAST_P * C * K, GAIN_LS + "'", 1), (-1, GAIN_LS, T(K))]], n=(1, 2), p=(1, 2)),
           instances(made_by={"S0": one_inverse(C * P * T(C) + N),
                              K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
                              L: hstack(I_n - Q * C, Q)},
                     using={X: matrix(n, p), Q: matrix(n, p)}, n=(1, 2), p=(1, 2))],
-      note="The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its error covariance P - KCP. It is linear in (m, z), unbiased, and no unbiased L(m; z) has a smaller error covariance: it is the maximum likelihood estimate for (2.2).")
+      note=("The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its "
+            "error covariance P - KCP. It is linear and unbiased in (m, z), and its error has the covariance P - KCP "
+            "with the error of every other unbiased L(m; z), so none has a smaller error covariance: it is the maximum "
+            "likelihood estimate for (2.2)."))
 
 claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
       sizes=["n", "p"],
       over={P: symmetric_matrix(n), N: symmetric_matrix(p), C: matrix(p, n), x: vector(n), m: vector(n), z: vector(p)},
       where=BAYES, by=[instances(n=(1, 2, 3), p=(1, 2))],
-      note="The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - x and z - Cx have covariances P and N.")
+      note=("The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - "
+            "x and z - Cx have covariances P and N."))
 
-d, c, K = symbols("d c K")
+d, c, K, i, j = symbols("d c K i j")
 HH = T(H) * H
+unit = sym("unit")
 claim("NWL92-S3", "all components of x are estimable exactly if H has rank n; in the Bayesian case it has",
-      iff(inv(HH + K * T(K)) * T(H) * H == Identity(n), rank(H) == n) & (rank(vstack(Identity(n), H)) == n),
-      sizes=["p", "n"], over={H: matrix(p, n)}, where=[let(K, kernel_basis(H))],
+      iff(forall(i, 1, n, rank(hstack(T(H), unit(i))) == rank(H)), rank(H) == n) & (rank(vstack(Identity(n), H)) == n),
+      sizes=["p", "n"], over={H: matrix(p, n)}, where=[function(unit, [i], column(j, n, when(j == i, 1, 0)))],
       by=[instances(p=(1, 2, 3), n=(1, 2, 3))],
-      note="Dy is an unbiased estimate of x exactly if DH = I. The matrix in front of H is such a D whenever there is one: DH = I makes H'H invertible and K empty.")
+      note="Component i of x is estimable exactly if unit vector i lies in the range of H' (NWL92-S11).")
 
 # ------------------------------------------------------------------ R of full rank
 Hx = T(H) * inv(R) * H
@@ -111,7 +204,8 @@ claim("NWL92-E2.3", "the ML estimate when R is invertible",
       sizes=["p", "n"], over={R: positive_definite(p), H: matrix(p, n), x: vector(n), y: vector(p)},
       where=[let(xh, FULL * y)],
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))],
-      note="Complete squares of the exponent of the Gaussian density: the last term is zero at xh only, as R is positive definite and H has full column rank (that rank is the denominator det H'R^-1H).")
+      note=("Complete squares of the exponent of the Gaussian density: the last term is zero at xh only, as R is "
+            "positive definite and H has full column rank (that rank is the denominator det H'R^-1H)."))
 
 claim("NWL92-E2.4", "error covariance of the ML estimate when R is invertible",
       (FULL * H == Identity(n)) & (FULL * R * T(FULL) == inv(Hx)),
@@ -133,9 +227,11 @@ claim("NWL92-E2.6", "the exponent of the density of v is w'w/2",
       over={V: matrix(p, r), H: matrix(p, n), x: vector(n), w: vector(r), G: symmetric_matrix(p)},
       where=[NOISE, let(y, H * x + V * w)],
       given=[given("V has full column rank", rank(V) == r), given("generalized inverse of R", R * G * R == R)],
-      by=[combination([(half * T(w) * inv(T(V) * V) * T(V), "generalized inverse of R", V * inv(T(V) * V) * w)], p=(2, 3), n=(1, 2), r=(1, 2)),
+      by=[combination([(half * T(w) * inv(T(V) * V) * T(V), "generalized inverse of R", V * inv(T(V) * V) * w)],
+                      p=(2, 3), n=(1, 2), r=(1, 2)),
           instances(made_by={G: any_one_inverse(R, Y)}, using={Y: matrix(p, p)}, p=(1, 2, 3), n=(1, 2), r=(1, 2, 3))],
-      note="The density of a Gaussian v of covariance R, on the range of R, is proportional to exp(-v'Gv/2) for any (1)-inverse G of R; so to maximise the likelihood is to minimise w'w/2 under y = Hx + Vw.")
+      note=("The density of a Gaussian v of covariance R, on the range of R, is proportional to exp(-v'Gv/2) for any "
+            "(1)-inverse G of R; so to maximise the likelihood is to minimise w'w/2 under y = Hx + Vw."))
 
 Lg, h = symbols("Lg h")
 w1, x1, lam1 = symbols("w1 x1 lam1")
@@ -151,7 +247,8 @@ claim("NWL92-E2.7", "on the constraint the Lagrangian is the cost",
 claim("NWL92-E2.8a", "gradient of the Lagrangian in w",
       Lg(w + h, x, lam) - Lg(w, x, lam) == T(h) * (w - T(V) * lam) + half * T(h) * h,
       sizes=["p", "n", "r"], over={**DATA, h: vector(r)}, where=[LAGRANGIAN], by=[identity(**ALL), instances(**ALL)],
-      note="The part of first order in h is h' times the partial derivative, so this vanishes exactly if w - V'lam = 0.")
+      note=("The part of first order in h is h' times the partial derivative, so this vanishes exactly if w - V'lam "
+            "= 0."))
 
 claim("NWL92-E2.8b", "gradient of the Lagrangian in x",
       Lg(w, x + h, lam) - Lg(w, x, lam) == -T(h) * (T(H) * lam),
@@ -168,7 +265,8 @@ claim("NWL92-E2.9", "the stationarity conditions without w",
       sizes=["p", "n", "r"], over=DATA, where=[NOISE, TWO_BLOCK],
       given=[given("(2.8a)", w - T(V) * lam == Zero(r, 1)), given("(2.8b)", T(H) * lam == Zero(n, 1)),
              given("(2.8c)", y - H * x - V * w == Zero(p, 1))],
-      by=[combination([(-upper(p, n) * V, "(2.8a)", 1), (lower(p, n), "(2.8b)", 1), (-upper(p, n), "(2.8c)", 1)], **ALL),
+      by=[combination([(-upper(p, n) * V, "(2.8a)", 1), (lower(p, n), "(2.8b)", 1), (-upper(p, n), "(2.8c)", 1)],
+                      **ALL),
           instances(made_by={"K": kernel_basis(T(H)), lam: sym("K") * T(sym("K")) * h, w: T(V) * lam, y: H * x + V * w},
                     using={h: vector(p)}, **ALL)])
 
@@ -178,20 +276,27 @@ ANY = {R: positive_semidefinite(p), H: matrix(p, n)}
 FULL_ROW_RANK = given("[R H] has full row rank", rank(RH) == p)
 claim("NWL92-S4", "Z is invertible exactly if H has full column rank and [R H] full row rank",
       iff(invertible(Zm), (rank(H) == n) & (rank(RH) == p)), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
+                facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+                prose=("Necessity: the last n columns [H; 0] and the first p rows [R H] of an invertible matrix are "
+                       "independent. Sufficiency is Lemma 2.1.")),
+          instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-L2.1", "two rank conditions make Z invertible",
       invertible(Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK], given=[FULL_COLUMN_RANK, FULL_ROW_RANK],
       by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
                 facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
-                prose="A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 and x'[R H] = 0, so x = 0 as [R H] has full row rank; then y'H' = 0, so y = 0 as H has full column rank."),
+                prose=("A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 and "
+                       "x'[R H] = 0, so x = 0 as [R H] has full row rank; then y'H' = 0, so y = 0 as H has full column "
+                       "rank.")),
           instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
       symmetric(Zm) & (size_of(Zm) == p + n), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[identity(p=(1, 2, 3), n=(1, 2, 3)), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
-not_checked("NWL92-E2.11", "a left null vector of Z", "the assumption of a proof: it fixes notation and asserts nothing")
+not_checked("NWL92-E2.11", "a left null vector of Z", ("the assumption of a proof: it fixes notation and asserts "
+                                                       "nothing"))
 
 NULL = given("(2.11)", hstack(T(x), T(y)) * Zm == Zero(1, p + n))
 NULL_VECTORS = {R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}
@@ -200,7 +305,8 @@ NULL_VECTORS = {R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector
 def null_vectors(more=None):
     """Instances with a random left null vector of Z."""
     return instances(made_by={**(more or {}), "K": kernel_basis(Zm), x: T(upper(p, n)) * sym("K") * T(sym("K")) * h,
-                              y: T(lower(p, n)) * sym("K") * T(sym("K")) * h}, using={h: vector(p + n), sym("b"): vector(p)},
+                              y: T(lower(p, n)) * sym("K") * T(sym("K")) * h},
+                              using={h: vector(p + n), sym("b"): vector(p)},
                      p=(1, 2, 3), n=(1, 2, 3))
 
 
@@ -217,15 +323,17 @@ claim("NWL92-E2.14", "(2.13) transposed and multiplied by y'",
       T(y) * T(H) * x == 0, sizes=["p", "n"], over={H: matrix(p, n), x: vector(p), y: vector(n)},
       given=[given("(2.13)", T(x) * H == Zero(1, n))],
       by=[combination([(T(y), "(2.13)'", 1)], p=(1, 2, 3), n=(1, 2)),
-          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h}, using={h: vector(p)}, p=(2, 3), n=(1, 2))])
+          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h}, using={h: vector(p)}, p=(2, 3),
+                    n=(1, 2))])
 
-S = sym("S")
 claim("NWL92-E2.15", "(2.12) multiplied by x, with (2.14)",
       T(x) * R * x == 0, sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)},
       given=[given("(2.12)", T(x) * R + T(y) * T(H) == Zero(1, p)), given("(2.14)", T(y) * T(H) * x == 0)],
       by=[combination([(1, "(2.12)", x), (-1, "(2.14)", 1)], p=(1, 2, 3), n=(1, 2)),
-          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h, "M": T(x) * x * Identity(p) - x * T(x),
-                             R: sym("M") * S * sym("M") - (H * y * T(x) + x * T(y) * T(H)) / (T(x) * x) + x * (T(x) * H * y) * T(x) / (T(x) * x) ** 2},
+          instances(made_by={"K": kernel_basis(T(H)), x: sym("K") * T(sym("K")) * h,
+                             "M": T(x) * x * Identity(p) - x * T(x),
+                             R: sym("M") * S * sym("M") - (H * y * T(x) + x * T(y) * T(H)) / (T(x) * x)
+                             + x * (T(x) * H * y) * T(x) / (T(x) * x) ** 2},
                     using={h: vector(p), S: symmetric_matrix(p)}, p=(2, 3), n=(1, 2))],
       note="R >= 0 is not needed here.")
 
@@ -235,10 +343,12 @@ claim("NWL92-S5", "end of the proof of Lemma 2.1",
       sizes=["p", "n"], over={R: positive_semidefinite(p), H: matrix(p, n), x: vector(p), u: vector(p), y: vector(n)},
       given=[given("x'Rx = 0", T(x) * R * x == 0), given("u'[R H] = 0", T(u) * RH == Zero(1, p + n)), FULL_ROW_RANK,
              given("y'H' = 0", T(y) * T(H) == Zero(1, p)), FULL_COLUMN_RANK],
-      by=[instances(made_by={"K": kernel_basis(R), x: sym("K") * T(sym("K")) * h, "M": kernel_basis(H), y: sym("M") * T(sym("M")) * c,
+      by=[instances(made_by={"K": kernel_basis(R), x: sym("K") * T(sym("K")) * h, "M": kernel_basis(H),
+                             y: sym("M") * T(sym("M")) * c,
                              "N": kernel_basis(T(RH)), u: sym("N") * T(sym("N")) * h},
                     using={h: vector(p), c: vector(n)}, p=(1, 2, 3), n=(1, 2))],
-      note="The three conclusions in a row: x'Rx = 0 gives x'R = 0; a vector u with u'[R H] = 0 is zero (in the proof u is x); y'H' = 0 gives y = 0.")
+      note=("The three conclusions in a row: x'Rx = 0 gives x'R = 0; a vector u with u'[R H] = 0 is zero (in the "
+            "proof u is x); y'H' = 0 gives y = 0."))
 
 Zi, GAIN = symbols("Zi gain")
 REGULAR = (TWO_BLOCK, let(Zi, inv(Zm)), let(GAIN, T(lower(p, n)) * Zi * upper(p, n)))
@@ -252,7 +362,8 @@ claim("NWL92-E2.16", "the ML estimate when Z is invertible",
              let(wh, T(V) * T(upper(p, n)) * Zi * upper(p, n) * y)],
       given=[INVERTIBLE],
       by=[identity(p=2, n=(1, 2), q=(1, 2)), instances(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
-      note="xh and wh solve y = Hx + Vw, and for any other solution (x0, w0) wh is orthogonal to w0 - wh, so that w0'w0 = wh'wh + |w0 - wh|^2; xh is determined by wh because H has full column rank.")
+      note=("xh and wh solve y = Hx + Vw, and for any other solution (x0, w0) wh is orthogonal to w0 - wh, so that "
+            "w0'w0 = wh'wh + |w0 - wh|^2; xh is determined by wh because H has full column rank."))
 
 claim("NWL92-S6", "the estimate (2.16) is unbiased",
       GAIN * H == Identity(n), sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
@@ -264,25 +375,32 @@ claim("NWL92-E2.17", "error covariance of (2.16)",
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
 
 claim("NWL92-E2.18", "splitting diag(R, 0)",
-      diag(R, Zero(n, n)) == block([[R, Zero(p, n)], [T(H), Zero(n, n)]]) - block([[Zero(p, p), Zero(p, n)], [T(H), Zero(n, n)]]),
+      diag(R, Zero(n, n)) == block([[R, Zero(p, n)], [T(H), Zero(n, n)]]) - block([[Zero(p, p), Zero(p, n)],
+                                                                                   [T(H), Zero(n, n)]]),
       sizes=["p", "n"], over=ANY, by=[identity(p=(1, 2, 3), n=(1, 2)), instances(**SIZES)])
 
 claim("NWL92-E2.19", "the error covariance is minus a block of the inverse of Z",
-      eq(GAIN * R * T(GAIN), T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n), -T(lower(p, n)) * Zi * lower(p, n)),
+      eq(GAIN * R * T(GAIN), T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n),
+         -T(lower(p, n)) * Zi * lower(p, n)),
       sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
 
 # ------------------------------------------------------------------ redundant perfect measurements
 FREE = let(N, kernel_basis(R))
 NOISE_FREE = T(N)  # rows: a basis of the combinations d'y with d'R = 0
-claim("NWL92-S7", "[R H] has full row rank exactly if no two independent noise-free combinations measure the same thing",
+claim("NWL92-S7", ("[R H] has full row rank exactly if no two independent noise-free combinations measure the same "
+                   "thing"),
       iff(rank(RH) == p, ~((size_of(NOISE_FREE) >= 2) & (rank(NOISE_FREE * H) < size_of(NOISE_FREE)))),
       sizes=["p", "n"], over=ANY, where=[FREE],
       by=[example({"p": 2, "n": 1, R: [[1, 0], [0, 0]], H: [[1], [0]]}), instances(p=(1, 2, 3), n=(1, 2))],
-      repair=repair("boundary case", "a single noise-free combination that measures nothing, 0 = 0, already spoils the row rank, and then two independent ones need not exist; the combinations must be called different, not independent",
+      repair=repair("boundary case", ("a single noise-free combination that measures nothing, 0 = 0, already spoils "
+                                      "the row rank, and then two independent ones need not exist; the combinations "
+                                      "must be called different, not independent"),
                     iff(rank(RH) == p, rank(NOISE_FREE * H) == size_of(NOISE_FREE)),
                     sizes=["p", "n"], over=ANY, where=[FREE], by=[instances(p=(1, 2, 3), n=(1, 2, 3))]),
-      note="The rows of N' are a basis of the combinations d'y without noise, d'R = 0. Two independent ones that measure the same combination of x exist exactly if there are at least two rows and N'H has dependent rows. Two different ones exist exactly if N'H has dependent rows.")
+      note=("The rows of N' are a basis of the combinations d'y without noise, d'R = 0. Two independent ones that "
+            "measure the same combination of x exist exactly if there are at least two rows and N'H has dependent "
+            "rows. Two different ones exist exactly if N'H has dependent rows."))
 
 # ------------------------------------------------------------------ any (1)-inverse
 M, E = symbols("M E")
@@ -294,15 +412,18 @@ claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and al
       where=[let(K, kernel_basis(Zm)), let(M, inv(Zm + K * T(K))), let(Gx, M + K * T(K) * X + T(X) * K * T(K)),
              let(E, G - M), let(Y, M * (E - half * E * K * T(K) * M))],
       given=[given("(2.20)", Zm * G * Zm == Zm)],
-      by=[instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)}, k=(1, 2, 3, 4))],
-      note="A definition; what is checked is that it is not empty, and the general form from which the instances of the other claims are drawn: Gx for any X.")
+      by=[instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)},
+                    k=(1, 2, 3, 4))],
+      note=("A definition; what is checked is that it is not empty, and the general form from which the instances of "
+            "the other claims are drawn: Gx for any X."))
 
 claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
       (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
       by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
           inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; NWL92-E2.21 states it as a minimum of w'w.")
+      note=("Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; "
+            "NWL92-E2.21 states it as a minimum of w'w."))
 
 Vb, V1 = symbols("Vb V1")
 XH = let(xh, T(lower(p, n)) * Zd * upper(p, n) * y)
@@ -312,20 +433,26 @@ claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
       sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=[NOISE, *PAIR, let(y, H * x0 + V * w0), XH, WH],
       given=[ONE_INVERSE, IMPLIED_RANK],
       by=[identity(
-          given_by={F: inv(S), Vb: ones(p - n, q), E1: Vb * T(Vb), E0: Identity(p - n) - E1, V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb),
-                    P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1), H: F * upper(n, p - n), **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n)},
+          given_by={F: inv(S), Vb: ones(p - n, q), E1: Vb * T(Vb), E0: Identity(p - n) - E1,
+                    V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb),
+                    P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1), H: F * upper(n, p - n),
+                    **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n)},
           using={V1: matrix(n, q), **{v: t for v, t in PARAMETERS.items() if v is not P}},
-          fact=NORMAL_FORM + "; with an orthogonal change of w, V becomes [V1, 0; 0, I; 0, 0] up to the order of its columns", p=(2, 3), n=(1, 2), q=(1, 2)),
+          fact=NORMAL_FORM + ROTATED, p=(2, 3), n=(1, 2), q=(1, 2)),
           inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
-      note="Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, as w0'w0 = wh'wh + |w0 - wh|^2; the last equation says that no other x goes with wh. V is any square root of R. Full column rank is the denominator det H'H.")
+      note=("Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, as w0'w0 = wh'wh + |w0 - wh|^2; the last "
+            "equation says that no other x goes with wh. V is any square root of R. Full column rank is the "
+            "denominator det H'H."))
 
 claim("NWL92-L2.2.1", "the estimate (2.21) is unbiased",
       T(lower(p, n)) * Zd * upper(p, n) * H == Identity(n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[in_coordinates(), inverses()])
 
 claim("NWL92-E2.22", "the error covariance is minus a block of any symmetric (1)-inverse",
       T(U) * R * U == -T(lower(p, n)) * Zd * lower(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[in_coordinates(), inverses()],
       note="The error of the estimate U'y is U'v, as U'H = I.")
 
 W3, U3 = symbols("W3 U3")
@@ -333,7 +460,8 @@ claim("NWL92-E2.23", "a matrix in blocks is symmetric exactly if it has the form
       iff(symmetric(block([[W, U], [L, Tb]])), symmetric(W) & symmetric(Tb) & (L == T(U))),
       sizes=["p", "n"], over={W: matrix(p, p), U: matrix(p, n), L: matrix(n, p), Tb: matrix(n, n)},
       by=[instances(p=(1, 2), n=(1, 2)), instances(made_by={L: T(U)}, p=(1, 2), n=(1, 2)),
-          instances(made_by={W: X + T(X), Tb: Y + T(Y), L: T(U)}, using={X: matrix(p, p), Y: matrix(n, n)}, p=(1, 2), n=(1, 2)),
+          instances(made_by={W: X + T(X), Tb: Y + T(Y), L: T(U)}, using={X: matrix(p, p), Y: matrix(n, n)}, p=(1, 2),
+                    n=(1, 2)),
           instances(made_by={W: X + T(X), Tb: Y + T(Y)}, using={X: matrix(p, p), Y: matrix(n, n)}, p=(1, 2), n=(1, 2))],
       note="A definition of names; what is checked is that the form is general.")
 
@@ -341,7 +469,6 @@ claim("NWL92-S8", "the block T is the same for all symmetric (1)-inverses",
       Tb == T2, sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
       given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[in_coordinates(second=True), two_inverses()])
 
-i, j = symbols("i j")
 NULL_COLUMN = column(i, p, when(rank(vstack(R, T(H))) < p, kernel_basis(vstack(R, T(H)))[i, 1], 0))
 claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
       iff(~invertible(Zm), (Zm * Ze * Zm == Zm) & (W2 != W) & (U2 != U)),
@@ -349,12 +476,15 @@ claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
       where=[*PAIR, let(k, NULL_COLUMN), let(W2, W + k * T(k)), let(U2, U + hstack(k, Zero(p, n - 1))),
              let(Ze, block([[W2, U2], [T(U2), Tb]]))],
       given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()],
-      note="k is a vector with Rk = 0 and H'k = 0, not zero if Z is singular; with it another (1)-inverse is written down in which both W and U differ. n >= 1.")
+      note=("k is a vector with Rk = 0 and H'k = 0, not zero if Z is singular; with it another (1)-inverse is "
+            "written down in which both W and U differ. n >= 1."))
 
 claim("NWL92-E2.24", "the ML estimate is U'y",
       (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & excess(L, U, R),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}), inverses(made_by=OTHER, using={X: matrix(n, p)})],
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR,
+      given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
+      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
+          inverses(made_by=OTHER, using={X: matrix(n, p)})],
       note="Second equation: every other unbiased Ly has a larger error covariance.")
 
 claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-inverses",
@@ -364,28 +494,33 @@ claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-in
 
 claim("NWL92-E2.25", "Z times the last block column of a symmetric (1)-inverse",
       Zm * vstack(U, Tb) == vstack(Zero(p, n), Identity(n)),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      by=[in_coordinates(), inverses()])
 
 # ------------------------------------------------------------------ H of any rank
 claim("NWL92-S11", "c'x is estimable exactly if c lies in the range of H'",
-      iff(T(H) * inv(H * T(H) + N * T(N)) * H * c == c, rank(hstack(T(H), c)) == rank(H)),
-      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n)}, where=[let(N, kernel_basis(T(H)))],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3)), instances(made_by={c: T(H) * h}, using={h: vector(p)}, p=(1, 2, 3), n=(1, 2, 3))],
-      note="d'y is an unbiased estimate of c'x exactly if H'd = c. The vector behind the first H' is such a d whenever there is one.")
+      iff(T(H) * d == c, rank(hstack(T(H), c)) == rank(H)),
+      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n)}, where=[let(d, one_inverse(H * T(H)) * H * c)],
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3)),
+          instances(made_by={c: T(H) * h}, using={h: vector(p)}, p=(1, 2, 3), n=(1, 2, 3))],
+      note=("d'y is an unbiased estimate of c'x exactly if H'd = c. The d here satisfies this whenever any does, as "
+            "H'd is the projection of c on the range of H'."))
 
 H1, H2 = symbols("H1 H2")
 FACTORS = [given("H1 has full column rank", rank(H1) == r), given("H2 has full row rank", rank(H2) == r)]
 claim("NWL92-S12", "the estimable combinations are those of z = H2 x",
       (rank(H1 * H2) == r) & iff(rank(hstack(T(H1 * H2), c)) == rank(H1 * H2), rank(hstack(T(H2), c)) == r),
       sizes=["p", "n", "r"], over={H1: matrix(p, r), H2: matrix(r, n), c: vector(n)}, given=FACTORS,
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3), r=(1, 2)), instances(made_by={c: T(H2) * h}, using={h: vector(r)}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2))])
+      by=[instances(p=(1, 2, 3), n=(1, 2, 3), r=(1, 2)),
+          instances(made_by={c: T(H2) * h}, using={h: vector(r)}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2))])
 
 Z1, Zi1, W1, U1, T1, Y1, G1, zh = symbols("Z1 Zi1 W1 U1 T1 Y1 G1 zh")
 FACTORED = {H1: matrix(p, r), H2: matrix(r, n)}
 BLOCKS_1 = {W1: symmetric_matrix(p), U1: matrix(p, r), T1: symmetric_matrix(r)}
 PAIR_1 = (let(H, H1 * H2), let(Z1, two_block(R, H1, r)), let(Zi1, block([[W1, U1], [T(U1), T1]])))
 BOTH = [given("(1)-inverse of Z1", Z1 * Zi1 * Z1 == Z1), ONE_INVERSE, *FACTORS]
-RANKS_IMPLIED = [*BOTH[:2], standing("H1 has full column rank", rank(H1) == r), given("H2 has full row rank", rank(H2) == r)]
+RANKS_IMPLIED = [*BOTH[:2], standing("H1 has full column rank", rank(H1) == r),
+                 given("H2 has full row rank", rank(H2) == r)]
 H2_ANY = [*BOTH[:3], standing("H2 has full row rank", rank(H2) == r)]
 ANY_RANK = {"p": (1, 2, 3), "n": (1, 2, 3), "r": (1, 2)}
 
@@ -400,46 +535,65 @@ Sn, Gt = symbols("Sn Gt")
 REDUCED = {
     E0: Identity(p - r) - E1, H1: F * upper(r, p - r), H2: T(upper(r, n - r)) * Sn,
     **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), r),
-    Gt: block([[Zero(r, r), Zero(r, p - r), Identity(r), Zero(r, n - r)], [Zero(p - r, r), E1, Zero(p - r, r), Zero(p - r, n - r)],
-               [Identity(r), Zero(r, p - r), -P, Zero(r, n - r)], [Zero(n - r, r), Zero(n - r, p - r), Zero(n - r, r), Zero(n - r, n - r)]])
-    + diag(Zero(r, r), E0, Zero(r, r), Identity(n - r)) * Y5 + T(Y5) * diag(Zero(r, r), E0, Zero(r, r), Identity(n - r)),
+    Gt: block([[Zero(r, r), Zero(r, p - r), Identity(r), Zero(r, n - r)],
+               [Zero(p - r, r), E1, Zero(p - r, r), Zero(p - r, n - r)],
+               [Identity(r), Zero(r, p - r), -P, Zero(r, n - r)],
+               [Zero(n - r, r), Zero(n - r, p - r), Zero(n - r, r), Zero(n - r, n - r)]])
+    + diag(Zero(r, r), E0, Zero(r, r), Identity(n - r)) * Y5 + T(Y5) * diag(Zero(r, r), E0, Zero(r, r),
+                                                                            Identity(n - r)),
     **dict(zip((W, U, Tb), blocks_of(T(diag(S, T(inv(Sn)))) * Gt * diag(S, T(inv(Sn))), p, n), strict=True)),
 }
-REDUCED_PARAMETERS = {rho: integer(0, p - r), S: matrix(p, p), Sn: matrix(n, n), Y: matrix(p - r, p - r), Y3: matrix(p - r, r),
+REDUCED_PARAMETERS = {rho: integer(0, p - r), S: matrix(p, p), Sn: matrix(n, n), Y: matrix(p - r, p - r),
+                      Y3: matrix(p - r, r),
                       Y4: matrix(p - r, r), Y5: matrix(p + n, p + n)}
-REDUCED_FACT = NORMAL_FORM + " (for R and H1); H2 = [I, 0] Sn with Sn invertible; the (1)-inverses for H1 H2 follow from their general form"
+REDUCED_FACT = NORMAL_FORM + (" (for R and H1); H2 = [I, 0] Sn with Sn invertible; the (1)-inverses for H1 H2 follow "
+                              "from their general form")
 
 
 def reduced(made=None, using=None, **sizes):
-    """The conclusion as an identity in all R >= 0, full rank factors H1, H2 and all (1)-inverses of both 2-block matrices."""
+    """The conclusion as an identity in all R >= 0, full rank factors H1, H2 and all their (1)-inverses."""
     noise = made or {E1: ones(p - r, p - r), R: F * diag(P, E1) * T(F)}
-    return identity(given_by={F: inv(S), **noise, **REDUCED}, using={**REDUCED_PARAMETERS, **(using or {P: symmetric_matrix(r)})},
-                    fact=REDUCED_FACT, **(sizes or {"p": (2, 3), "n": 2, "r": 1}))
+    return identity(given_by={F: inv(S), **noise, **REDUCED},
+                    using={**REDUCED_PARAMETERS, **(using or {P: symmetric_matrix(r)})},
+                    fact=REDUCED_FACT + (ROTATED if made else ""), **(sizes or {"p": (2, 3), "n": 2, "r": 1}))
 
 
 claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
-      likeliest(zh, wh, y, H1, V, w0) & eq(zh, hstack(Zero(r, p), H2) * Zd * upper(p, n) * y, H2 * x0 - inv(T(H1) * H1) * T(H1) * V * (wh - w0)),
-      sizes=["p", "n", "r", "q"], over={V: matrix(p, q), **FACTORED, x0: vector(n), w0: vector(q), **BLOCKS_1, **BLOCKS},
+      likeliest(zh, wh, y, H1, V, w0) & eq(zh, hstack(Zero(r, p), H2) * Zd * upper(p, n) * y,
+                                           H2 * x0 - inv(T(H1) * H1) * T(H1) * V * (wh - w0)),
+      sizes=["p", "n", "r", "q"], over={V: matrix(p, q), **FACTORED, x0: vector(n), w0: vector(q), **BLOCKS_1,
+                                        **BLOCKS},
       where=[NOISE, *PAIR_1, *PAIR, let(y, H * x0 + V * w0), let(zh, T(lower(p, r)) * Zi1 * upper(p, r) * y),
              let(wh, T(V) * T(upper(p, r)) * Zi1 * upper(p, r) * y)],
-      given=RANKS_IMPLIED, by=[reduced(made={Vb: ones(p - r, q), E1: Vb * T(Vb), V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb), P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1)},
+      given=RANKS_IMPLIED, by=[reduced(made={Vb: ones(p - r, q), E1: Vb * T(Vb),
+                                             V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb),
+                                             P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1)},
                   using={V1: matrix(r, q)}, p=(2, 3), n=2, r=1, q=1),
           factored(q=(1, 2))],
-      note="For measurements y = Hx + v with v in the range of R, where they lie with probability one; for other y the two forms may differ. Of all (x, w) with y = Hx + Vw, wh is the smallest w, and H2 x is the same for all x that go with it.")
+      note=("For measurements y = Hx + v with v in the range of R, where they lie with probability one; for other y "
+            "the two forms may differ. Of all (x, w) with y = Hx + Vw, wh is the smallest w, and H2 x is the same for "
+            "all x that go with it."))
 
 claim("NWL92-S13", "both forms of the estimate of z are unbiased",
       (T(U1) * H == H2) & (H2 * T(U) * H == H2),
-      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS}, where=[*PAIR_1, *PAIR],
+      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS},
+      where=[*PAIR_1, *PAIR],
       given=H2_ANY, by=[reduced(), factored()],
       note="z = H2 x and E y = Hx.")
 
 claim("NWL92-E2.27", "two forms of the error covariance of z, as printed with a factor y",
-      eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r), -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2)) * y),
-      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS, y: vector(p)}, where=[*PAIR_1, *PAIR],
+      eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r),
+         -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2)) * y),
+      sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS, y: vector(p)},
+      where=[*PAIR_1, *PAIR],
       given=BOTH,
-      by=[example({"p": 1, "n": 1, "r": 1, R: [[1]], H1: [[1]], H2: [[1]], W1: [[0]], U1: [[1]], T1: [[-1]], W: [[0]], U: [[1]],
+      by=[example({"p": 1, "n": 1, "r": 1, R: [[1]], H1: [[1]], H2: [[1]], W1: [[0]], U1: [[1]], T1: [[-1]], W: [[0]],
+                   U: [[1]],
                    Tb: [[-1]], y: [2]}), factored()],
-      repair=repair("other", "a factor y stands at the end of the second form, where its size does not even fit; the covariance does not depend on the data",
-                    eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r), -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2))),
-                    sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS}, where=[*PAIR_1, *PAIR],
+      repair=repair("other", ("a factor y stands at the end of the second form, where its size does not even fit; "
+                              "the covariance does not depend on the data"),
+                    eq(T(U1) * R * U1, -T(lower(p, r)) * Zi1 * lower(p, r),
+                       -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2))),
+                    sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS},
+                    where=[*PAIR_1, *PAIR],
                     given=BOTH, by=[reduced(), factored()]))

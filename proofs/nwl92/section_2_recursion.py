@@ -28,12 +28,53 @@ from __future__ import annotations
 from exactkf.claims import claim, not_checked
 from exactkf.evidence import combination, identity, instances, steps
 from exactkf.language import (
-    Identity, T, Zero, block, diag, eq, given, hstack, iff, inv, kernel_basis, let, loewner, matrix, positive_semidefinite, rank,
-    standing, sym, symbols, symmetric_matrix, vector, vstack,
+    Identity,
+    T,
+    Zero,
+    block,
+    diag,
+    eq,
+    given,
+    hstack,
+    iff,
+    integer,
+    inv,
+    kernel_basis,
+    let,
+    loewner,
+    matrix,
+    positive_semidefinite,
+    rank,
+    standing,
+    sym,
+    symbols,
+    symmetric_matrix,
+    vector,
+    vstack,
 )
 from proofs.nwl92.notation import (
-    E0, E1, F, IMPLIED_RANK, NORMAL_FORM, PARAMETERS, FULL_COLUMN_RANK, H, P, S, Y3, Y4, any_one_inverse, inverse_in_coordinates, lower,
-    made_inverse, n, ones, p, q, two_block, upper,
+    E0,
+    E1,
+    FULL_COLUMN_RANK,
+    NORMAL_FORM,
+    PARAMETERS,
+    Y3,
+    Y4,
+    F,
+    H,
+    P,
+    S,
+    any_one_inverse,
+    inverse_in_coordinates,
+    lower,
+    made_inverse,
+    n,
+    ones,
+    p,
+    q,
+    rho,
+    two_block,
+    upper,
 )
 
 V, W, J, K, m, a, b, v, w, x, z = symbols("V W J K m a b v w x z")
@@ -80,27 +121,36 @@ HS = block([[Identity(n), Zero(n, m)], [J, K]])
 gain1, gainb, gains = symbols("gain1 gainb gains")
 GAIN_1 = let(gain1, T(lower(p, n)) * G1 * upper(p, n))
 SUMMARY = (let(xh1, gain1 * a), let(P1, gain1 * V * T(gain1)))
-BATCH = (let(Zb, two_block(RB, HB, n + m)), let(gainb, T(lower(p + q, n + m)) * Gb * upper(p + q, n + m)), let(b, J * x + K * z + W * w))
+BATCH = (let(Zb, two_block(RB, HB, n + m)), let(gainb, T(lower(p + q, n + m)) * Gb * upper(p + q, n + m)),
+         let(b, J * x + K * z + W * w))
 SEQUENTIAL = (let(Zs, two_block(diag(P1, W), HS, n + m)), let(gains, T(lower(n + q, n + m)) * Gs * upper(n + q, n + m)))
 SIZES = {"p": (1, 2, 3), "q": (1, 2), "n": (1, 2), "m": (1, 2)}
 INVERSES = {G1: symmetric_matrix(p + n), Gb: symmetric_matrix(p + q + n + m), Gs: symmetric_matrix(n + q + n + m)}
 TWO_WAYS = {**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), **INVERSES}
-WAYS = [is_inverse(G1, Z1, "x from a"), is_inverse(Gb, Zb, "x and z from a and b"), is_inverse(Gs, Zs, "x and z from the estimate and b")]
+WAYS = [is_inverse(G1, Z1, "x from a"), is_inverse(Gb, Zb, "x and z from a and b"),
+        is_inverse(Gs, Zs, "x and z from the estimate and b")]
 Z_ESTIMABLE = rank(vstack(HB, hstack(Zero(m, n), Identity(m)))) == rank(HB)
-MADE = (some_inverse(G1, Z1, Y1, p + n), some_inverse(Gb, Zb, Yb, p + q + n + m), some_inverse(Gs, Zs, Ys, n + q + n + m))
+MADE = (some_inverse(G1, Z1, Y1, p + n), some_inverse(Gb, Zb, Yb, p + q + n + m),
+        some_inverse(Gs, Zs, Ys, n + q + n + m))
 BATCH_ESTIMATE, SEQUENTIAL_ESTIMATE = gainb * vstack(a, b), gains * vstack(xh1, b)
 BATCH_ERROR, SEQUENTIAL_ERROR = gainb * RB * T(gainb), gains * diag(P1, W) * T(gains)
-PROSE = ("By (2.36), (2.37) and (2.38) a solution of (2.32) and (2.33) gives one of (2.31) with the same estimates, so both ways give the "
-         "same estimates for all data; then the gains agree on the range of the data, and the error covariances are equal.")
+PROSE = ("By (2.36), (2.37) and (2.38) a solution of (2.32) and (2.33) gives one of (2.31) with the same estimates, so "
+         "both ways give the same estimates for all data; then the gains agree on the range of the data, and the error "
+         "covariances are equal.")
+
+
+SAME_PROOF = steps(
+    "NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
+    facts=["stationary points of (2.6) are minima (NWL92-E2.21)",
+           "the identity (2.32) for the first estimate (NWL92-EA.15)"], prose=PROSE)
 
 
 def lemma(id, title, says, given_, note=""):
     """Lemma 2.3 and its parts."""
-    claim(id, title, says, sizes=["p", "q", "n", "m"], over=TWO_WAYS, where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
+    claim(id, title, says, sizes=["p", "q", "n", "m"], over=TWO_WAYS,
+          where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
           given=[*WAYS, *given_],
-          by=[steps("NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
-                    facts=["stationary points of (2.6) are minima (NWL92-E2.21)", "the identity (2.32) for the first estimate (NWL92-EA.15)"],
-                    prose=PROSE),
+          by=[SAME_PROOF,
               together(*MADE, **SIZES)],
           note=note)
 
@@ -108,7 +158,8 @@ def lemma(id, title, says, given_, note=""):
 lemma("NWL92-L2.3", "measurements a may be replaced by the estimate of x from them",
       (BATCH_ESTIMATE == SEQUENTIAL_ESTIMATE) & (BATCH_ERROR == SEQUENTIAL_ERROR),
       [FULL_COLUMN_RANK, given("z is estimable from a and b", Z_ESTIMABLE)],
-      "Estimates of x and z stacked, and their joint error covariance. x is estimable from a exactly if H has full column rank.")
+      "Estimates of x and z stacked, and their joint error covariance. x is estimable from a exactly if H has full "
+      "column rank.")
 
 lemma("NWL92-L2.3.1", "the estimate of x and its error covariance are the same",
       (T(upper(n, m)) * BATCH_ESTIMATE == T(upper(n, m)) * SEQUENTIAL_ESTIMATE)
@@ -121,22 +172,27 @@ lemma("NWL92-L2.3.2", "the estimate of z and its error covariance are the same",
       [FULL_COLUMN_RANK, given("z is estimable from a and b", Z_ESTIMABLE)])
 
 #: the first estimate alone, with blocks of its (1)-inverse
-PROBLEM = {V: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n)}
+PROBLEM = {V: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
+           T1: symmetric_matrix(n)}
 PROBLEM_LETS = (let(Z1, two_block(V, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])))
 PROBLEM_GIVEN = [is_inverse(G1, Z1, "x from a"), FULL_COLUMN_RANK]
 Y = sym("Y")
-IN_COORDINATES = {F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
+IN_COORDINATES = {F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V: F * diag(P, E1) * T(F),
+                  H: F * upper(n, p - n),
                   **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), n)}
 PROVED = identity(given_by=IN_COORDINATES, using=PARAMETERS, fact=NORMAL_FORM, p=(2, 3), n=(1, 2))
-DRAWN = instances(made_by=made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Gm"))[0], using={Y1: matrix(p + n, p + n)}, p=(1, 2, 3), n=(1, 2))
+DRAWN = instances(made_by=made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Gm"))[0], using={Y1: matrix(p + n, p + n)},
+                  p=(1, 2, 3), n=(1, 2))
 
 claim("NWL92-E2.30", "the estimate of x is a measurement of x with noise covariance P1",
       (T(U1) * (H * x + v) == x + T(U1) * v) & (T(U1) * V * U1 == -T1),
-      sizes=["p", "n"], over={**PROBLEM, x: vector(n), v: vector(p)}, where=PROBLEM_LETS, given=PROBLEM_GIVEN, by=[PROVED, DRAWN],
+      sizes=["p", "n"], over={**PROBLEM, x: vector(n), v: vector(p)}, where=PROBLEM_LETS, given=PROBLEM_GIVEN,
+      by=[PROVED, DRAWN],
       note="u = U1'v is a function of v, so it is independent of w.")
 
 claim("NWL92-S14", "given that x is estimable from a, z is estimable from a and b exactly if K has full column rank",
-      iff(Z_ESTIMABLE, rank(K) == m), sizes=["p", "q", "n", "m"], over={H: matrix(p, n), J: matrix(q, n), K: matrix(q, m)},
+      iff(Z_ESTIMABLE, rank(K) == m), sizes=["p", "q", "n", "m"],
+      over={H: matrix(p, n), J: matrix(q, n), K: matrix(q, m)},
       given=[FULL_COLUMN_RANK], by=[instances(p=(1, 2, 3), q=(1, 2), n=(1, 2), m=(1, 2))],
       note="The paper needs one direction here and the other for the filter.")
 
@@ -151,16 +207,19 @@ claim("NWL92-E2.31", "the batch system",
       BATCH_SYSTEM * vstack(la, lb, xh, zh) == vstack(a, b, Zero(n, 1), Zero(m, 1)),
       sizes=["p", "q", "n", "m"],
       over={**MODEL, la: vector(p), lb: vector(q), xh: vector(n), zh: vector(m), a: vector(p), b: vector(q)},
-      given=[given("(2.9)", two_block(RB, HB, n + m) * vstack(vstack(la, lb), vstack(xh, zh)) == vstack(vstack(a, b), Zero(n + m, 1)))],
+      given=[given("(2.9)", two_block(RB, HB, n + m) * vstack(vstack(la, lb), vstack(xh, zh))
+                   == vstack(vstack(a, b), Zero(n + m, 1)))],
       by=[combination([(1, "(2.9)", 1)], p=(1, 2), q=(1, 2), n=(1, 2), m=(1, 2)),
-          instances(made_by={N: kernel_basis(T(HB)), la: T(upper(p, q)) * N * T(N) * h, lb: T(lower(p, q)) * N * T(N) * h,
+          instances(made_by={N: kernel_basis(T(HB)), la: T(upper(p, q)) * N * T(N) * h,
+                             lb: T(lower(p, q)) * N * T(N) * h,
                              a: V * la + H * xh, b: W * lb + J * xh + K * zh}, using={h: vector(p + q)}, **SIZES)],
       note="The conditions (2.9) for the measurement (a, b) of (x, z) with noise covariance diag(V, W).")
 
 claim("NWL92-E2.32", "the estimate of x from a, its multiplier, its gain and its error covariance",
       block([[V, H], [T(H), Zero(n, n)]]) * block([[W1 * a, U1], [T(U1) * a, -T(U1) * V * U1]])
       == block([[a, Zero(p, n)], [Zero(n, 1), Identity(n)]]),
-      sizes=["p", "n"], over={**PROBLEM, x: vector(n), v: vector(p)}, where=[*PROBLEM_LETS, let(a, H * x + V * v)], given=PROBLEM_GIVEN,
+      sizes=["p", "n"], over={**PROBLEM, x: vector(n), v: vector(p)}, where=[*PROBLEM_LETS, let(a, H * x + V * v)],
+      given=PROBLEM_GIVEN,
       by=[PROVED, DRAWN],
       note="The multiplier of the estimate U1'a is W1 a, its error covariance U1'VU1.")
 
@@ -169,13 +228,15 @@ SEQUENTIAL_SYSTEM = block([
     [Zero(q, n), W, J, K],
     [Identity(n), T(J), Zero(n, n), Zero(n, m)],
     [Zero(m, n), T(K), Zero(m, n), Zero(m, m)]])
-SECOND_STAGE = {P1: positive_semidefinite(n), W: positive_semidefinite(q), J: matrix(q, n), K: matrix(q, m), l1: vector(n), lb: vector(q),
+SECOND_STAGE = {P1: positive_semidefinite(n), W: positive_semidefinite(q), J: matrix(q, n), K: matrix(q, m),
+                l1: vector(n), lb: vector(q),
                 xh: vector(n), zh: vector(m), xh1: vector(n), b: vector(q)}
 MULTIPLIERS = {N: kernel_basis(T(K)), lb: N * T(N) * h, l1: -T(J) * lb, xh1: P1 * l1 + xh, b: W * lb + J * xh + K * zh}
 claim("NWL92-E2.33", "the sequential system",
       SEQUENTIAL_SYSTEM * vstack(l1, lb, xh, zh) == vstack(xh1, b, Zero(n, 1), Zero(m, 1)),
       sizes=["q", "n", "m"], over=SECOND_STAGE,
-      given=[given("(2.9)", two_block(diag(P1, W), HS, n + m) * vstack(vstack(l1, lb), vstack(xh, zh)) == vstack(vstack(xh1, b), Zero(n + m, 1)))],
+      given=[given("(2.9)", two_block(diag(P1, W), HS, n + m) * vstack(vstack(l1, lb), vstack(xh, zh))
+                   == vstack(vstack(xh1, b), Zero(n + m, 1)))],
       by=[combination([(1, "(2.9)", 1)], q=(1, 2), n=(1, 2), m=(1, 2)),
           instances(made_by=MULTIPLIERS, using={h: vector(q)}, q=(1, 2), n=(1, 2), m=(1, 2))],
       note="The conditions (2.9) for the measurement (xh1, b) of (x, z) with noise covariance diag(P1, W).")
@@ -189,7 +250,8 @@ claim("NWL92-E2.34", "first row of (2.33) times H",
       by=[combination([(H * ROW_1, "(2.33)", 1)], p=(1, 2), q=(1, 2), n=(1, 2), m=(1, 2)),
           instances(made_by=MULTIPLIERS, using={h: vector(q)}, p=(1, 2), q=(1, 2), n=(1, 2), m=(1, 2))])
 
-FIRST_STAGE = {V: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), P1: symmetric_matrix(n), l1a: vector(p), xh1: vector(n), a: vector(p)}
+FIRST_STAGE = {V: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), P1: symmetric_matrix(n), l1a: vector(p),
+               xh1: vector(n), a: vector(p)}
 SYSTEM_32 = given("(2.32)", block([[V, H], [T(H), Zero(n, n)]]) * block([[l1a, U1], [xh1, -P1]])
                   == block([[a, Zero(p, n)], [Zero(n, 1), Identity(n)]]))
 STAGE_1 = {Z1: two_block(V, H, n), sym("kerG"): kernel_basis(Z1), G1: any_one_inverse(Z1, Y1, sym("kerG")),
@@ -201,12 +263,14 @@ claim("NWL92-E2.35", "(2.34) through the first row of (2.32)",
       sizes=["p", "n"], over={**FIRST_STAGE, l1: vector(n), xh: vector(n)},
       given=[SYSTEM_32, given("(2.34)", H * P1 * l1 + H * xh == H * xh1)],
       by=[combination([(T(upper(p, n)), "(2.32)", vstack(1, l1)), (1, "(2.34)", 1)], p=(1, 2, 3), n=(1, 2)),
-          instances(made_by={**STAGE_1, xh1: P1 * l1 + xh, a: V * l1a + H * xh1}, using=STAGE_1_FREE, p=(1, 2, 3), n=(1, 2))])
+          instances(made_by={**STAGE_1, xh1: P1 * l1 + xh, a: V * l1a + H * xh1}, using=STAGE_1_FREE, p=(1, 2, 3),
+                    n=(1, 2))])
 
 claim("NWL92-E2.36", "lam_a = lam_1a + U1 lam_1 satisfies the first row of the batch system",
       V * la + H * xh == a,
       sizes=["p", "n"],
-      over={V: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), l1: vector(n), l1a: vector(p), xh: vector(n), a: vector(p)},
+      over={V: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n), l1: vector(n), l1a: vector(p),
+            xh: vector(n), a: vector(p)},
       where=[let(la, l1a + U1 * l1)], given=[given("(2.35)", V * U1 * l1 + H * xh == a - V * l1a)],
       by=[combination([(1, "(2.35)", 1)], p=(1, 2, 3), n=(1, 2)),
           instances(made_by={a: V * U1 * l1 + H * xh + V * l1a}, p=(1, 2, 3), n=(1, 2))])
@@ -219,28 +283,35 @@ claim("NWL92-E2.37", "third row of (2.33)",
 
 claim("NWL92-E2.38", "lam_a satisfies the third row of the batch system",
       T(H) * la + T(J) * lb == Zero(n, 1),
-      sizes=["p", "q", "n"], over={**FIRST_STAGE, J: matrix(q, n), l1: vector(n), lb: vector(q)}, where=[let(la, l1a + U1 * l1)],
+      sizes=["p", "q", "n"], over={**FIRST_STAGE, J: matrix(q, n), l1: vector(n), lb: vector(q)},
+      where=[let(la, l1a + U1 * l1)],
       given=[SYSTEM_32, given("(2.37)", l1 + T(J) * lb == Zero(n, 1))],
       by=[combination([(T(lower(p, n)), "(2.32)", vstack(1, l1)), (1, "(2.37)", 1)], p=(1, 2, 3), q=(1, 2), n=(1, 2)),
-          instances(made_by={**STAGE_1, l1: -T(J) * lb, a: V * l1a + H * xh1}, using=STAGE_1_FREE, p=(1, 2, 3), q=(1, 2), n=(1, 2))],
-      note="The paper prints H and J with a stray subscript here.")
+          instances(made_by={**STAGE_1, l1: -T(J) * lb, a: V * l1a + H * xh1}, using=STAGE_1_FREE, p=(1, 2, 3),
+                    q=(1, 2), n=(1, 2))],
+      note="The text carries a stray subscript on H and J here.")
 
 D = diag(Identity(n), K)
 claim("NWL92-S15", "without estimability of z the lemma holds for the estimable combinations of z",
       (D * BATCH_ESTIMATE == D * SEQUENTIAL_ESTIMATE) & (D * BATCH_ERROR * T(D) == D * SEQUENTIAL_ERROR * T(D)),
       sizes=["p", "q", "n", "m"], over=TWO_WAYS, where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
-      given=[*WAYS, FULL_COLUMN_RANK], by=[together(*MADE, **SIZES)],
-      note="K of any rank; x being estimable, the estimable combinations of z are those of Kz. That x must be estimable is needed for the second column of (2.32) shows in the dropped hypothesis.")
+      given=[*WAYS, FULL_COLUMN_RANK], by=[SAME_PROOF, together(*MADE, **SIZES)],
+      note=("K has any rank; as x is estimable, the estimable combinations of z are those of Kz. The rank of H "
+            "enters the proof through the second column of (2.32) alone."))
 
 # ------------------------------------------------------------------ Lemma 2.4
 k, g = symbols("k g")
-H1, H2, H3, R, R11, R12, R22, Zj, Gj, Yj, y, y1, y2, x1, x2, l2, x0 = symbols("H1 H2 H3 R R11 R12 R22 Zj Gj Yj y y1 y2 x1 x2 l2 x0")
-not_checked("NWL92-E2.39", "measurement y1 of x1, and y2 of x1 and x2", "a definition: it fixes notation and asserts nothing")
+H1, H2, H3, R, R11, R12, R22 = symbols("H1 H2 H3 R R11 R12 R22")
+Zj, Gj, Yj, y, y1, y2, x1, x2, l2, x0 = symbols("Zj Gj Yj y y1 y2 x1 x2 l2 x0")
+not_checked("NWL92-E2.39", "measurement y1 of x1, and y2 of x1 and x2",
+            "a definition: it fixes notation and asserts nothing")
 
 HJ = block([[H1, Zero(p, m)], [H2, H3]])
-DROPPING = {R: positive_semidefinite(p + k), H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m), x0: vector(n + m), v: vector(p + k),
+DROPPING = {R: positive_semidefinite(p + k), H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m), x0: vector(n + m),
+            v: vector(p + k),
             Gj: symmetric_matrix(p + k + n + m), G1: symmetric_matrix(p + n)}
-DROPPING_LETS = (let(Zj, two_block(R, HJ, n + m)), let(y, HJ * x0 + R * v), let(Z1, two_block(T(upper(p, k)) * R * upper(p, k), H1, n)))
+DROPPING_LETS = (let(Zj, two_block(R, HJ, n + m)), let(y, HJ * x0 + R * v),
+                 let(Z1, two_block(T(upper(p, k)) * R * upper(p, k), H1, n)))
 BOTH_WAYS = [is_inverse(Gj, Zj, "x1 and x2 from y1 and y2"), is_inverse(G1, Z1, "x1 from y1")]
 FROM_BOTH = hstack(Zero(n, p + k), Identity(n), Zero(n, m)) * Gj * upper(p + k, n + m) * y
 FROM_FIRST = T(lower(p, n)) * G1 * upper(p, n) * T(upper(p, k)) * y
@@ -248,32 +319,38 @@ FULL_ROW_RANK = given("H3 has full row rank", rank(H3) == k)
 H1_RANK = given("H1 has full column rank", rank(H1) == n)
 DROP_SIZES = {"p": (1, 2, 3), "k": (1, 2), "n": (1, 2), "m": (1, 2)}
 DROP_MADE = (some_inverse(Gj, Zj, Yj, p + k + n + m), some_inverse(G1, Z1, Y1, p + n))
+SAME_PROOF_4 = steps(
+    "NWL92-E2.40", "NWL92-S17", "NWL92-E2.41", facts=["stationary points of (2.6) are minima (NWL92-E2.21)"],
+    prose=("Estimates from y1 and y2 satisfy (2.40); then lam_2 = 0, and x1 with lam_1 satisfies the conditions "
+           "(2.41) for y1 alone. No rank of H1 is used."))
 claim("NWL92-L2.4", "measurements with a variable of their own in every direction do not help",
       FROM_BOTH == FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK, H1_RANK],
-      by=[steps("NWL92-E2.40", "NWL92-S17", "NWL92-E2.41", facts=["stationary points of (2.6) are minima (NWL92-E2.21)"],
-                prose="Estimates from y1 and y2 satisfy (2.40); then lam_2 = 0, and x1 with lam_1 satisfies the conditions (2.41) for y1 alone."),
+      by=[SAME_PROOF_4,
           together(*DROP_MADE, **DROP_SIZES)],
       note="The noises of y1 and y2 may be correlated.")
 
 claim("NWL92-S16", "the same for estimable combinations if H1 does not have full column rank",
       H1 * FROM_BOTH == H1 * FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK],
-      by=[together(*DROP_MADE, **DROP_SIZES)], note="The estimable combinations of x1 are those of H1 x1.")
+      by=[SAME_PROOF_4, together(*DROP_MADE, **DROP_SIZES)],
+      note="The estimable combinations of x1 are those of H1 x1.")
 
 SYSTEM = block([
     [R11, R12, H1, Zero(p, m)],
     [T(R12), R22, H2, H3],
     [T(H1), T(H2), Zero(n, n), Zero(n, m)],
     [Zero(m, p), T(H3), Zero(m, n), Zero(m, m)]])
-JOINT = {R11: positive_semidefinite(p), R12: matrix(p, k), R22: positive_semidefinite(k), H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m),
+JOINT = {R11: positive_semidefinite(p), R12: matrix(p, k), R22: positive_semidefinite(k), H1: matrix(p, n),
+         H2: matrix(k, n), H3: matrix(k, m),
          l1: vector(p), l2: vector(k), x1: vector(n), x2: vector(m), y1: vector(p), y2: vector(k)}
 JOINT_MADE = {N: kernel_basis(T(HJ)), l1: T(upper(p, k)) * N * T(N) * h, l2: T(lower(p, k)) * N * T(N) * h,
               y1: R11 * l1 + R12 * l2 + H1 * x1, y2: T(R12) * l1 + R22 * l2 + H2 * x1 + H3 * x2}
 claim("NWL92-E2.40", "stationarity conditions for x1 and x2",
       SYSTEM * vstack(l1, l2, x1, x2) == vstack(y1, y2, Zero(n, 1), Zero(m, 1)),
       sizes=["p", "k", "n", "m"], over=JOINT,
-      given=[given("(2.9)", two_block(block([[R11, R12], [T(R12), R22]]), HJ, n + m) * vstack(vstack(l1, l2), vstack(x1, x2))
+      given=[given("(2.9)", two_block(block([[R11, R12], [T(R12), R22]]), HJ, n + m) * vstack(vstack(l1, l2),
+                                                                                              vstack(x1, x2))
                    == vstack(vstack(y1, y2), Zero(n + m, 1)))],
       by=[combination([(1, "(2.9)", 1)], p=(1, 2), k=(1, 2), n=(1, 2), m=(1, 2)),
           instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
@@ -282,8 +359,10 @@ claim("NWL92-S17", "the multiplier of y2 is zero",
       l2 == Zero(k, 1), sizes=["k", "m"], over={H3: matrix(k, m), l2: vector(k)},
       given=[given("H3'lam2 = 0", T(H3) * l2 == Zero(m, 1)), FULL_ROW_RANK],
       by=[combination([(inv(H3 * T(H3)) * H3, "H3'lam2 = 0", 1)], k=(1, 2), m=(2, 3)),
-          instances(made_by={N: kernel_basis(T(H3)), l2: N * T(N) * h}, using={h: vector(k)}, k=(1, 2, 3), m=(1, 2, 3))],
-      note="That rows and columns 2 and 4 of (2.40) can then be deleted is NWL92-E2.41. Full row rank of H3 is the denominator det H3H3'.")
+          instances(made_by={N: kernel_basis(T(H3)), l2: N * T(N) * h}, using={h: vector(k)}, k=(1, 2, 3),
+                    m=(1, 2, 3))],
+      note=("That rows and columns 2 and 4 of (2.40) can then be deleted is NWL92-E2.41. Full row rank of H3 is the "
+            "denominator det H3H3'."))
 
 claim("NWL92-E2.41", "what remains are the conditions for x1 from y1 alone",
       block([[R11, H1], [T(H1), Zero(n, n)]]) * vstack(l1, x1) == vstack(y1, Zero(n, 1)),
@@ -291,7 +370,8 @@ claim("NWL92-E2.41", "what remains are the conditions for x1 from y1 alone",
       given=[given("(2.40)", SYSTEM * vstack(l1, l2, x1, x2) == vstack(y1, y2, Zero(n, 1), Zero(m, 1))), FULL_ROW_RANK],
       by=[combination([
           (block([[Identity(p), Zero(p, k), Zero(p, n), -R12 * inv(H3 * T(H3)) * H3],
-                  [Zero(n, p), Zero(n, k), Identity(n), -T(H2) * inv(H3 * T(H3)) * H3]]), "(2.40)", 1)], p=(1, 2), k=(1, 2), n=(1, 2), m=2),
+                  [Zero(n, p), Zero(n, k), Identity(n), -T(H2) * inv(H3 * T(H3)) * H3]]), "(2.40)", 1)], p=(1, 2),
+                  k=(1, 2), n=(1, 2), m=2),
           instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
 
 # ------------------------------------------------------------------ both together
@@ -302,8 +382,10 @@ claim("NWL92-E2.43", "a and b together are one measurement of x1, x2 and z",
       vstack(H * x1 + G * x2 + v, J * x1 + K * z + w)
       == block([[H, G, Zero(p, m)], [J, Zero(q, g), K]]) * vstack(x1, x2, z) + vstack(v, w),
       sizes=["p", "q", "n", "g", "m"],
-      over={H: matrix(p, n), G: matrix(p, g), J: matrix(q, n), K: matrix(q, m), x1: vector(n), x2: vector(g), z: vector(m), v: vector(p), w: vector(q)},
-      by=[identity(p=(1, 2), q=(1, 2), n=(1, 2), g=(1, 2), m=(1, 2)), instances(p=(1, 2), q=(1, 2), n=(1, 2), g=(1, 2), m=(1, 2))],
+      over={H: matrix(p, n), G: matrix(p, g), J: matrix(q, n), K: matrix(q, m), x1: vector(n), x2: vector(g),
+            z: vector(m), v: vector(p), w: vector(q)},
+      by=[identity(p=(1, 2), q=(1, 2), n=(1, 2), g=(1, 2), m=(1, 2)),
+          instances(p=(1, 2), q=(1, 2), n=(1, 2), g=(1, 2), m=(1, 2))],
       note="A definition; what is checked is the form (2.1) of both measurements together.")
 
 HG = hstack(H, G)
@@ -311,58 +393,87 @@ GAIN_G = (let(Zg, two_block(V, HG, n + g)), let(gaing, T(lower(p, n + g)) * Gg *
 SPLIT = {V: positive_semidefinite(p), H: matrix(p, n), G: matrix(p, g), Gg: symmetric_matrix(p + n + g)}
 SPLIT_GIVEN = [is_inverse(Gg, Zg, "x1 and x2 from a"), given("[H G] has full column rank", rank(HG) == n + g)]
 SPLIT_MADE = some_inverse(Gg, Zg, Yg, p + n + g)
+BOTH_COLUMNS = n + g
+SPLIT_PROVED = identity(
+    given_by={F: inv(S), E1: ones(p - BOTH_COLUMNS, p - BOTH_COLUMNS), E0: Identity(p - BOTH_COLUMNS) - E1,
+              V: F * diag(P, E1) * T(F),
+              H: F * upper(n, p - n), G: F * vstack(Zero(n, g), Identity(g), Zero(p - BOTH_COLUMNS, g)),
+              **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), BOTH_COLUMNS), Gg: block([[W1, U1], [T(U1), T1]])},
+    using={rho: integer(0, p - BOTH_COLUMNS), S: matrix(p, p), P: symmetric_matrix(BOTH_COLUMNS),
+           Y: matrix(p - BOTH_COLUMNS, p - BOTH_COLUMNS),
+           Y3: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS), Y4: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS)},
+    fact=NORMAL_FORM + " (with [H G] for H)", p=(2, 3), n=1, g=1)
 claim("NWL92-E2.44a", "the estimate of x1 from a is a measurement of x1 alone",
       T(upper(n, g)) * gaing * HG == hstack(Identity(n), Zero(n, g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN,
+      by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
       note="So the estimate of x1 is x1 + u1, where u1 is the gain times v, and x2 does not enter.")
 
 claim("NWL92-E2.44b", "so is the estimate of x2; the noises have the joint error covariance of the estimates",
       (T(lower(n, g)) * gaing * HG == hstack(Zero(g, n), Identity(g)))
       & (gaing * V * T(gaing) == -T(lower(p, n + g)) * Gg * lower(p, n + g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN, by=[together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN,
+      by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
       note="The noises u1 and u2 together are the gain times v.")
 
 HT = block([[H, G, Zero(p, m)], [J, Zero(q, g), K]])
 SELECT = block([[Identity(n), Zero(n, g), Zero(n, m)], [Zero(m, n), Zero(m, g), Identity(m)]])
 ERROR = gaing * V * T(gaing)
 claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
-      (SELECT * gainb * vstack(a, b) == gains * vstack(xh1, b)) & (SELECT * gainb * RB * T(gainb) * T(SELECT) == gains * diag(P1, W) * T(gains)),
+      (SELECT * gainb * vstack(a, b) == gains * vstack(xh1, b))
+      & (SELECT * gainb * RB * T(gainb) * T(SELECT) == gains * diag(P1, W) * T(gains)),
       sizes=["p", "q", "n", "g", "m"],
-      over={**SPLIT, W: positive_semidefinite(q), J: matrix(q, n), K: matrix(q, m), x1: vector(n), x2: vector(g), z: vector(m), v: vector(p),
+      over={**SPLIT, W: positive_semidefinite(q), J: matrix(q, n), K: matrix(q, m), x1: vector(n), x2: vector(g),
+            z: vector(m), v: vector(p),
             w: vector(q),
             Gb: symmetric_matrix(p + q + n + g + m), Gs: symmetric_matrix(n + q + n + m)},
       where=[*GAIN_G, let(a, HG * vstack(x1, x2) + V * v), let(b, J * x1 + K * z + W * w),
              let(xh1, T(upper(n, g)) * gaing * a), let(P1, T(upper(n, g)) * ERROR * upper(n, g)),
-             let(Zb, two_block(RB, HT, n + g + m)), let(gainb, T(lower(p + q, n + g + m)) * Gb * upper(p + q, n + g + m)), *SEQUENTIAL],
-      given=[*SPLIT_GIVEN, is_inverse(Gb, Zb, "x1, x2 and z from a and b"), is_inverse(Gs, Zs, "x1 and z from the estimate and b"),
+             let(Zb, two_block(RB, HT, n + g + m)),
+             let(gainb, T(lower(p + q, n + g + m)) * Gb * upper(p + q, n + g + m)), *SEQUENTIAL],
+      given=[*SPLIT_GIVEN, is_inverse(Gb, Zb, "x1, x2 and z from a and b"),
+             is_inverse(Gs, Zs, "x1 and z from the estimate and b"),
              given("K has full column rank", rank(K) == m)],
       by=[together(SPLIT_MADE, some_inverse(Gb, Zb, Yb, p + q + n + g + m), some_inverse(Gs, Zs, Ys, n + q + n + m),
                    p=(2, 3), q=(1, 2), n=1, g=(1, 2), m=1)],
       note="Estimates of x1 and z stacked, and their joint error covariance.")
 
 # ------------------------------------------------------------------ Lemma 2.5
-V1, V2, W2, U2, T2, Z2, Y2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 B v1")
-not_checked("NWL92-E2.45", "the same measurement with two noises", "a definition: it fixes notation and asserts nothing")
+V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
+not_checked("NWL92-E2.45", "the same measurement with two noises",
+            "a definition: it fixes notation and asserts nothing")
 
-NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
-          T1: symmetric_matrix(n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
-NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
-               let(Z2, two_block(V2, H, n)), let(sym("G2"), block([[W2, U2], [T(U2), T2]])))
-NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(sym("G2"), Z2, "second noise"), FULL_COLUMN_RANK,
+NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n),
+          W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n),
+          W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
+NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
+               let(G2, block([[W2, U2], [T(U2), T2]])), let(P1, -T1), let(P2, -T2))
+NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK,
                 given("the second noise is larger", loewner(V2, V1))]
 FIRST_MADE = made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Ga"))
 SECOND_MADE = made_inverse(Z2, (W2, U2, T2), p, n, Y2, sym("Gc"))
-NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)}, count=24, p=(1, 2, 3), n=(1, 2))
+NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)},
+                       count=24, p=(1, 2, 3), n=(1, 2))
+CHAIN_PROOF = steps(
+    "NWL92-E2.47",
+    facts=["(2.25) holds for every symmetric (1)-inverse (NWL92-E2.25, by the normal form of R and H)"],
+    prose=("By (2.25) U1 and U2 are left inverses, V1 U1 = H P1 and V2 U2 = H P2. So P2 = U2'V2U2 and P1 = U1'V1U1 = "
+           "U2'V1U1, hence U2'V1U2 - P1 = (U2 - U1)'V1(U2 - U1) >= 0, and U2'V2U2 - U2'V1U2 = U2'(V2 - V1)U2 >= 0."))
 claim("NWL92-L2.5", "more noise, more error",
-      loewner(T(U2) * V2 * U2, T(U1) * V1 * U1),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(P2, P1), sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
+      by=[CHAIN_PROOF, NOISES_MADE],
+      note=("The error covariances are minus blocks of arbitrary symmetric (1)-inverses (NWL92-E2.22)."))
 
-SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
+SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n),
+                  T2: symmetric_matrix(n)}
 claim("NWL92-E2.46", "gain and error covariance for the second noise",
       eq(T(U2) * V2 * U2, -T2) & (T(U2) * H == Identity(n)),
-      sizes=["p", "n"], over=SECOND_PROBLEM, where=NOISES_LETS[2:], given=[NOISES_GIVEN[1], FULL_COLUMN_RANK],
-      by=[identity(given_by={F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V2: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
-                             **inverse_in_coordinates((W2, U2, T2), (Y3, Y, Y4), n)}, using=PARAMETERS, fact=NORMAL_FORM, p=(2, 3), n=(1, 2)),
+      sizes=["p", "n"], over=SECOND_PROBLEM, where=[NOISES_LETS[1], let(G2, block([[W2, U2], [T(U2), T2]]))],
+      given=[is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK],
+      by=[identity(given_by={F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V2: F * diag(P, E1) * T(F),
+                             H: F * upper(n, p - n),
+                             **inverse_in_coordinates((W2, U2, T2), (Y3, Y, Y4), n)}, using=PARAMETERS,
+                             fact=NORMAL_FORM, p=(2, 3), n=(1, 2)),
           instances(made_by=SECOND_MADE[0], using=SECOND_MADE[1], p=(1, 2, 3), n=(1, 2))],
       note="The estimate is U2'y2 (NWL92-E2.24); its error is U2'v2.")
 
@@ -371,9 +482,12 @@ claim("NWL92-E2.47", "the gain for the second noise is unbiased for the first",
       sizes=["p", "n"], over={H: matrix(p, n), U2: matrix(p, n), x: vector(n), v1: vector(p)},
       given=[given("(A.11)", T(U2) * H == Identity(n))],
       by=[combination([(1, "(A.11)", x)], p=(1, 2, 3), n=(1, 2)),
-          instances(made_by={U2: H * inv(T(H) * H) + X - H * inv(T(H) * H) * (T(H) * X)}, using={X: matrix(p, n)}, p=(1, 2, 3), n=(1, 2))],
+          instances(made_by={U2: H * inv(T(H) * H) + X - H * inv(T(H) * H) * (T(H) * X)}, using={X: matrix(p, n)},
+                    p=(1, 2, 3), n=(1, 2))],
       note="The error of U2'y1 is U2'v1, which has mean zero.")
 
 claim("NWL92-E2.48", "the chain of inequalities",
-      loewner(T(U2) * V1 * U2, T(U1) * V1 * U1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == -T2),
-      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN, by=[NOISES_MADE])
+      loewner(T(U2) * V1 * U2, P1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == P2),
+      sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
+      by=[CHAIN_PROOF, NOISES_MADE],
+      note="U2'V1U2 is the error covariance of U2'y1 by NWL92-E2.47. Gains and error covariances as in Lemma 2.5.")

@@ -42,7 +42,7 @@ import time
 from pathlib import Path
 
 from exactkf.kernel.replay import seal
-from exactkf.run import unfinished
+from exactkf.workers import unfinished
 
 
 def verify_claim(claim, *, seed=0):
@@ -53,6 +53,7 @@ def verify_claim(claim, *, seed=0):
         case "sleep": time.sleep(60)
         case "exit": os._exit(3)
         case "memory": raise MemoryError
+        case "hungry": bytearray(16 * 2**30)
         case "raise": raise ValueError("no\\nway")
     statement = claim.statement.to_json() if claim.statement else {}
     made = seal(claim.id, "instances", statement, {"instances": [], "seed": seed})

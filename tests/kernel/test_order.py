@@ -11,8 +11,25 @@ from exactkf.evidence import order
 from exactkf.finders.membership import find_order
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import (
-    Identity, Statement, T, iff, inv, invertible, let, loewner, matrix, nonsingular, pd, positive_definite, positive_semidefinite, psd, standing, symbols,
+    Identity,
+    Statement,
+    T,
+    Zero,
+    iff,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    nonsingular,
+    pd,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    standing,
+    symbols,
     symmetric_matrix,
+    vector,
 )
 
 n, p, P, Q, A, M, V, K, H = symbols("n p P Q A M V K H")
@@ -44,7 +61,17 @@ LEAVES = {
     "an equivalence": ({**PAIR, "given": [standing("symmetric", T(A) == A)], "says": iff(A == B, T(B) == A)}, (), {}),
     "each alternative": ({**SQUARES, "given": [standing("one", invertible(P) | invertible(Q))], "says": pd(P + Q)}, (), {}),
 }
+x = symbols("x")[0]
+VECTOR = {**SQUARES, "over": {**SQUARES["over"], "x": vector(n), "A": matrix(n, n)}}
+LEAVES |= {
+    "null vectors of a sum": ({**VECTOR, "given": [standing("null", (P + Q) * x == 0)], "says": (P * x == 0) & (Q * x == 0)}, [[P, Q], [P, Q]], {}),
+    "null vectors of a congruence": ({**VECTOR, "says": (T(A) * P * A * x == Zero(n, 1)) >> (P * A * x == Zero(n, 1))}, [[T(A) * P * A]], {}),
+}
 NOT_LEAVES = {
+    "null vectors of a difference": ({**VECTOR, "given": [standing("null", (P - Q) * x == 0)], "says": P * x == 0}, [[P, -Q]], {}),
+    "null vectors of one part": ({**VECTOR, "given": [standing("null", (P + Q) * x == 0)], "says": A * x == 0}, [[P, Q]], {}),
+    "terms that do not add up": ({**VECTOR, "given": [standing("null", P * x == 0)], "says": Q * x == 0}, [[P, Q]], {}),
+    "null vectors of a product": ({**VECTOR, "given": [standing("null", P * Q * x == 0)], "says": Q * x == 0}, [[P * Q]], {}),
     "I - PQ": ({**SQUARES, "says": invertible(I(n) - P * Q)}, [[I(n) + S * inv(I(n) - S * Q * S) * S * Q]], {S: P}),
     "semidefinite through its inverse": ({**SQUARES, "says": pd(P)}, [[inv(inv(P))]], {}),
     "an inverse that is assumed": ({**PAIR, "says": invertible(A)}, [[inv(A)]], {}),
@@ -88,7 +115,7 @@ def test_false_order_is_not(name):
 def _found(parts, sums, roots):
     hints = order(*sums, roots=roots).hints
     data = Statement(**parts).to_json()
-    return data, find_order(data, *json.loads(json.dumps([hints["sums"], hints["roots"]])))
+    return data, find_order(data, *json.loads(json.dumps([hints[key] for key in ("sums", "roots", "lemmas")])))
 
 
 @pytest.mark.parametrize("name", LEAVES)
@@ -105,6 +132,20 @@ def test_wrong_leaves_are_not(name):
     data, found = _found(*NOT_LEAVES[name])
     assert found is None
     sums, roots = json.loads(json.dumps([order(*NOT_LEAVES[name][1], roots=NOT_LEAVES[name][2]).hints[k] for k in ("sums", "roots")]))
-    proof = [{"sum": terms, "blocks": [[]], "roots": roots} for terms in sums or [[]]]
+    proof = [{"sum": terms, "blocks": blocks, "roots": roots, "null": "null"} for terms in sums or [[]] for blocks in ([[]], [[], []])]
+    for one in proof:
+        with pytest.raises(Rejected):
+            replay(seal("T", "order", data, {"parts": [one]}))
+
+
+def test_a_lemma_is_shown_first():
+    """A Gram matrix of an invertible matrix is definite once that is shown."""
+    over = {**SQUARES, "says": pd(T(I(n) + P * Q) * (I(n) + P * Q))}
+    data = Statement(**over).to_json()
+    hints = order([I(n) - S * inv(I(n) + S * Q * S) * S * Q], [], roots={S: P}, lemmas=[invertible(I(n) + P * Q)]).hints
+    sums, roots, lemmas = json.loads(json.dumps([hints[key] for key in ("sums", "roots", "lemmas")]))
+    found = find_order(data, sums, roots, lemmas)
+    assert found is not None
+    replay(seal("T", "order", data, {"parts": found, "lemmas": lemmas}))
     with pytest.raises(Rejected):
-        replay(seal("T", "order", data, {"parts": proof}))
+        replay(seal("T", "order", data, {"parts": found[1:], "lemmas": []}))

@@ -14,9 +14,46 @@ import pytest
 
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.language import (
-    Identity, Statement, T, Z, always, defined, diag, exists, forall, function, given, integer, inv, invertible, iff, let, loewner, matrix,
-    nonneg, nonsingular, pd, positive, positive_semidefinite, prints, psd, rank, rational, rec, rev, scalar, sequence, signal, standing,
-    sum_of, sym, symbols, symmetric, symmetric_matrix, vector, when,
+    Identity,
+    Statement,
+    T,
+    Z,
+    always,
+    defined,
+    diag,
+    exists,
+    forall,
+    function,
+    given,
+    iff,
+    integer,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    nonneg,
+    nonsingular,
+    pd,
+    positive,
+    positive_semidefinite,
+    prints,
+    psd,
+    rank,
+    rational,
+    rec,
+    rev,
+    scalar,
+    sequence,
+    signal,
+    standing,
+    sum_of,
+    sym,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    vector,
+    when,
 )
 
 n, t, k, x, y, A, B, P, s = symbols("n t k x y A B P s")
@@ -69,10 +106,12 @@ def test_always_is_no_identity_and_no_evaluation():
 
 
 def test_parametrisation_needs_a_covering_claim():
-    """Substituting for a variable is accepted only with the claim that covers it."""
-    parts = {"sizes": [], "over": {"x": scalar(), "y": scalar()}, "given": [standing("on the line", y == 2 * x)], "says": y - x == x}
+    """Substituting for a variable is accepted only with the claim that covers it, or for a hypothesis that says just that."""
+    parts = {"sizes": [], "over": {"x": scalar(), "y": scalar()}, "given": [standing("on the line", y - 2 * x == 0)], "says": y - x == x}
     evidence = {"cases": [{}], "given_by": {"y": (2 * x).tree}}
     rejected("identity", evidence, **parts)
+    replay(certificate("identity", evidence, **{**parts, "given": [standing("on the line", y == 2 * x)]}))
+    rejected("identity", evidence, **{**parts, "given": [standing("on the line", y == 3 * x)]})
     replay(certificate("identity", {**evidence, "covered_by": "T-0"}, **parts))
 
 

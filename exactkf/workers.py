@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: MIT
+"""Worker processes that can be killed.
+
+Long exact calls cannot be interrupted from inside, so a time limit is a
+process that is ended from outside. A task carries an id and a seed and comes
+back as plain JSON; the worker imports the claims for itself.
+
+Main definitions
+----------------
+`Options`
+    How to run: workers, limits, seed.
+`work`
+    One function of the engine on many claims.
+`unfinished`
+    The result of a claim that did not come to an end.
+"""
+
+from __future__ import annotations
+
+import importlib
+import multiprocessing
+import os
+import queue
+import signal
+import threading
+from collections import deque
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from concurrent.futures import Future, TimeoutError
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from pebble import ProcessExpired, ProcessPool
+
+from exactkf.claims import Claim, load
+
+__all__ = ["Options", "default_jobs", "unfinished", "work"]
+
+_HEARTBEAT = 0.5  # seconds; a wait without end could not be interrupted on every system
+
+
+def default_jobs() -> int:
+    """Number of processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to run.
+
+    Parameters
+    ----------
+    jobs : int
+        Worker processes.
+    time_limit : float, optional
+        Seconds for one claim; a claim that takes longer is ended and is `open`.
+    memory_limit : int, optional
+        Megabytes of address space for one worker, where the system can limit it.
+    seed : int
+        For random instances.
+    package, engine : str
+        Modules that the claims and the engine are imported from.
+    """
+
+    jobs: int = 1
+    time_limit: float | None = None
+    memory_limit: int | None = None
+    seed: int = 0
+    package: str = "proofs"
+    engine: str = "exactkf.engine"
+
+
+def work(function: str, claims: Sequence[Claim], options: Options,
+         idle: Callable[[], None] | None = None) -> Iterator[tuple[Claim, dict[str, Any]]]:
+    """Call ``function(claim, seed=...)`` of the engine on each claim, in workers; pairs as they come.
+
+    A worker that dies before its task is under way takes the pool with it. Each claim that was
+    running then goes into a pool of its own, where it can only hurt itself.
+    """
+    waiting = deque(claims)
+    while waiting:
+        suspects = yield from _pool(function, waiting, options, idle)
+        for claim in suspects:
+            if (yield from _pool(function, deque([claim]), options, idle)):
+                yield claim, unfinished(claim, "crashed: the worker ended")
+
+
+def _pool(function: str, waiting: deque[Claim], options: Options,
+          idle: Callable[[], None] | None) -> Generator[tuple[Claim, dict[str, Any]], None, list[Claim]]:
+    """Take claims from the queue and run them in one pool; returns those that a broken pool left behind."""
+    finished: queue.SimpleQueue[Future] = queue.SimpleQueue()
+    running: dict[Future, Claim] = {}
+    jobs = min(options.jobs, len(waiting))
+    # a fresh interpreter: forking a process that runs threads (a progress display has one) can hang
+    pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("spawn"), initializer=_prepare,
+                       initargs=(options.package, options.engine, options.memory_limit))
+    try:
+        # a terminal sends Ctrl-C to the workers too: those begun here ignore it, and the pool ends them
+        with _signals({signal.SIGINT: signal.SIG_IGN}):
+            _ = pool.active  # asking starts it
+        with _signals({signal.SIGTERM: _stop}):
+            while pool.active and (waiting or running):
+                while waiting and len(running) < jobs + 1:
+                    claim = waiting.popleft()
+                    try:
+                        task: Future = pool.schedule(_task, (function, claim.id, options), timeout=options.time_limit)
+                    except RuntimeError:  # it broke just now
+                        return [*running.values(), claim]
+                    running[task] = claim
+                    task.add_done_callback(finished.put)
+                try:
+                    future = finished.get(timeout=_HEARTBEAT)
+                except queue.Empty:
+                    if idle:
+                        idle()
+                    continue
+                if not isinstance(future.exception(), BrokenProcessPool):
+                    claim = running.pop(future)
+                    yield claim, _outcome(claim, future, options)
+        # a pool that broke before its first task makes the next claim a suspect, so that there is progress
+        return list(running.values()) or ([waiting.popleft()] if waiting else [])
+    finally:
+        pool.stop()
+        pool.join()
+
+
+@contextmanager
+def _signals(changes: Mapping[int, Any]) -> Iterator[None]:
+    """Handle signals otherwise for a while; only the main thread can."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    old = {number: signal.signal(number, handler) for number, handler in changes.items()}
+    try:
+        yield
+    finally:
+        for number, handler in old.items():
+            signal.signal(number, handler)
+
+
+def _stop(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:
+    """What a worker returned, or why it did not."""
+    try:
+        return future.result()
+    except TimeoutError:
+        return unfinished(claim, f"out of time after {options.time_limit:g} s", options.time_limit or 0.0)
+    except MemoryError:
+        return unfinished(claim, _out_of_memory(options))
+    except ProcessExpired as error:
+        # the exact arithmetic ends the process (signal 6) when memory runs out, the system does with signal 9
+        if error.exitcode == -9 or (error.exitcode == -6 and options.memory_limit):
+            return unfinished(claim, _out_of_memory(options))
+        return unfinished(claim, f"crashed: the worker ended with exit code {error.exitcode}")
+    except Exception as error:
+        return unfinished(claim, f"crashed: {type(error).__name__}: {' '.join(str(error).split())}")
+
+
+def _out_of_memory(options: Options) -> str:
+    return "out of memory" + (f" ({options.memory_limit} MB)" if options.memory_limit else "")
+
+
+def unfinished(claim: Claim, reason: str, seconds: float = 0.0) -> dict[str, Any]:
+    """The result of a claim that did not come to an end: `open`, never reused."""
+    from exactkf.language.latex import given_latex, over_latex, says_latex, where_latex
+
+    printed = claim.statement
+    return {
+        "id": claim.id, "paper": claim.paper, "section": claim.section, "title": claim.title, "note": claim.note,
+        "verdict": "open", "strength": None, "sizes": None, "reason": reason, "repair": None,
+        "statement_latex": says_latex(printed) if printed else "",
+        "over_latex": over_latex(printed) if printed else [], "where_latex": where_latex(printed) if printed else [],
+        "given_latex": given_latex(printed) if printed else [],
+        "certificates": [], "mutants": {"made": 0, "rejected": 0, "equal": 0, "survivors": []},
+        "neighbours": {"made": 0, "accepted": 0}, "checks": 0, "seconds": seconds, "witness": None,
+        "counterexample": None, "evidence": [], "denominators": [], "unfinished": True,
+    }
+
+
+# ---------------------------------------------------------------------- in the worker
+def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
+    """Import everything first, so that a task's time is its own."""
+    _claims(package)
+    importlib.import_module(engine)
+    if memory_limit:
+        try:
+            import resource
+        except ImportError:
+            return  # the system has no such limit
+        size = memory_limit * 2**20
+        hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        resource.setrlimit(resource.RLIMIT_AS, (size if hard == resource.RLIM_INFINITY else min(size, hard), hard))
+
+
+@cache
+def _claims(package: str) -> dict[str, Claim]:
+    return load(package)
+
+
+def _task(function: str, id: str, options: Options) -> dict[str, Any]:
+    claim = _claims(options.package)[id]
+    return getattr(importlib.import_module(options.engine), function)(claim, seed=options.seed)

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: MIT
+"""Section II, (2.14)-(2.30): the Kalman filter, the fast algorithm, and its invariant.
+
+Innovations are an orthogonal basis of the past outputs, so the estimate of
+the state is its expansion in them; new noise is orthogonal to the past, hence
+each step multiplies the old coefficients by F and adds one new term, and that
+is the Kalman filter with gain k_t = E{x_(t+1) y~_t}/r_t. Since E{x_(t+1)
+y_(t-j)} is F^j g, the gain is a reversed Szego polynomial of F applied to g.
+
+Szego polynomials come in pairs, and so do gains: k*_t uses phi_t where k_t
+uses its reversal. The two-term recursion of the polynomials becomes a
+two-term recursion of the vectors, and h'k*_t is the Schur parameter itself:
+the fast algorithm (1.9). In coordinates where F is a shift minus a h', adding
+the constant vector a to k_t removes F from the recursion altogether; only the
+initial values remember the system. Multiplied by r_t and read as
+coefficients, the vectors are polynomials Q_t, Q*_t that obey the recursion
+of the Szego polynomials again, and
+
+    Q_t(z)Q_t(1/z) - Q*_t(z)Q*_t(1/z) = r_t D(z, 1/z)
+
+with D fixed by the initial values. Q_t/r_t is the characteristic polynomial
+of the filter F - k_t h'.
+
+If D > 0 on the circle and a(z) = Q_0 - Q*_0 is a Schur polynomial, then
+|Q*_t| < |Q_t| there while r_t > 0; by Rouche's theorem Q_t, Q_t - Q*_t and
+Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.language import *
+
+from proofs.blm91.notation import *
+
+xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, az, gz, num, bk, Fm, Qm = symbols("xh yt Ys kk ks Pi fk fks x y az gz num bk Fm Qm")
+SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
+
+# ---------------------------------------------------------------------- estimates as projections
+FILTER = (*MODEL, REALIZED, *szego(c),
+          function(Ys, [t], matrix_of(i, j, t, width, Y(i - 1)[1, j])),
+          function(xh, [t], when(t == 0, Zero(n, width), X[t] * G * T(Ys(t)) * inv(Ys(t) * G * T(Ys(t))) * Ys(t))),
+          function(yt, [t], sum_of(k, 0, t, coeff(phi[t], k) * Y(k))),
+          function(kk, [t], 1 / r[t] * X[t + 1] * G * T(yt(t))))
+BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
+SAID = ("Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model; innovations have the coefficients of the Szego "
+        "polynomials of c_k = h'F^(k-1)g.")
+
+claim("BLM91-E2.14", "the estimate expanded in innovations",
+      forall(t, 1, m, xh(t) == sum_of(k, 0, t - 1, 1 / r[k] * (xh(t) * G * T(yt(k))) * yt(k))), sizes=["n", "m"], over=SYSTEM, where=FILTER,
+      by=BY, note=SAID)
+claim("BLM91-E2.15", "the estimate from covariances of the state itself",
+      forall(t, 1, m, xh(t) == sum_of(k, 0, t - 1, 1 / r[k] * (X[t] * G * T(yt(k))) * yt(k))), sizes=["n", "m"], over=SYSTEM, where=FILTER,
+      by=BY, note=SAID)
+claim("BLM91-S17", "new noise is orthogonal to the past",
+      forall(t, 0, m, (yt(t) == Y(t) - T(h) * xh(t)) & forall(k, 0, t - 1, X[t + 1] * G * T(yt(k)) == F * X[t] * G * T(yt(k)))),
+      sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+claim("BLM91-E2.16", "the Kalman filter",
+      forall(t, 0, m, xh(t + 1) == F * xh(t) + kk(t) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
+      note=SAID + " The gain is (2.17), the estimate at time 0 is zero.")
+claim("BLM91-E2.17", "the gain is that of the Riccati equation",
+      forall(t, 0, m, kk(t) == (g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h)), sizes=["n", "m"], over=SYSTEM,
+      where=[*FILTER, rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * T(g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h))], by=BY,
+      note="(2.17) is the coefficient of the innovation in (2.16), which is checked there; here it is compared with (1.3), (1.4), "
+           "which the paper says can be derived from it.")
+claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
+      forall(t, 0, m, kk(t) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
+      forall(t, 0, m, substitute(phi[t], F) * g == X[t + 1] * G * T(bk(t))), sizes=["n", "m"], over=SYSTEM,
+      where=[*FILTER, function(bk, [t], sum_of(k, 0, t, coeff(phis[t], k) * Y(k)))], by=BY,
+      note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
+           "prediction from y_1 .. y_t) what k_t is to the innovation.")
+claim("BLM91-E2.29", "the filter driven by the output",
+      forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+
+# ---------------------------------------------------------------------- the fast algorithm
+PAIR = (rec(phi, t, 1, Z * phi[t] - gam[t] * phis[t]), rec(phis, t, 1, phis[t] - gam[t] * Z * phi[t]), rec(r, t, 1, (1 - gam[t] ** 2) * r[t]),
+        function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
+claim("BLM91-E2.20", "recursion of the two gains",
+      (kk(0) == g) & (ks(0) == g) & forall(t, 0, m - 1, (kk(t + 1) == 1 / (1 - gam[t] ** 2) * (kk(t) - gam[t] * F * ks(t)))
+                                           & (ks(t + 1) == 1 / (1 - gam[t] ** 2) * (F * ks(t) - gam[t] * kk(t)))),
+      sizes=["n", "m"], over={F: matrix(n, n), g: vector(n), gam: sequence(0, m - 1)}, where=PAIR,
+      by=[identity(n=(1, 2, 3), m=(1, 2, 3, 4)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))],
+      note="For any numbers gamma_t with square other than 1.")
+GAINS = (REALIZED, *szego(c), function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
+FGH = {F: matrix(n, n), h: vector(n), g: vector(n)}
+claim("BLM91-E2.21", "the Schur parameter is the first component seen by h",
+      forall(t, 0, m, gam(t) == T(h) * ks(t)), sizes=["n", "m"], over=FGH, where=GAINS,
+      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))])
+FAST = (rec(fk, t, g, 1 / (1 - (T(h) * fks[t]) ** 2) * (fk[t] - T(h) * fks[t] * (F * fks[t]))),
+        rec(fks, t, g, 1 / (1 - (T(h) * fks[t]) ** 2) * (F * fks[t] - T(h) * fks[t] * fk[t])))
+claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
+      forall(t, 0, m, (fk[t] == kk(t)) & (fks[t] == ks(t)) & (size_of(vstack(fk[t], fks[t])) == 2 * n))
+      & (sum_of(i, 1, n, sum_of(j, i, n, 1)) == rational("1/2") * n * (n + 1)),
+      sizes=["n", "m"], over=FGH, where=[*GAINS, *FAST],
+      by=[identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      note="(1.9) is run on its own and compared with the gains by Szego polynomials. The counts of equations, 2n against the n(n+1)/2 "
+           "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
+
+# ---------------------------------------------------------------------- canonical form
+Obs, Oc, Tm, Fc = symbols("Obs Oc Tm Fc")
+claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
+      (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
+      where=[let(a, matrix_of(i, j, n, 1, coeff(charpoly(F), n - i))), let(e, matrix_of(i, j, n, 1, when(i == 1, 1, 0))),
+             let(Fc, matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0))),
+             let(Obs, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j])), let(Oc, matrix_of(i, j, n, n, (T(e) * Fc ** (i - 1))[1, j])),
+             let(Tm, inv(Oc) * Obs)],
+      by=[identity(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4))],
+      note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the quotient of the "
+           "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
+FORM = (SHIFT, *CANONICAL)
+claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+FREE = {J: matrix(n, n), h: vector(n), a: vector(n), x: vector(n)}
+claim("BLM91-S19", "F on the companion gain", F * x == J * x - a * (T(h) * x), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
+      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))], note="For any vector in place of k*_t, gamma_t being h'k*_t by (2.21), and any J, with F = J - a h' as in (2.23).")
+claim("BLM91-E2.24", "what the change of variables does: the filter matrix depends on q alone",
+      F - x * T(h) == J - (x + a) * T(h), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
+      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))],
+      note="The display defines q_t = k_t + a, q*_t = k*_t. Checked is that F - k_t h' then is J - q_t h'.")
+
+STRIPPED = stripped(g + a, g)
+AG = {a: vector(n), g: vector(n)}
+claim("BLM91-E2.25", "the stripped fast algorithm",
+      always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED],
+      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+
+# ---------------------------------------------------------------------- the polynomials
+POLY = (*STRIPPED, *POLYNOMIALS)
+claim("BLM91-E2.26", "the polynomials carry the state of the algorithm",
+      always(t, (Qp(t) == r[t] * charpoly(J - q[t] * T(h))) & (Qs(t) == r[t] * (charpoly(J - qs[t] * T(h)) - Z**n))), sizes=["n"], over=AG,
+      where=[FIRST, *POLY], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))],
+      note="The display defines Q_t and Q*_t. Checked is another form of the same polynomials, by characteristic polynomials of J - q_t h' and J - q*_t h'.")
+claim("BLM91-E2.27", "the polynomials obey the Szego recursion",
+      always(t, (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))), sizes=["n"], over=AG, where=POLY,
+      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))])
+claim("BLM91-S20", "degrees of the polynomials",
+      forall(t, 0, m, (degree(Qp(t)) == n) & (degree(Qs(t)) == n - 1)), sizes=["n", "m"], over=AG, where=POLY,
+      by=[example(n=1, m=1, a=["-1/2"], g=["1/2"]), instances(n=(1, 2), m=(0, 1, 2))],
+      repair=repair("boundary case", "Q*_t has degree n - 1 only as long as gamma_t is not zero: for n = 1, a = -1/2, g = 1/2 it is 1/2 at t = 0 "
+                    "and 0 at t = 1; n - 1 is a bound",
+                    always(t, (Qp(t) == sum_of(i, 0, n, coeff(Qp(t), n - i) * Z ** (n - i))) & (coeff(Qp(t), n) == r[t])
+                           & (Qs(t) == sum_of(i, 1, n, coeff(Qs(t), n - i) * Z ** (n - i))) & (coeff(Qs(t), n - 1) == r[t] * gam(t))),
+                    sizes=["n"], over=AG, where=POLY, by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))]),
+      note="The zero polynomial has degree -1 here.")
+claim("BLM91-E2.28", "the invariant pseudo-polynomial",
+      always(t, 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t))) == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT],
+      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
+claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
+      rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+
+# h_i of (3.4) as functions of a point, and the step as a map
+hi, til, one, u, w, un, wn = symbols("hi til one u w un wn")
+claim("BLM91-S21", "n independent first integrals",
+      forall(i, 1, n, (hi(i, un, wn) == hi(i, u, w)) & (laurent(hi(i, u / Z, w / Z), 1) == u[i])), sizes=["n"],
+      over={u: vector(n), w: vector(n)},
+      where=[SHIFT, function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
+             function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
+                      / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
+             let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
+      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
+           "u_i/z + ..., so that their gradients at the origin are independent.")
+
+# ---------------------------------------------------------------------- positive real data
+claim("BLM91-S22", "the filter matrix is stable, with characteristic polynomial Q_t/r_t",
+      (charpoly(Fm) == Qm) & schur(Fm), sizes=["n", "m"], over=AG,
+      where=[*FORM, *FAST, *POLY, *DATA, let(Fm, F - fk[m] * T(h)), let(Qm, 1 / r[m] * Qp(m))],
+      given=REAL,
+      by=[steps("BLM91-E2.25", "BLM91-E2.26", "BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem"],
+                prose="on the circle |Q*_t| < |Q_t| while r_t > 0, so the zeros inside are as many for Q_t as for Q_t - s Q*_t, |s| <= 1; "
+                      "Q_0 - Q*_0 = a(z) starts, and Q_(t+1) = Q_t - gamma_t z Q*_t continues; |gamma_t| < 1 because z^n Q_t(1/z) has no zero in the closed disc"),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
+      note="m is the time t.")

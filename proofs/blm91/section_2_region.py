@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""Section II, (2.31)-(2.35): the positive real region and the classical case, in particular n = 1.
+
+Each state (q, q*) of the stripped algorithm is itself a set of data, a = q -
+q*, g = q*, and the invariant says that its Phi_+ has real part D r_t / |Q_t -
+Q*_t|^2 on the circle: with r_t > 0 the Popov condition is handed on, and so
+is stability.
+
+The set of positive real (a, g) is bounded, because a(z) and a(z) + 2 g(z)
+are Schur polynomials, whose coefficients are bounded by binomial
+coefficients. It contracts to the origin along (rho^i a_i, rho^i g_i): this
+replaces Phi_+(z) by Phi_+(z/rho), which for 0 < rho <= 1 has positive real
+part outside the disc when Phi_+ has.
+
+For n = 1 everything is explicit. Phi_+ = 1/2 + g/(z + a) has, up to the factor
+|z + a|^2, the real part 1 + a^2 + 2ag + 2(a + g) cos(theta); its least value is
+(1 - |alpha|)^2 - gamma^2 with alpha = a + g, gamma = g, and together with |a| < 1
+this is the diamond |alpha| + |gamma| < 1. The algorithm maps the diamond into
+itself, since |alpha'| + |gamma'| = |alpha|/(1 - |gamma|), and on the curve 1 +
+alpha^2 - gamma^2 = (p + 1/p) alpha through the point it acts on alpha as a
+linear fractional map with fixed points p and 1/p: the quotient (alpha - p)/(alpha -
+1/p) is multiplied by p^2 at each step, so alpha_t tends to p.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.language import *
+
+from proofs.blm91.notation import *
+
+AG = {a: vector(n), g: vector(n)}
+POLY = (*stripped(g + a, g), *POLYNOMIALS)
+den, pop, rho, d, As, Gs, nums, sg = symbols("den pop rho d As Gs nums sg")
+
+# ---------------------------------------------------------------------- Popov condition along the algorithm
+#: den = Q_t - Q*_t; pop = |den|^2 times the real part (doubled) of 1/2 + Q*_t/den
+ALONG = (let(den, Qp(m) - Qs(m)), let(pop, den * recip(den) + Qs(m) * recip(den) + recip(Qs(m)) * den))
+POSITIVE_R = given("r_t > 0", forall(t, 0, m, r[t] > 0))
+claim("BLM91-E2.31", "the Popov condition is handed on",
+      pos_on_circle(pop), sizes=["n", "m"], over=AG, where=[*POLY, *DATA, *ALONG],
+      given=[given("Popov condition", pos_on_circle(num)), POSITIVE_R],
+      by=[steps("BLM91-E2.28", "BLM91-E2.30", prose="on the circle the real part of 1/2 + Q*_t/(Q_t - Q*_t) times 2|Q_t - Q*_t|^2 is "
+                "|Q_t|^2 - |Q*_t|^2 = r_t D, positive for all t or for none as r_t > 0, and then Q_t - Q*_t has no zero there"),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE, example(n=1, m=2, a=["11/4"], g=["1/4"])],
+      note="The Popov condition of b/(2a) is written without denominators, as positivity of |a|^2 + g a* + g* a; m is the time t.")
+claim("BLM91-S24", "each step gives data of another stochastic system",
+      schur(den) & pos_on_circle(pop), sizes=["n", "m"], over=AG, where=[*POLY, *DATA, *ALONG], given=REAL,
+      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem"],
+                prose="|Q*_t| < |Q_t| on the circle while r_t > 0, so Q_t - Q*_t has as many zeros in the disc as Q_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
+      note="a := q_t - q*_t and g := q*_t are positive real; den is r_t times a(z), m is the time t.")
+
+# ---------------------------------------------------------------------- convergence for positive real data
+x, last, low = symbols("x last low")
+SX, XX = sum_of(i, 1, n, abs(x[i])), 1 + sum_of(i, 1, n, x[i] ** 2)
+MA = matrix_of(i, j, n, 1, (x[i] + sum_of(k, 1, n - i, x[k] * x[k + i])) / XX)  # c_1 .. c_n of a moving average with weights 1, x_1 .. x_n
+claim("BLM91-S23", "convergence to the steady-state filter",
+      (last < rational("1/1000")) & (abs(low - d) < rational("1/1000")), sizes=["n"], over={a: vector(n), g: vector(n), x: vector(n)},
+      where=[*POLY, *DATA, INVARIANT, let(sg, polynomial_of(x)), let(d, coeff(D, 0) / coeff(sg * recip(sg), 0)),
+             let(last, trace(T(q[20] - x) * (q[20] - x)) + trace(T(qs[20]) * qs[20])), let(low, r[20])],
+      given=[standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
+             standing("data well inside", d >= rational("1/4"))],
+      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=["r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
+                prose="r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t then tend to zero one after "
+                      "the other, q_t being bounded, and every limit point of Q_t/r_t is the Schur spectral factor of D"),
+          instances(n=(1, 2), using={w: vector(n)},
+                    made_by={x: w / (2 * (1 + SW)), a: (MA - J * MA) / (1 - MA[1]), g: (J * MA - MA[1] * MA) / (1 - MA[1] ** 2)}),
+          example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
+      note="The limit has no finite test. On the instances, whose spectral factor z^n + x_1 z^(n-1) + .. is known and whose rate is bounded by the "
+           "standing hypotheses, the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
+
+# ---------------------------------------------------------------------- shape of the positive real region
+binom = sym("binom")
+claim("BLM91-S25", "the positive real region is bounded and contracts to a point",
+      forall(i, 1, n, (abs(a[i]) <= binom(i)) & (abs(a[i] + 2 * g[i]) <= binom(i))) & schur(As) & pos_on_circle(nums),
+      sizes=["n"], over={a: vector(n), g: vector(n), rho: positive()},
+      where=[*DATA, function(binom, [i], prod(j, 1, i, (n - j + 1) / j)),
+             let(As, Z**n + sum_of(i, 1, n, rho**i * a[i] * Z ** (n - i))), let(Gs, sum_of(i, 1, n, rho**i * g[i] * Z ** (n - i))),
+             let(nums, As * recip(As) + Gs * recip(As) + recip(Gs) * As)],
+      given=[*REAL, given("contraction", rho < 1)],
+      by=[steps("BLM91-E2.30", facts=["coefficients of a Schur polynomial are less than binomial coefficients", "b is Schur where b/(2a) is positive real",
+                                      "the real part of an analytic function takes its minimum on the boundary"],
+                prose="(rho^i a_i, rho^i g_i) belongs to Phi_+(z/rho), analytic with positive real part for |z| >= rho"),
+          instances(n=(1, 2, 3), using={u: vector(n), w: vector(n), x: positive()},
+                    made_by={a: u / (1 + SU), g: w / (2 * (1 + SU) * (1 + SW)), rho: 1 / (1 + x)}),
+          example(n=2, a=["-38/25", "9/10"], g=["4/5", "-9/10"], rho="9/10"), example(n=2, a=["2/25", "-9/10"], g=["-4/5", "9/10"], rho="1/2"),
+          example(n=2, a=["38/25", "9/10"], g=["-4/5", "-9/10"], rho="9/10"), example(n=1, a=["-9/10"], g=["93/100"], rho="99/100")],
+      note="Simply connected because contractible: (rho^i a_i, rho^i g_i) stays positive real for 0 < rho <= 1 and tends to the origin, which is "
+           "positive real; that this homotopy stays in the region is what is tested. Bounds: coefficients of Schur polynomials.")
+
+# ---------------------------------------------------------------------- n = 1
+ag = {a: scalar(), g: scalar()}
+p1, pos1, dia = symbols("p1 pos1 dia")
+PHI1 = let(p1, rational("1/2") + g / (Z + a))
+claim("BLM91-S26", "the Popov condition for n = 1",
+      (p1 + recip(p1)) * (Z + a) * recip(Z + a) == 1 + a**2 + 2 * a * g + (a + g) * (Z + recip(Z)), over=ag, where=[PHI1],
+      by=[identity(), instances()], note="z + 1/z is 2 cos(theta) on the circle.")
+claim("BLM91-E2.32a", "positivity in closed form",
+      iff(pos_on_circle(pos1), (1 - abs(a + g)) ** 2 > g**2), over=ag, where=[let(pos1, 1 + a**2 + 2 * a * g + (a + g) * (Z + recip(Z)))],
+      by=[steps("BLM91-S26", facts=["an affine function of cos(theta) has its least value at cos(theta) = 1 or -1"],
+                prose="at cos(theta) = -+1 the form is (1 -+ (a + g))^2 - g^2"),
+          instances(60), example(a=0, g="1/2"), example(a=0, g="-1/2"), example(a=3, g=1), example(a=-2, g=0), example(a=0, g=1), example(a=1, g=-1)],
+      note="For all real a and g, stable or not.")
+claim("BLM91-E2.32b", "the stability condition for n = 1", iff(schur(F), abs(a) < 1), over={a: scalar()}, where=[let(F, rows([[-a]]))],
+      by=[instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
+claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
+      (q[0][1] == al0) & (qs[0][1] == ga0) & (al0 - ga0 == a[1]), over={a: vector(1), g: vector(1)},
+      where=[let(n, 1), *stripped(g + a, g), let(al0, a[1] + g[1]), let(ga0, g[1])], by=[identity(), instances()],
+      note="The display defines alpha = a + g, gamma = g; checked is that they are q_0 and q*_0 for n = 1.")
+claim("BLM91-F1", "the positive real region is the diamond",
+      iff(((1 - abs(al0)) ** 2 > ga0**2) & schur(az), abs(al0) + abs(ga0) < 1), over={al0: scalar(), ga0: scalar()},
+      where=[let(a, al0 - ga0), let(az, Z + a)],
+      by=[instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
+claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(), instances()])
+
+claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
+      (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],
+      over={al0: scalar(), ga0: scalar(), pp: scalar()}, where=[*ORBIT, let(dia, abs(al[m]) + abs(ga[m]))],
+      given=[given("diamond", abs(al0) + abs(ga0) < 1), given("limit", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0), standing("smaller root", abs(pp) < 1)],
+      by=[steps("BLM91-E2.34", "BLM91-E3.13", prose="|alpha'| + |gamma'| = |alpha|/(1 - |gamma|) is less than 1 in the diamond; with gamma^2 from (3.13) the step is "
+                "alpha' = 1/(p + 1/p - alpha), so (alpha' - p)/(p alpha' - 1) is p^2 (alpha - p)/(p alpha - 1)"),
+          instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", pp=0), example(m=3, alpha0="1/2", gamma0=0, pp="1/2")],
+      note="p = alpha_infinity is the root of p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 with |p| < 1. The equation is the convergence: alpha_t - p "
+           "is p^(2t) times a bounded factor, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p) for p not 0. m is the time t.")
+kf, kfs = symbols("kf kfs")
+claim("BLM91-E2.35", "the steady-state filter for n = 1",
+      always(t, (kf[t] == al[t] - a) & (kfs[t] == ga[t]) & (-a - kf[t] == -al[t])), over=ag,
+      where=[*scalar_orbit(a + g, g), rec(kf, t, g, (kf[t] + kfs[t] * a * kfs[t]) / (1 - kfs[t] ** 2)),
+             rec(kfs, t, g, (-a * kfs[t] - kfs[t] * kf[t]) / (1 - kfs[t] ** 2))],
+      by=[induction(), instances()],
+      note="The filter at time t has the coefficients F - k_t = -alpha_t and k_t = alpha_t - a, with (1.9) for F = -a, h = 1; the steady-state filter is its limit, "
+           "alpha_t tending to alpha_infinity by the convergence in the diamond.")

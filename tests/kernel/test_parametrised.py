@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""Identities in parameters that the statement does not have."""
+
+from __future__ import annotations
+
+import pytest
+
+from exactkf.engine import verify_statement
+from exactkf.evidence import identity, instances
+from exactkf.kernel.replay import Rejected, replay, seal
+from exactkf.language import Statement, given, integer, let, rational, scalar, symbols
+
+x, y, c, s, t, k = symbols("x y c s t k")
+CIRCLE = {"over": {c: scalar(), s: scalar()}, "given": [given("on the circle", c**2 + s**2 == 1)]}
+HALF_ANGLE = {c: (1 - t**2) / (1 + t**2), s: 2 * t / (1 + t**2)}
+FACT = "every point of the circle but (-1, 0) has a rational parameter"
+
+
+def _statement(says, **more):
+    over = {key.tree[1]: kind for key, kind in CIRCLE["over"].items()}
+    return Statement(says=says, over=over, given=CIRCLE["given"], **more)
+
+
+def test_a_classical_fact_gives_steps_and_needs_instances():
+    """With instances beside it the strength is `steps`, without them the statement stays open."""
+    says = (1 - c) * (1 + c) == s**2
+    proof = identity(given_by=HALF_ANGLE, using={t: scalar()}, fact=FACT)
+    drawn = instances(made_by=HALF_ANGLE, using={t: scalar()})
+    found = verify_statement(_statement(says), [proof, drawn])
+    assert (found["verdict"], found["strength"]) == ("holds", "steps"), found["reason"]
+    assert verify_statement(_statement(says), [proof])["strength"] != "proved"
+
+
+def test_a_parameter_may_be_an_integer_with_a_range():
+    """All its values are looked at."""
+    says = (c - 1) * (c + 1) * c * s == 0
+    made = {c: k, s: (1 - k) * (1 + k)}
+    data = _statement(says).to_json()
+    evidence = {"cases": [{}], "given_by": {key.tree[1]: _lists(v.tree) for key, v in made.items()},
+                "covered_by": "the three points", "parameters": [["k", _lists(integer(-1, 1))]]}
+    assert replay(seal("T-1", "identity", data, evidence)) == []
+    with pytest.raises(Rejected):
+        replay(seal("T-1", "identity", data, {**evidence, "parameters": [["k", _lists(integer(-1, 2))]]}))
+
+
+def test_a_parametrisation_cannot_redefine_a_name():
+    """Neither a definition of the statement nor one of its variables."""
+    data = _statement(x == 0, where=[let(x, c**2 + s**2 - 1)]).to_json()
+    evidence = {"cases": [{}], "given_by": {"x": 0}, "covered_by": "nothing"}
+    with pytest.raises(Rejected, match="redefines"):
+        replay(seal("T-1", "identity", data, evidence))
+    with pytest.raises(Rejected, match="name of a variable"):
+        replay(seal("T-1", "identity", data, {**evidence, "given_by": {}, "parameters": [["c", ["scalar"]]]}))
+
+
+def test_every_instances_evidence_is_searched():
+    """A counterexample that only the second way of drawing reaches is found."""
+    says = (c == 1) | (c != rational("3/5"))
+    one = instances(made_by={c: 1 + 0 * t, s: 0 * t}, using={t: scalar()})
+    other = instances(made_by={c: rational("3/5") + 0 * t, s: rational("4/5") + 0 * t}, using={t: scalar()})
+    assert verify_statement(_statement(says), [one])["verdict"] != "fails"
+    assert verify_statement(_statement(says), [one, other])["verdict"] == "fails"
+
+
+def _lists(tree):
+    return [_lists(part) for part in tree] if isinstance(tree, (list, tuple)) else tree
