@@ -96,7 +96,9 @@ claim("D71-S23", "points that stay on the lower right branch",
           ((p >= e) >> (nxt >= e)) & (e > pole),
           over={**OBSERVABLE, p: scalar(), e: scalar()}, where=[GRAPH, *ONE],
           given=[given("e is an equilibrium", e == F(e)), standing("on the branch", p > pole)],
-          by=[instances(made_by={h: e*(m**2*e + v - phi**2*v)/(m**2*e + v)})]),
+          by=[steps("D71-E3.8", prose="F(p) - e = phi^2 v^2 (p - e)/((m^2 p + v)(m^2 e + v)), and the equilibria lie on one side of the pole, "
+                                      "as (m^2 e + v)(m^2 f + v) = phi^2 v^2, the side of the nonnegative one."),
+              instances(made_by={h: e*(m**2*e + v - phi**2*v)/(m**2*e + v)})]),
       note="From p = -2/5 with phi = m = v = 1 and h = 0 the next values are -2/3 and -2, beyond -v/m^2 = -1. "
            "In the corrected form the set p >= e lies on the branch and is mapped into itself, so the orbit stays in it.")
 

@@ -251,6 +251,7 @@ claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
       given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m),
              given("JX = wX", J*X == w*X), given("X has independent columns", rank(X) == s)],
       by=[steps("D71-S29", facts=["A matrix with independent columns maps independent vectors to independent ones."]),
+          example(q=2, m=2, s=1, R=[[1, 0], [0, 3]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 2]], X=[1, 0], w=1),
           instances(q=(2, 3), m=(2, 3), s=(1, 2), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
                     made_by={R: E*matrix_of(i, j, q, q, when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(E),
                              TT: FIRST*inv(G),
@@ -412,7 +413,9 @@ claim("D71-E3.44", "a derogatory R with a family of solutions",
           "if it is nonsingular for one value, it is for all but at most one",
           MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
           given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
-          by=[example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
+          by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
+                    prose="The determinant of the lower part is a polynomial of degree one in the parameter; different spaces give different P."),
+              example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
       note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two values of the parameter "
            "at least one is to give a solution, so that infinitely many do; different values give different column spaces, hence different P. "
            "For E = I and w = 0 the quadratic equation is A = 0 with A = [1, 0] and has no solution.")
