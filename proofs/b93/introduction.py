@@ -42,6 +42,7 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     pd,
+    positive_definite,
     positive_semidefinite,
     psd,
     standing,
@@ -126,14 +127,14 @@ claim("B93-E4", "R and S are nonnegative, and the matrix to be inverted is I + R
       by=[order(), instances(d=(1, 2, 3, 6), p=(1, 2, 3), q=(1, 2, 3))],
       note="A definition; these are the two facts that it takes for granted.")
 
+P0, Den = symbols("P0 Den")
 POSTERIOR = inv(Identity(d) + H * R * H)
 claim("B93-S1", "the Riccati map is defined on P and keeps P and P0",
-      invertible(Identity(d) + R * S + R * A * P * T(A)) & psd(Phi(P)) & (pd(P) >> pd(Phi(P))),
-      sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), P: positive_semidefinite(d)},
-      where=[*ONE_STEP,
-             function(Phi, [X], (A * X * T(A) + S) * inv(Identity(d) + R * S + R * A * X * T(A)))],
-      by=[order([Identity(d) - R * H * POSTERIOR * H], [H * POSTERIOR * H], [inv(inv(A * P * T(A) + S) + R)],
+      invertible(Den(P)) & psd(Phi(P)) & pd(Phi(P0)), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), P: positive_semidefinite(d), P0: positive_definite(d)},
+      where=[*ONE_STEP, function(Den, [X], Identity(d) + R * S + R * A * X * T(A)),
+             function(Phi, [X], (A * X * T(A) + S) * inv(Den(X)))],
+      by=[order([Identity(d) - R * H * POSTERIOR * H], [H * POSTERIOR * H], [inv(inv(A * P0 * T(A) + S) + R)],
                 roots={H: A * P * T(A) + S}),
           instances(d=(1, 2, 3, 6), p=(1, 2, 3), q=(1, 2, 3))])
 
