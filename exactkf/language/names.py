@@ -7,7 +7,7 @@ written                   printed                         rule
 ``alpha``, ``Phi``        ``\alpha``, ``\Phi``            Greek names
 ``A1``, ``x12``           ``A_{1}``, ``x_{12}``           trailing digits are a subscript
 ``P_inf``, ``Q_ab``       ``P_{\infty}``, ``Q_{ab}``      what follows ``_`` is a subscript
-``phi_star``, ``phis``    ``\varphi^{*}``                 star of a polynomial or matrix
+``phi_star``, ``phis``    ``\varphi^{*}``                 star of a polynomial or gain
 ``x_hat``, ``xhat``       ``\hat{x}``                     also bar, tilde, dot, check
 ``P_plus``, ``P_minus``   ``P^{+}``, ``P^{-}``
 ``A_prime``, ``i_``       ``A^{\prime}``, ``i^{\prime}``  a prime that is no transpose
@@ -33,6 +33,10 @@ _GREEK = {
 _ACCENTS = {"hat": r"\hat", "bar": r"\bar", "tilde": r"\tilde", "dot": r"\dot", "check": r"\check"}
 _RAISED = {"star": "*", "plus": "+", "minus": "-", "prime": r"\prime"}
 _WORDS = {"inf": r"\infty", "infty": r"\infty", "infinity": r"\infty"}
+
+
+#: what a trailing ``s`` puts a star on: polynomials and gains of the fast filter; elsewhere it is a plural
+_STARRED = {"phi", "psi", "pi", "rho", "q", "Q", "k"}
 
 
 @dataclass(frozen=True)
@@ -86,9 +90,10 @@ def _stem(word: str) -> tuple[str, str, str]:
     """Base, accent and superscript of a word without underscores and trailing digits."""
     if _is_letter(word):
         return _letter(word), "", ""
-    for ending in ("star", "s"):
-        if word.endswith(ending) and _is_letter(word.removesuffix(ending)):
-            return _letter(word.removesuffix(ending)), "", "*"
+    for ending, stems in (("star", None), ("s", _STARRED)):
+        stem = word.removesuffix(ending)
+        if stem != word and (stem in stems if stems is not None else _is_letter(stem)):
+            return _letter(stem), "", "*"
     for ending, accent in _ACCENTS.items():
         if word.endswith(ending) and _is_letter(word.removesuffix(ending)):
             return _letter(word.removesuffix(ending)), accent, ""

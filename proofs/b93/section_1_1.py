@@ -427,16 +427,15 @@ def _null_vector(matrix_) -> object:
     return matrix_of(i, j, d, 1, kernel_basis(matrix_)[i, 1])
 
 
-XI3, XI1, XI2 = T(A3) * C3, T(A1) * C1, T(A2) * C2
 claim("B93-S23", "the null vectors of A*C of a product of two",
-      iff(XI3 * x == Zero(d, 1), (XI1 * x == Zero(d, 1)) & (XI2 * A1 * x == Zero(d, 1))), sizes=["d"],
-      over={**PAIR, x: vector(d)}, where=SETTING,
+      iff(Xi(M3) * x == Zero(d, 1), (Xi(M1) * x == Zero(d, 1)) & (Xi(M2) * A1 * x == Zero(d, 1))), sizes=["d"],
+      over={**PAIR, x: vector(d)}, where=[*SETTING, XI],
       given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, *ALL)],
       by=[order(BOTH.lower, BOTH.lower, [inv(A1), inv(A2)]),
           _pair(NOT_DOWN, UP, x=1), _pair(DOWN, NOT_UP, x=1), _pair(DOWN, NOT_DOWN, x=1), _pair(DOWN, (1, 0, 0, 0), x=1),
-          instances(d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI3)}),
-          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI1)}),
-          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI2 * A1)}),
+          instances(d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A3) * C3)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A1) * C1)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A2) * C2 * A1)}),
           instances(8, d=(1, 2, 3), using=USING, made_by=MADE_PAIR)])
 
 claim("B93-S24", "a null vector of a sum of nonnegative matrices is one of each",

@@ -20,13 +20,19 @@ congruence leaves them alone and inversion inverts them.
 from proofs.b93.introduction import (
     DEPENDENT,
     GAUSSIAN,
-    INDEPENDENT,
     JOINT,
-    NO_COVARIANCE,
+    LOUD,
+    P0,
+    P1,
     PARAMETERS,
     REGULAR,
     SIZES,
     SMALL,
+    STEP,
+    STEP_GIVEN,
+    STEP_MADE,
+    STEP_OVER,
+    STEP_SIZES,
 )
 from proofs.b93.introduction import SYSTEM as EVOLUTION
 from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
@@ -60,7 +66,7 @@ from exactkf.language import (
 )
 
 A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi, Den = symbols("A B C D M N P Q R S F W H X Y Phi Den")
-TT, T0, S0, P0, Q0, W0 = symbols("T T0 S0 P0 Q0 W0")
+TT, T0, S0, Q0, W0 = symbols("T T0 S0 Q0 W0")
 A1, B1, C1, D1 = symbols("A1 B1 C1 D1")
 BLOCKS = let(M, block([[A, B], [C, D]]))
 ACTION = (function(Den, [X, Y], part(X, 1, 0) * Y + part(X, 1, 1)),
@@ -115,16 +121,16 @@ claim("B93-S28", "the Riccati map is the action of the Hamiltonian matrix",
       where=[let(R, T(C) * C), let(S, F * T(F)), let(M, hamiltonian(A, S, R)), *ACTION],
       by=[identity(d=(1, 2), p=1, q=1), instances(d=UP_TO_6, p=(1, 2, 3), q=(1, 2, 3))])
 
-RICCATI = forall(k, 1, n, P(k) == Phi(hamiltonian(A(k), S(k), R(k)), P(k - 1)))
-EQUATION = {"sizes": SIZES, "over": {**PARAMETERS, **JOINT}, "where": [*EVOLUTION, *GAUSSIAN, *ACTION]}
 claim("B93-E14", "the discrete Riccati equation",
-      RICCATI, **EQUATION, given=[REGULAR], by=[example(DEPENDENT), instances(**SMALL)],
+      forall(k, 1, n, P(k) == Phi(hamiltonian(A(k), S(k), R(k)), P(k - 1))), sizes=SIZES, over={**PARAMETERS, **JOINT},
+      where=[*EVOLUTION, *GAUSSIAN, *ACTION], given=[REGULAR], by=[example(DEPENDENT), instances(**SMALL)],
       repair=repair(
           "missing hypothesis",
-          "Like (5), from which it is deduced, it needs that X_0 is independent of the noises, which the set-up does "
+          "Like (5), from which it is deduced, it needs that X_0 is independent of the noises, which the set-up of section 1 does "
           "not say.",
-          RICCATI, **EQUATION, given=[REGULAR, INDEPENDENT],
-          by=[identity(given_by=NO_COVARIANCE, d=(1, 2), p=1, q=1, n=1), instances(made_by=NO_COVARIANCE, **SMALL)]))
+          P1 == Phi(hamiltonian(A, S, R), P0), sizes=STEP_SIZES, over={**STEP_OVER, A: nonsingular(d)},
+          where=[*STEP, *ACTION], given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE]),
+      note="Stated like (5).")
 
 claim("B93-S31", "the distance is invariant under congruence and under inversion",
       cospectral(A * P * T(A) * inv(A * Q * T(A)), P * inv(Q)) & cospectral(inv(P) * inv(inv(Q)), inv(P * inv(Q))),

@@ -150,12 +150,12 @@ SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i)
           function(rr, [t], when(t == 0, 1, det(Toep(t)) / det(Toep(t - 1)))))
 claim("BLM91-E2.7", "the Schur parameter in terms of covariances",
       forall(t, 0, n, -coeff(phi(t + 1), 0) == 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1))), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
       note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0). "
            "The coefficient phi_(t,t-k) belongs to z^k.")
 claim("BLM91-E2.8", "recursion of the squared norms",
       (rr(0) == 1) & forall(t, 0, n, rr(t + 1) == (1 - coeff(phi(t + 1), 0) ** 2) * rr(t)), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 4)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
       note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
 
 # c -> gamma -> c and gamma -> c -> gamma
@@ -201,7 +201,7 @@ claim("BLM91-E2.11", "the linear least-squares prediction",
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
       vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
-      by=[identity(n=range(1, 4)), instances(n=range(1, 5))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",

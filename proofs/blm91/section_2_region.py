@@ -104,15 +104,15 @@ claim("BLM91-E2.32a", "positivity in closed form",
 claim("BLM91-E2.32b", "the stability condition for n = 1", iff(schur(F), abs(a) < 1), over={a: scalar()}, where=[let(F, rows([[-a]]))],
       by=[instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
 claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
-      (q[0][1] == al0) & (qs[0][1] == ga0) & (al0 - ga0 == a[1]), sizes=["n"], over={a: vector(1), g: vector(1)},
-      where=[*stripped(g + a, g), let(al0, a[1] + g[1]), let(ga0, g[1])], by=[identity(n=1), instances(n=1)],
+      (q[0][1] == al0) & (qs[0][1] == ga0) & (al0 - ga0 == a[1]), over={a: vector(1), g: vector(1)},
+      where=[let(n, 1), *stripped(g + a, g), let(al0, a[1] + g[1]), let(ga0, g[1])], by=[identity(), instances()],
       note="The display defines alpha = a + g, gamma = g; checked is that they are q_0 and q*_0 for n = 1.")
 claim("BLM91-F1", "the positive real region is the diamond",
       iff(((1 - abs(al0)) ** 2 > ga0**2) & schur(az), abs(al0) + abs(ga0) < 1), over={al0: scalar(), ga0: scalar()},
       where=[let(a, al0 - ga0), let(az, Z + a)],
       by=[instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
-claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])), sizes=["n"],
-      over={a: vector(1), g: vector(1)}, where=[*stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(n=1), instances(n=1)])
+claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(), instances()])
 
 claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
       (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],

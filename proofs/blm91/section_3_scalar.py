@@ -42,12 +42,12 @@ CROSSES = [example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1), example(al
 
 # ---------------------------------------------------------------------- the map
 claim("BLM91-E3.10", "the algorithm for n = 1, referred to as (3.25)",
-      forall(t, 0, m, (al[t] == q[t][1]) & (ga[t] == qs[t][1])) & exists(k, 1, 15, k == 25), sizes=["n", "m"],
-      over={a: vector(1), g: vector(1)}, where=[*stripped(a, g), *scalar_orbit(a[1], g[1])],
-      by=[example(n=1, m=1, a=["1/2"], g=["1/2"]), instances(n=1, m=(1, 2))],
+      forall(t, 0, m, (al[t] == q[t][1]) & (ga[t] == qs[t][1])) & exists(k, 1, 15, k == 25), sizes=["m"],
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])],
+      by=[example(m=1, a=["1/2"], g=["1/2"]), instances(m=(1, 2))],
       repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.15); the system is (2.25)",
-                    always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])), sizes=["n"],
-                    over={a: vector(1), g: vector(1)}, where=[*stripped(a, g), *scalar_orbit(a[1], g[1])], by=[induction(n=1), instances(n=1)]),
+                    always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
+                    over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])], by=[induction(), instances()]),
       note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 15 of the displays of Section III.")
 claim("BLM91-E3.11", "the invariant for n = 1",
       always(t, r[t] * ((Z + al[t]) * (recip(Z) + al[t]) - ga[t] ** 2) == (Z + al0) * (recip(Z) + al0) - ga0**2), over=PLANE, where=[*ORBIT, RT],

@@ -1,0 +1,344 @@
+# SPDX-License-Identifier: MIT
+"""Matrix theorems used by the thesis (Appendix B).
+
+The update through S = M'V^{-1}M: multiply Q = P - PM'(MPM' + V)^{-1}MP by
+(I + SP)(I + SP)^{-1}. In M'(MPM' + V)^{-1}MP(I + SP) the factor MPM' + V comes out
+on the right of its inverse, so the bracket shrinks to I. The inverse exists
+because det(I + SP) det V = det(V + MPM').
+
+A Jordan block turned over: with mu the eigenvalue of the adjoint block mu I + N',
+put x_ij = (-1)^{j-1} C(j-1, n-i) mu^{n+j-i-1}. Row i of the adjoint block adds row
+i - 1, column j of mu^{-1}I + N adds column j - 1, and what has to vanish is Pascal's
+rule. X is zero above its second diagonal, and det X = mu^{n(n-1)}.
+
+Cyclic subspaces: divide the annihilating polynomial phi of x by lambda - lambda_i.
+The quotient theta gives (A - lambda_i I) theta(A)x = phi(A)x - phi(lambda_i)x = 0,
+while theta(A)x has the coefficient one at the last of the independent vectors
+x, Ax, ..., A^{p-1}x.
+
+The equation A'QA - Q = R: put it into itself to get the sum of (A^{-i})'RA^{-i}
+up to N and the remainder (A^{-N})'QA^{-N}, which dies out when the eigenvalues of A
+lie outside the unit circle. A null vector of Q goes to another one under A^{-1} and
+is a null vector of R on the way; so the null space of Q is the largest invariant
+subspace inside the null space of R.
+
+The matrices are real here. An eigenvector u + iv to an eigenvalue alpha + i beta is
+a pair Au = alpha u - beta v, Av = beta u + alpha v.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Z,
+    Zero,
+    always,
+    coeff,
+    det,
+    eq,
+    forall,
+    function,
+    given,
+    iff,
+    inv,
+    invertible,
+    let,
+    matrix,
+    matrix_of,
+    nonsingular,
+    nonzero,
+    pd,
+    positive_semidefinite,
+    prod,
+    rank,
+    rec,
+    rows,
+    scalar,
+    schur,
+    sequence,
+    substitute,
+    sum_of,
+    sym,
+    symbols,
+    symmetric_matrix,
+    to_expr,
+    vector,
+    when,
+)
+from proofs.d71.notation import M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
+
+I = Identity(n)
+S = gram()
+
+# --- the update ---------------------------------------------------------------------------------------------------------
+
+UPDATE_SIZES = {"n": range(1, 4), "p": range(1, 4)}
+ANY = {P: symmetric_matrix(n), M: matrix(p, n), V: symmetric_matrix(p)}
+MPMV_REGULAR = given("MPM' + V nonsingular", invertible(M*P*T(M) + V))
+INNER = T(M)*inv(M*P*T(M) + V)*M*P
+
+claim("D71-T8.1", "the update through M'V^{-1}M",
+      invertible(I + S*P) & invertible(I + P*S) & eq(update(), P*inv(I + S*P), inv(I + P*S)*P),
+      sizes=["n", "p"], over=ANY, given=[MPMV_REGULAR],
+      by=[order([I - INNER], [I - P*T(M)*inv(M*P*T(M) + V)*M], []), instances(**UPDATE_SIZES)],
+      note="P and V are any symmetric matrices; V is invertible, as the formulas presuppose and the theorem "
+           "does not say; P may be singular.")
+
+CROSS = {P: matrix(n, n), M: matrix(p, n), V: nonsingular(p)}
+
+nd = sym("nd")
+
+claim("D71-S77", "the theorem from which the right side of (8.1a) exists",
+      invertible(I + S*P), sizes=["n", "p"], over={**CROSS, nd: vector(n)},
+      given=[given("what Theorem 3.20 gives", P*nd == Zero(n, 1)), given("a nonzero vector", nd != Zero(n, 1))],
+      by=[example(n=2, p=1, P=[[0, 0], [0, -1]], M=[[0, 1]], V=[[1]], nd=[1, 0]), instances(n=(2,), p=(1,))],
+      repair=repair(
+          "cross-reference",
+          "Theorem 3.20 is about undriven stable modes and gives a null vector of P; the existence of the inverse is Theorem 3.21",
+          invertible(I + S*P), sizes=["n", "p"], over=CROSS, given=[MPMV_REGULAR],
+          by=[order([I - INNER]), instances(**UPDATE_SIZES), example(n=2, p=1, P=[[0, 0], [0, -1]], M=[[0, 1]], V=[[1]])]),
+      note="Read as: what the cited theorem says about P makes I + M'V^{-1}MP invertible. The existence itself is right and part of D71-T8.1.")
+
+claim("D71-E8.2", "the update step by step",
+      eq(update(),
+         P*(I - T(M)*inv(M*P*T(M) + V)*M*P)*(I + S*P)*inv(I + S*P),
+         P*(I + S*P - INNER*(I + S*P))*inv(I + S*P),
+         P*(I + S*P - T(M)*inv(M*P*T(M) + V)*(M*P*T(M) + V)*inv(V)*M*P)*inv(I + S*P),
+         P*inv(I + S*P)),
+      sizes=["n", "p"], over=ANY,
+      by=[identity(n=(1, 2), p=(1, 2)), instances(**UPDATE_SIZES)])
+
+# --- a Jordan block turned over -----------------------------------------------------------------------------------------
+
+mu, X, choose, a_, b_ = symbols("mu X choose a_ b_")
+PASCAL = function(choose, [a_, b_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(a_ - 1, b_ - 1) + choose(a_ - 1, b_))))
+ADJOINT = mu*I + T(superdiagonal(n))
+TURNED = jordan_block(1/mu, n)
+
+
+def turning(size, lower):
+    """The matrix (8.3) with the lower index of its binomial."""
+    return matrix_of(i, j, size, size, when(j > size - i, to_expr(-1)**(j - 1)*choose(j - 1, lower)*mu**(size + j - i - 1), 0))
+
+
+PRINTED_X = [PASCAL, let(X, turning(n, i - n))]
+RIGHT_X = [PASCAL, let(X, turning(n, n - i))]
+TO_6 = range(1, 7)
+MU_ONE = example(n=2, mu=1)
+BINOMIAL = "the lower index of the binomial is n - i; with i - n every row of X but the last vanishes"
+
+claim("D71-T8.2", "the inverse of an adjoint Jordan block is similar to a Jordan block",
+      (inv(ADJOINT) == X*TURNED*inv(X)) & (det(X) == mu**(n*(n - 1))),
+      sizes=["n"], over={mu: nonzero()}, where=RIGHT_X,
+      by=[identity(n=TO_6), instances(n=range(1, 5))],
+      note="mu stands for the conjugate of omega and may be complex, as the identities are rational in it; omega is not 0, as the inverse presupposes. "
+           "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right, and the determinant shows that X^{-1} exists.")
+
+claim("D71-E8.3", "the matrix X is nonsingular and carries one block to the other",
+      invertible(X) & (X == ADJOINT*X*TURNED),
+      sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
+      by=[MU_ONE, instances(n=range(1, 5))],
+      repair=repair("index", BINOMIAL, (det(X) == mu**(n*(n - 1))) & (X == ADJOINT*X*TURNED),
+                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
+      note="mu stands for the conjugate of omega. A binomial with a negative lower index is 0. The X printed is "
+           "singular for every n > 1; of the corrected one the repair gives the determinant.")
+
+
+def example_four(two, three):
+    """The matrix (8.4) with its two binomials that are not 1."""
+    return rows([[0, 0, 0, -mu**6], [0, 0, mu**4, -three*mu**5], [0, -mu**2, two*mu**3, -three*mu**4], [1, -mu, mu**2, -mu**3]])
+
+
+FOUR = (mu*Identity(4) + T(superdiagonal(4)))*X*jordan_block(1/mu, 4)
+
+claim("D71-E8.4", "the matrix X for n = 4",
+      eq(X, turning(4, 4 - i), FOUR),
+      over={mu: nonzero()}, where=[PASCAL, let(X, example_four(1, 1))],
+      by=[example(mu=1), instances()],
+      repair=repair("factor", "the binomials are missing: 2 mu^3, -3 mu^4 in the third row and -3 mu^5 in the second",
+                    eq(X, turning(4, 4 - i), FOUR),
+                    over={mu: nonzero()}, where=[PASCAL, let(X, example_four(2, 3))], by=[identity(), instances()]),
+      note="Tested against (8.3) with its binomial put right and against the equation (8.5) that X is for. All the coefficients in the scan of (8.4) are "
+           "1 or -1, which fits neither of them, whichever way the index in (8.3) is read.")
+
+claim("D71-E8.5", "the equation that X satisfies",
+      (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
+      sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
+      by=[MU_ONE, instances(n=range(1, 5))],
+      repair=repair("index", f"{BINOMIAL} and the equation fails", (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
+                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
+      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block.")
+
+# --- cyclic subspaces ---------------------------------------------------------------------------------------------------
+
+A, x, a, phi, theta, v, lam, krylov, q = symbols("A x a phi theta v lam krylov q")
+KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
+PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
+CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
+
+claim("D71-E8.8", "the minimal annihilating polynomial",
+      substitute(phi, A)*x == A**p*x - sum_of(k, 1, p, a[k]*A**(p - k)*x),
+      sizes=["n", "p"], over={A: matrix(n, n), x: vector(n), a: sequence(1, p)}, where=[PHI],
+      by=[identity(**CYCLIC_SIZES), instances(**CYCLIC_SIZES)],
+      note="A definition; the content checked is that phi(A)x = 0 says the same as (8.8): the two differ by nothing at all.")
+
+E, d, c = symbols("E d c")
+CYCLIC = {A: matrix(n, n), x: vector(n), a: vector(p), lam: scalar()}
+EIGHT = given("(8.8)", A**p*x == sum_of(k, 1, p, a[k]*A**(p - k)*x))
+SMALLEST = given("p is the smallest", forall(q, 1, p - 1, rank(krylov(q + 1)) > rank(krylov(q))))
+ZERO = given("a zero of phi", substitute(phi, lam) == 0)
+NOT_ZERO = given("x is not 0", x != Zero(n, 1))
+CYCLIC_MADE = {"using": {E: nonsingular(n), d: vector(n)},
+               "made_by": {A: E*(matrix_of(i, j, n, n, when(i == j, d[i], 0)) + superdiagonal(n))*inv(E),
+                           x: E*matrix_of(i, j, n, 1, when(i == p, 1, 0)),
+                           a: matrix_of(i, j, p, 1, -coeff(prod(k, 1, p, Z - d[k]), p - i)),
+                           lam: d[1]}}
+#: theta = phi/(lambda - lam) by synthetic division
+quotient = sym("quotient")
+CYCLIC_WHERE = [PHI, function(quotient, [k], when(k == 0, 1, lam*quotient(k - 1) - a[k])),
+                let(theta, sum_of(k, 0, p - 1, quotient(k)*Z**(p - 1 - k)))]
+SHIFTED = A - lam*I
+EIGENVECTOR = (v != Zero(n, 1)) & (theta*(Z - lam) == phi) & (SHIFTED*substitute(theta, A) == substitute(phi, A)) & (A*v == lam*v)
+AT_ZERO = example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0)
+NOT_SMALLEST = example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 0], a=[3, -2], lam=2)
+
+claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
+      EIGENVECTOR,
+      sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, theta*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+      by=[example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 1], a=[3, -2], lam=1), instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
+      repair=repair(
+          "other", "v is theta(A)x, the matrix in place of lambda, as the next display of the proof has it; theta(lambda)x is a multiple of x",
+          EIGENVECTOR,
+          sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, substitute(theta, A)*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+          by=[steps("D71-E8.8", prose="phi = (lambda - lambda_i) theta, so (A - lambda_i I) theta(A)x = phi(A)x; theta(A)x is a combination of x, ..., "
+                                      "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
+              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+      note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
+           "polynomial in the zero. x is taken nonzero here, see D71-T8.3.")
+
+cyclic = sym("cyclic")
+HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
+T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
+
+claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
+      HAS_EIGENVECTOR,
+      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO],
+      by=[AT_ZERO, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
+      repair=repair(
+          "boundary case", "x may be any vector by the definition, and for x = 0 the subspace is {0}, which contains no eigenvector",
+          HAS_EIGENVECTOR,
+          sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+          by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
+                    prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
+              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+      note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
+           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero.")
+
+# --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
+
+R, G, t, partial, back = symbols("R G t partial back")
+LYAPUNOV = given("A'QA - Q = R", T(A)*Q*A - Q == R)
+OUTSIDE = given("the eigenvalues of A lie outside the unit circle", schur(inv(A)))
+SUMS = [rec(back, t, I, back[t]*inv(A)), rec(partial, t, Zero(n, n), partial[t] + T(back[t]*inv(A))*R*back[t]*inv(A))]
+
+
+def factor(at):
+    """An eigenvalue outside the unit circle, of either sign."""
+    return when(at == 2, -1, 1)*(1 + (1 + c[at]**2)/2)
+
+
+def solved(weight):
+    """A = E diag(f) E^{-1} with |f_i| > 1, and Q and R that solve the equation, R congruent to ``weight``."""
+    return {"using": {E: nonsingular(n), G: matrix(n, n), c: vector(n)},
+            "made_by": {A: E*matrix_of(i, j, n, n, when(i == j, factor(i), 0))*inv(E),
+                        R: T(inv(E))*weight*inv(E),
+                        Q: T(inv(E))*matrix_of(i, j, n, n, weight[i, j]/(factor(i)*factor(j) - 1))*inv(E)}}
+
+
+#: weights: any rank, rank one, a zero row and column
+FULL = G*T(G)
+RANK_ONE = matrix_of(i, j, n, n, G[i, 1]*G[j, 1])
+THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
+
+claim("D71-E8.14", "the solution as a series",
+      always(t, Q - partial[t] == T(back[t])*Q*back[t]) & (pd(R) >> pd(Q)),
+      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: symmetric_matrix(n)}, where=SUMS, given=[LYAPUNOV, OUTSIDE],
+      by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
+                                    "A limit of nonnegative definite matrices is nonnegative definite."],
+                prose="Q is the limit of the partial sums, hence nonnegative definite; a null vector of Q would give one of R."),
+          example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
+      note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
+           "and there is one solution only.")
+
+al, be, u, w = symbols("al be u w")
+
+MODULUS = al**2 + be**2 - 1
+EIGEN_GIVEN = [LYAPUNOV, given("Ax = lambda x, real part", A*u == al*u - be*w), given("Ax = lambda x, imaginary part", A*w == be*u + al*w),
+               given("Ru = 0", R*u == Zero(n, 1)), given("Rw = 0", R*w == Zero(n, 1)), given("|lambda| > 1", al**2 + be**2 > 1)]
+
+
+def quadratic(scale):
+    """The form x*Qx times |lambda|^2 - 1 from the hypotheses, times a scalar."""
+    return [(scale*T(u), "A'QA - Q = R", u), (scale*T(w), "A'QA - Q = R", w), (scale*T(u), "Ru = 0", 1), (scale*T(w), "Rw = 0", 1),
+            (-scale*T(u)*T(A)*Q, "Ax = lambda x, real part", 1), (-scale, "Ax = lambda x, real part'", Q*(al*u - be*w)),
+            (-scale*T(w)*T(A)*Q, "Ax = lambda x, imaginary part", 1), (-scale, "Ax = lambda x, imaginary part'", Q*(be*u + al*w))]
+
+
+ROTATED = matrix_of(i, j, n, n, when((i <= 2) & (j <= 2), when(i == j, al, when(i < j, be, -be)), when(i == j, factor(i), 0)))
+STRAIGHT = matrix_of(i, j, n, n, when(i == j, when(i == 1, al, when(i == 2, 1/al, factor(i))), 0))
+FLAT = matrix_of(i, j, n, n, when((i <= 2) & (j <= 2), 0, FULL[i, j]))
+CROSSED = matrix_of(i, j, n, n, when((i == 1) & (j == 1), 0, when((i == 1) | (j == 1), when(i + j == 3, 1, 0), FULL[i, j])))
+
+
+def eigenpair(turn, form):
+    return {A: E*turn*inv(E), Q: T(inv(E))*form*inv(E), R: T(E*turn*inv(E))*T(inv(E))*form*inv(E)*(E*turn*inv(E)) - T(inv(E))*form*inv(E)}
+
+
+EIGEN_USING = {E: nonsingular(n), G: matrix(n, n), c: vector(n)}
+
+claim("D71-E8.15", "an eigenvector of A that is a null vector of R",
+      (MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0) & (T(u)*Q*u + T(w)*Q*w == 0),
+      sizes=["n"], over={A: matrix(n, n), Q: symmetric_matrix(n), R: symmetric_matrix(n), al: scalar(), be: scalar(), u: vector(n), w: vector(n)},
+      given=EIGEN_GIVEN,
+      by=[combination([quadratic(to_expr(1)), quadratic(1/MODULUS)], n=(1, 2, 3)),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=1, be=0, u=[1], w=[0]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=1, u=[1], w=[1]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=-1, u=[1], w=[1]),
+          example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[1], w=[0]),
+          example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[0], w=[1]),
+          instances(n=(2, 3), using=EIGEN_USING,
+                    made_by={**eigenpair(ROTATED, FLAT), u: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), w: E*matrix_of(i, j, n, 1, when(i == 2, 1, 0))}),
+          instances(n=(2, 3), using=EIGEN_USING,
+                    made_by={**eigenpair(STRAIGHT, CROSSED), be: to_expr(0), u: 2*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
+                             w: 3*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
+      note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw. The text says that "
+           "(8.14) makes x*Qx vanish; (8.15) does so at once, and (8.14) too, as its terms all vanish at x.")
+
+n0 = sym("n0")
+SUM_NULL = (Q + R)*x == Zero(n, 1)
+
+claim("D71-E8.16", "a null vector of Q goes to another one",
+      eq(T(x)*(Q + R)*x, T(n0)*Q*n0, 0) & SUM_NULL & iff(SUM_NULL, (Q*x == Zero(n, 1)) & (R*x == Zero(n, 1))),
+      sizes=["n"], over={A: nonsingular(n), Q: positive_semidefinite(n), R: positive_semidefinite(n), n0: vector(n)}, where=[let(x, inv(A)*n0)],
+      given=[LYAPUNOV, given("Qn = 0", Q*n0 == Zero(n, 1))],
+      by=[order([], [], [Q, R], [Q, R], []),
+          instances(n=range(1, 4), using=solved(THIN)["using"], made_by={**solved(THIN)["made_by"], n0: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
+      note="Real case. The form x'(Q + R)x of a nonnegative definite matrix vanishes exactly if (Q + R)x = 0, and then Qx = Rx = 0. As x is again a "
+           "null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
+
+observe = sym("observe")
+
+claim("D71-T8.4", "when the solution is singular",
+      iff(rank(Q) < n, rank(observe) < n),
+      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n)},
+      where=[let(observe, sum_of(k, 0, n - 1, T(A**k)*R*A**k))], given=[LYAPUNOV, OUTSIDE],
+      by=[steps("D71-E8.15", "D71-E8.16", facts=["An invariant subspace other than {0} contains a complex eigenvector."],
+                prose="The null space of the sum is the largest A-invariant subspace inside the null space of R: by Cayley and Hamilton it is invariant, "
+                      "and every eigenvector of A that R kills is in it."),
+          example(n=2, A=[[0, -2], [2, 0]], R=[[1, 0], [0, 0]], Q=[["1/15", 0], [0, "4/15"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[0, 0], [0, 1]], Q=[[0, 0], [0, "1/3"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[1, 0], [0, 0]], Q=[["1/3", "-2/9"], ["-2/9", "5/27"]]),
+          instances(n=range(1, 4), **solved(RANK_ONE)), instances(12, n=range(1, 4), **solved(FULL)), instances(12, n=range(1, 4), **solved(THIN))],
+      note="Real matrices. A real or complex eigenvector of A that is a null vector of R exists exactly if R, RA, ..., RA^{n-1} have a common null "
+           "vector, that is, if the sum of their (A^k)'RA^k is singular.")
