@@ -21,8 +21,9 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.kernel.instances import admissible
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible
+from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
@@ -59,12 +60,12 @@ class Sampler:
         for example in self.examples:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
+        most = every[:max(4, 2 * len(every) // 3)]
         for k in range(tries):
             if k < len(every):
                 yield from self._try(every[k], "small")
-            else:  # small sizes more often than large ones
-                pick = min(self.random.randrange(len(every)), self.random.randrange(len(every)))
-                yield from self._try(every[pick], self.random.choice(_FLAVOURS))
+            else:  # the largest sizes once, the others again and again
+                yield from self._try(most[k % len(most)], self.random.choice(_FLAVOURS))
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
@@ -99,7 +100,7 @@ class Sampler:
 
     def _from_example(self, example: Mapping[str, Any]) -> tuple[dict, dict]:
         """Complete a hand-made instance (columns as lists, missing horizon) to JSON."""
-        from exactkf.kernel.meaning import read_instance
+        from exactkf.kernel.instances import read_instance
 
         sizes = {n: example[n] for n in self.statement["sizes"]}
         data: dict[str, Any] = {"sizes": {**sizes, "horizon": example.get("horizon", self.horizon)}, "values": {}}

@@ -19,10 +19,12 @@ from itertools import combinations, islice
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.kernel.instances import generic
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, generic
-from exactkf.kernel.numbers import Laurent, SymbolicField, Undefined, Unknown
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Undefined, Unknown
 from exactkf.kernel.replay import _integers
+from exactkf.kernel.symbolic import SymbolicField
 
 __all__ = ["says_nothing_new"]
 
@@ -37,8 +39,8 @@ _CONNECTIVES = {"and", "or", "not", "=>", "<=>"}
 
 def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[Evidence]) -> bool:
     """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
-    made_by = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
-    using = next((e.hints["using"] for e in by if e.hints.get("using")), {})
+    made_by: Any = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
+    using: Any = next((e.hints["using"] for e in by if e.hints.get("using")), {})
     statement = {**data, "over": [*([n, _lists(t)] for n, t in using.items()), *data["over"]]}
     worlds = list(_worlds(statement, data, by, made_by)) or list(_worlds(statement, data, by, {}))
     if not worlds:
@@ -50,13 +52,12 @@ def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[
         return True
     if _is_special_case(worlds, data, says, lambda values: values):
         return True
-    if made_by or data["given"]:
-        return False
-    return any(_is_special_case(worlds, data, says, change) for change in islice(_substitutions(data), _MOST))
+    free = worlds if not made_by else list(_worlds(statement, data, by, {}))
+    return bool(free) and any(_is_special_case(free, data, says, change) for change in islice(_substitutions(data), _MOST))
 
 
 def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
-    sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
+    sizes: Any = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
     case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:
@@ -157,6 +158,8 @@ def _is_special_case(worlds: list[World], data: dict, says: Any, change: Callabl
             moved = World(data, {**change(world.values), "horizon": None})
             moved.symbolic = True
             if not _same_formula(moved, data["says"], world, says, {}):
+                return False
+            if not all(_same_formula(moved, formula, world, formula, {}) for _, formula, _kind in data["given"]):
                 return False
     except (Undefined, Unknown, KeyError, TypeError, AttributeError):
         return False

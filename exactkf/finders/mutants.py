@@ -9,6 +9,7 @@ there either.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -16,11 +17,12 @@ from typing import Any
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.equal import says_nothing_new
+from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.replay import NotACertificate, Rejected, replay
+from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.language.mutate import Mutant, mutants, rewritings
 
 __all__ = ["MutantReport", "judge_mutants"]
@@ -103,7 +105,7 @@ def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidenc
             return "void"
     if not meaningful or not fits:
         return "void"
-    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _also_proved(data, mutant, by) else "survived"
+    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _proved({**data, "says": mutant.says}, by) else "survived"
 
 
 def _misfit(reason: str) -> bool:
@@ -113,7 +115,7 @@ def _misfit(reason: str) -> bool:
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
     """Order and transposes mean nothing on this instance: operands (one of the exchanged factors) are scalars or polynomials."""
-    tree, local = data["says"], {}
+    tree, local = data["says"], dict[str, int]()
     try:
         for k in mutant.path:
             if isinstance(tree, list) and tree and tree[0] in _BINDERS:
@@ -139,17 +141,21 @@ def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
     return tree
 
 
-def _also_proved(data: dict, mutant: Mutant, by: Sequence[Evidence]) -> bool:
-    """The same proof proves the changed statement: both are theorems."""
-    changed = {**data, "says": mutant.says}
-    for e in by:
-        if e.kind in PROOFS:
-            for certificate in candidates("mutant", changed, e):
-                try:
-                    replay(certificate)
-                    return True
-                except (Rejected, NotACertificate):
-                    continue
+def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
+    """A proof of the same kind proves the changed statement: both are theorems."""
+    tries = [c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)]
+    if changed["sizes"]:
+        if (terms := find_membership(changed, seconds=1.0)) is not None:
+            tries.append(seal("mutant", "membership", changed, {"terms": terms}))
+        hints: Any = next((json.loads(json.dumps(dict(e.hints))) for e in by if e.kind == "order"), {})
+        if (parts := find_order(changed, hints.get("sums", ()), hints.get("roots", ()), seconds=1.0)) is not None:
+            tries.append(seal("mutant", "order", changed, {"parts": parts}))
+    for certificate in tries:
+        try:
+            replay(certificate)
+            return True
+        except (Rejected, NotACertificate):
+            continue
     return False
 
 
@@ -167,7 +173,7 @@ def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evid
                         return "rejected"
                 except (Undefined, Unknown):
                     continue
-    return "survived"
+    return "equal" if _proved(weaker, by) else "survived"
 
 
 def _partial(made_by: Mapping[str, Any], data: dict) -> Iterator[tuple[int, dict]]:

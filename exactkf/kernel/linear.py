@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Symbolic, Undefined, Unknown, divide, sign
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, sign
+from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar"]
 
@@ -97,9 +98,8 @@ class Matrix:
         return divide(other, self.rows[0][0])
 
     def __eq__(self, other: object) -> bool:
-        b = other if isinstance(other, Matrix) else Matrix([[other]])
-        return (self.nrows, self.ncols) == (b.nrows, b.ncols) and all(
-            x == y for r, s in zip(self.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
+        a, b = self._same(other)
+        return all(x == y for r, s in zip(a.rows, b.rows, strict=True) for x, y in zip(r, s, strict=True))
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -157,7 +157,8 @@ class _Minors:
     """Memoised expansion of minors along the first row."""
 
     def __init__(self, matrix: Matrix) -> None:
-        self.rows, self.known = matrix.rows, {}
+        self.rows = matrix.rows
+        self.known: dict[tuple, Any] = {}
 
     def minor(self, rows: tuple, cols: tuple) -> Any:
         if not rows:

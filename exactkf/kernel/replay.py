@@ -29,10 +29,12 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible, generic, read_instance
-from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown, rationals
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rationals
 from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.symbolic import SymbolicField
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -289,7 +291,8 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows:
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    todo, denominators = list(leaves(statement, evidence.get("lemmas", ()))), []
+    todo = list(leaves(statement, evidence.get("lemmas", ())))
+    denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
         leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()), proof.get("null", ""))

@@ -26,13 +26,12 @@ If D > 0 on the circle and a(z) = Q_0 - Q*_0 is a Schur polynomial, then
 Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
 
-xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, az, gz, num, bk, Fm, Qm = symbols("xh yt Ys kk ks Pi fk fks x y az gz num bk Fm Qm")
+xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, bk, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y y_back F_m Q_m")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
 
 # ---------------------------------------------------------------------- estimates as projections
@@ -79,7 +78,7 @@ claim("BLM91-E2.20", "recursion of the two gains",
       (kk(0) == g) & (ks(0) == g) & forall(t, 0, m - 1, (kk(t + 1) == 1 / (1 - gam[t] ** 2) * (kk(t) - gam[t] * F * ks(t)))
                                            & (ks(t + 1) == 1 / (1 - gam[t] ** 2) * (F * ks(t) - gam[t] * kk(t)))),
       sizes=["n", "m"], over={F: matrix(n, n), g: vector(n), gam: sequence(0, m - 1)}, where=PAIR,
-      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))],
+      by=[identity(n=(1, 2, 3), m=(1, 2, 3, 4)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))],
       note="For any numbers gamma_t with square other than 1.")
 GAINS = (REALIZED, *szego(c), function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
 FGH = {F: matrix(n, n), h: vector(n), g: vector(n)}
@@ -97,24 +96,25 @@ claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
            "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
 
 # ---------------------------------------------------------------------- canonical form
-Obs, Oc, Tm, Fc = symbols("Obs Oc Tm Fc")
+Obs, Oc, Tm, Fc = symbols("O_F O_c T_c F_c")
 claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
       (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
       where=[let(a, matrix_of(i, j, n, 1, coeff(charpoly(F), n - i))), let(e, matrix_of(i, j, n, 1, when(i == 1, 1, 0))),
              let(Fc, matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0))),
              let(Obs, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j])), let(Oc, matrix_of(i, j, n, n, (T(e) * Fc ** (i - 1))[1, j])),
              let(Tm, inv(Oc) * Obs)],
-      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3, 4))],
+      by=[identity(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4))],
       note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the quotient of the "
            "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
 FORM = (SHIFT, *CANONICAL)
 claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
-claim("BLM91-S19", "F on the companion gain", F * x == J * x - (T(h) * x) * a, sizes=["n"], over={a: vector(n), x: vector(n)}, where=FORM,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))], note="For any vector in place of k*_t; gamma_t is h'k*_t by (2.21).")
+FREE = {J: matrix(n, n), h: vector(n), a: vector(n), x: vector(n)}
+claim("BLM91-S19", "F on the companion gain", F * x == J * x - a * (T(h) * x), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
+      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))], note="For any vector in place of k*_t, gamma_t being h'k*_t by (2.21), and any J, with F = J - a h' as in (2.23).")
 claim("BLM91-E2.24", "what the change of variables does: the filter matrix depends on q alone",
-      F - x * T(h) == J - (x + a) * T(h), sizes=["n"], over={a: vector(n), x: vector(n)}, where=FORM,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
+      F - x * T(h) == J - (x + a) * T(h), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
+      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))],
       note="The display defines q_t = k_t + a, q*_t = k*_t. Checked is that F - k_t h' then is J - q_t h'.")
 
 STRIPPED = stripped(g + a, g)
@@ -146,10 +146,10 @@ claim("BLM91-E2.28", "the invariant pseudo-polynomial",
       by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
 claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
       rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))])
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
 # h_i of (3.4) as functions of a point, and the step as a map
-hi, til, one, u, w, un, wn = symbols("hi til one u w un wn")
+hi, til, one, u, w, un, wn = symbols("h_i zero one u w u_next w_next")
 claim("BLM91-S21", "n independent first integrals",
       forall(i, 1, n, (hi(i, un, wn) == hi(i, u, w)) & (laurent(hi(i, u / Z, w / Z), 1) == u[i])), sizes=["n"],
       over={u: vector(n), w: vector(n)},
@@ -157,7 +157,7 @@ claim("BLM91-S21", "n independent first integrals",
              function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
                       / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
              let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
-      by=[identity(n=(1, 2, 3, 4)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
            "u_i/z + ..., so that their gradients at the origin are independent.")
 

@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.evidence import combination, example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -36,12 +36,10 @@ from exactkf.language import (
     always,
     coeff,
     det,
-    diagonal,
     eq,
     forall,
     function,
     given,
-    hstack,
     iff,
     inv,
     invertible,
@@ -51,8 +49,6 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     pd,
-    positive,
-    positive_definite,
     positive_semidefinite,
     prod,
     rank,
@@ -70,9 +66,9 @@ from exactkf.language import (
     vector,
     when,
 )
-from proofs.d71.notation import H, M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
+from proofs.d71.notation import M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
 
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 S = gram()
 
 # --- the update ---------------------------------------------------------------------------------------------------------
@@ -86,7 +82,8 @@ claim("D71-T8.1", "the update through M'V^{-1}M",
       invertible(I + S*P) & invertible(I + P*S) & eq(update(), P*inv(I + S*P), inv(I + P*S)*P),
       sizes=["n", "p"], over=ANY, given=[MPMV_REGULAR],
       by=[order([I - INNER], [I - P*T(M)*inv(M*P*T(M) + V)*M], []), instances(**UPDATE_SIZES)],
-      note="P and V are any symmetric matrices; V is invertible, as the formulas presuppose; P may be singular.")
+      note="P and V are any symmetric matrices; V is invertible, as the formulas presuppose and the theorem "
+           "does not say; P may be singular.")
 
 CROSS = {P: matrix(n, n), M: matrix(p, n), V: nonsingular(p)}
 
@@ -177,7 +174,6 @@ claim("D71-E8.5", "the equation that X satisfies",
 
 A, x, a, phi, theta, v, lam, krylov, q = symbols("A x a phi theta v lam krylov q")
 KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
-LAST = sum_of(k, 1, p, a[k]*A**(p - k)*x)
 PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
 CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
 
@@ -198,45 +194,53 @@ CYCLIC_MADE = {"using": {E: nonsingular(n), d: vector(n)},
                            x: E*matrix_of(i, j, n, 1, when(i == p, 1, 0)),
                            a: matrix_of(i, j, p, 1, -coeff(prod(k, 1, p, Z - d[k]), p - i)),
                            lam: d[1]}}
-CYCLIC_WHERE = [KRYLOV, PHI, let(theta, phi/(Z - lam))]
+#: theta = phi/(lambda - lam) by synthetic division
+quotient = sym("quotient")
+CYCLIC_WHERE = [PHI, function(quotient, [k], when(k == 0, 1, lam*quotient(k - 1) - a[k])),
+                let(theta, sum_of(k, 0, p - 1, quotient(k)*Z**(p - 1 - k)))]
 SHIFTED = A - lam*I
+EIGENVECTOR = (v != Zero(n, 1)) & (theta*(Z - lam) == phi) & (SHIFTED*substitute(theta, A) == substitute(phi, A)) & (A*v == lam*v)
+AT_ZERO = example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0)
+NOT_SMALLEST = example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 0], a=[3, -2], lam=2)
 
 claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
-      (v != Zero(n, 1)) & eq(SHIFTED*v, substitute(phi, A)*x, Zero(n, 1)),
-      sizes=["n", "p"], over=CYCLIC, where=[*CYCLIC_WHERE, let(v, theta*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+      EIGENVECTOR,
+      sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, theta*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
       by=[example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 1], a=[3, -2], lam=1), instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       repair=repair(
           "other", "v is theta(A)x, the matrix in place of lambda, as the next display of the proof has it; theta(lambda)x is a multiple of x",
-          (v != Zero(n, 1)) & eq(SHIFTED*v, substitute(phi, A)*x, Zero(n, 1)),
-          sizes=["n", "p"], over=CYCLIC, where=[*CYCLIC_WHERE, let(v, substitute(theta, A)*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+          EIGENVECTOR,
+          sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, substitute(theta, A)*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
           by=[steps("D71-E8.8", prose="phi = (lambda - lambda_i) theta, so (A - lambda_i I) theta(A)x = phi(A)x; theta(A)x is a combination of x, ..., "
                                       "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
-              instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
-      note="Real zeros of phi. The instances have repeated zeros too. x is taken nonzero here, see D71-T8.3.")
+              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+      note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
+           "polynomial in the zero. x is taken nonzero here, see D71-T8.3.")
 
-HAS_EIGENVECTOR = rank(SHIFTED*krylov(p)) < rank(krylov(p))
+cyclic = sym("cyclic")
+HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
+T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
 
 claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
       HAS_EIGENVECTOR,
-      sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, PHI], given=[EIGHT, SMALLEST, ZERO],
-      by=[example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0), instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
+      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO],
+      by=[AT_ZERO, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       repair=repair(
           "boundary case", "x may be any vector by the definition, and for x = 0 the subspace is {0}, which contains no eigenvector",
           HAS_EIGENVECTOR,
-          sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, PHI], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+          sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
           by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
                     prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
-              example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0), instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
       note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
            "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero.")
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
-R, F, W, G, t, partial, back, x_ = symbols("R F W G t partial back x_")
+R, G, t, partial, back = symbols("R G t partial back")
 LYAPUNOV = given("A'QA - Q = R", T(A)*Q*A - Q == R)
 OUTSIDE = given("the eigenvalues of A lie outside the unit circle", schur(inv(A)))
 SUMS = [rec(back, t, I, back[t]*inv(A)), rec(partial, t, Zero(n, n), partial[t] + T(back[t]*inv(A))*R*back[t]*inv(A))]
-ONE_TO_4 = range(1, 5)
 
 
 def factor(at):
@@ -252,8 +256,9 @@ def solved(weight):
                         Q: T(inv(E))*matrix_of(i, j, n, n, weight[i, j]/(factor(i)*factor(j) - 1))*inv(E)}}
 
 
-#: a weight of full rank, and one with a zero row and column
+#: weights: any rank, rank one, a zero row and column
 FULL = G*T(G)
+RANK_ONE = matrix_of(i, j, n, n, G[i, 1]*G[j, 1])
 THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 
 claim("D71-E8.14", "the solution as a series",
@@ -262,28 +267,65 @@ claim("D71-E8.14", "the solution as a series",
       by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
                                     "A limit of nonnegative definite matrices is nonnegative definite."],
                 prose="Q is the limit of the partial sums, hence nonnegative definite; a null vector of Q would give one of R."),
-          example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(THIN))],
+          example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
       note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
            "and there is one solution only.")
 
 al, be, u, w = symbols("al be u w")
 
-claim("D71-E8.15", "an eigenvector of A that is a null vector of R",
-      ((al**2 + be**2 - 1)*(T(u)*Q*u + T(w)*Q*w) == 0) & (T(u)*Q*u + T(w)*Q*w == 0),
-      sizes=["n"], over={A: matrix(n, n), Q: symmetric_matrix(n), R: symmetric_matrix(n), al: scalar(), be: scalar(), u: vector(n), w: vector(n)},
-      given=[LYAPUNOV, given("Ax = lambda x, real part", A*u == al*u - be*w), given("Ax = lambda x, imaginary part", A*w == be*u + al*w),
-             given("Ru = 0", R*u == Zero(n, 1)), given("Rw = 0", R*w == Zero(n, 1)), given("|lambda| > 1", al**2 + be**2 > 1)],
-      by=[instances(n=ONE_TO_4)],
-      note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw.")
+MODULUS = al**2 + be**2 - 1
+EIGEN_GIVEN = [LYAPUNOV, given("Ax = lambda x, real part", A*u == al*u - be*w), given("Ax = lambda x, imaginary part", A*w == be*u + al*w),
+               given("Ru = 0", R*u == Zero(n, 1)), given("Rw = 0", R*w == Zero(n, 1)), given("|lambda| > 1", al**2 + be**2 > 1)]
 
-n0, y = symbols("n0 y")
+
+def quadratic(scale):
+    """The form x*Qx times |lambda|^2 - 1 from the hypotheses, times a scalar."""
+    return [(scale*T(u), "A'QA - Q = R", u), (scale*T(w), "A'QA - Q = R", w), (scale*T(u), "Ru = 0", 1), (scale*T(w), "Rw = 0", 1),
+            (-scale*T(u)*T(A)*Q, "Ax = lambda x, real part", 1), (-scale, "Ax = lambda x, real part'", Q*(al*u - be*w)),
+            (-scale*T(w)*T(A)*Q, "Ax = lambda x, imaginary part", 1), (-scale, "Ax = lambda x, imaginary part'", Q*(be*u + al*w))]
+
+
+ROTATED = matrix_of(i, j, n, n, when((i <= 2) & (j <= 2), when(i == j, al, when(i < j, be, -be)), when(i == j, factor(i), 0)))
+STRAIGHT = matrix_of(i, j, n, n, when(i == j, when(i == 1, al, when(i == 2, 1/al, factor(i))), 0))
+FLAT = matrix_of(i, j, n, n, when((i <= 2) & (j <= 2), 0, FULL[i, j]))
+CROSSED = matrix_of(i, j, n, n, when((i == 1) & (j == 1), 0, when((i == 1) | (j == 1), when(i + j == 3, 1, 0), FULL[i, j])))
+
+
+def eigenpair(turn, form):
+    return {A: E*turn*inv(E), Q: T(inv(E))*form*inv(E), R: T(E*turn*inv(E))*T(inv(E))*form*inv(E)*(E*turn*inv(E)) - T(inv(E))*form*inv(E)}
+
+
+EIGEN_USING = {E: nonsingular(n), G: matrix(n, n), c: vector(n)}
+
+claim("D71-E8.15", "an eigenvector of A that is a null vector of R",
+      (MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0) & (T(u)*Q*u + T(w)*Q*w == 0),
+      sizes=["n"], over={A: matrix(n, n), Q: symmetric_matrix(n), R: symmetric_matrix(n), al: scalar(), be: scalar(), u: vector(n), w: vector(n)},
+      given=EIGEN_GIVEN,
+      by=[combination([quadratic(to_expr(1)), quadratic(1/MODULUS)], n=(1, 2, 3)),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=1, be=0, u=[1], w=[0]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=1, u=[1], w=[1]),
+          example(n=1, A=[[1]], Q=[[1]], R=[[0]], al=2, be=-1, u=[1], w=[1]),
+          example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[1], w=[0]),
+          example(n=1, A=[[2]], Q=[[1]], R=[[3]], al=2, be=0, u=[0], w=[1]),
+          instances(n=(2, 3), using=EIGEN_USING,
+                    made_by={**eigenpair(ROTATED, FLAT), u: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), w: E*matrix_of(i, j, n, 1, when(i == 2, 1, 0))}),
+          instances(n=(2, 3), using=EIGEN_USING,
+                    made_by={**eigenpair(STRAIGHT, CROSSED), be: to_expr(0), u: 2*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
+                             w: 3*E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
+      note="x = u + iw and lambda = al + i be may be complex, A, Q and R are real: x*Qx = u'Qu + w'Qw. The text says that "
+           "(8.14) makes x*Qx vanish; (8.15) does so at once, and (8.14) too, as its terms all vanish at x.")
+
+n0 = sym("n0")
+SUM_NULL = (Q + R)*x == Zero(n, 1)
 
 claim("D71-E8.16", "a null vector of Q goes to another one",
-      eq(T(x)*(Q + R)*x, T(n0)*Q*n0, 0) & (Q*x == Zero(n, 1)) & (R*x == Zero(n, 1)),
+      eq(T(x)*(Q + R)*x, T(n0)*Q*n0, 0) & SUM_NULL & iff(SUM_NULL, (Q*x == Zero(n, 1)) & (R*x == Zero(n, 1))),
       sizes=["n"], over={A: nonsingular(n), Q: positive_semidefinite(n), R: positive_semidefinite(n), n0: vector(n)}, where=[let(x, inv(A)*n0)],
       given=[LYAPUNOV, given("Qn = 0", Q*n0 == Zero(n, 1))],
-      by=[order(), instances(n=range(1, 4), using=solved(THIN)["using"], made_by={**solved(THIN)["made_by"], n0: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
-      note="Real case. As x is again a null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
+      by=[order([], [], [Q, R], [Q, R], []),
+          instances(n=range(1, 4), using=solved(THIN)["using"], made_by={**solved(THIN)["made_by"], n0: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
+      note="Real case. The form x'(Q + R)x of a nonnegative definite matrix vanishes exactly if (Q + R)x = 0, and then Qx = Rx = 0. As x is again a "
+           "null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
 
 observe = sym("observe")
 
@@ -294,6 +336,9 @@ claim("D71-T8.4", "when the solution is singular",
       by=[steps("D71-E8.15", "D71-E8.16", facts=["An invariant subspace other than {0} contains a complex eigenvector."],
                 prose="The null space of the sum is the largest A-invariant subspace inside the null space of R: by Cayley and Hamilton it is invariant, "
                       "and every eigenvector of A that R kills is in it."),
-          instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(THIN))],
+          example(n=2, A=[[0, -2], [2, 0]], R=[[1, 0], [0, 0]], Q=[["1/15", 0], [0, "4/15"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[0, 0], [0, 1]], Q=[[0, 0], [0, "1/3"]]),
+          example(n=2, A=[[2, 1], [0, 2]], R=[[1, 0], [0, 0]], Q=[["1/3", "-2/9"], ["-2/9", "5/27"]]),
+          instances(n=range(1, 4), **solved(RANK_ONE)), instances(12, n=range(1, 4), **solved(FULL)), instances(12, n=range(1, 4), **solved(THIN))],
       note="Real matrices. A real or complex eigenvector of A that is a null vector of R exists exactly if R, RA, ..., RA^{n-1} have a common null "
            "vector, that is, if the sum of their (A^k)'RA^k is singular.")

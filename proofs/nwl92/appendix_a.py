@@ -24,7 +24,7 @@ that (A.14) does not feel because U'RWR = 0.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances
+from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
@@ -45,6 +45,7 @@ from exactkf.language import (
 from proofs.nwl92.notation import (
     BLOCKS,
     FULL_COLUMN_RANK,
+    G2,
     IMPLIED_RANK,
     ONE_INVERSE,
     OTHER,
@@ -59,6 +60,7 @@ from proofs.nwl92.notation import (
     U2,
     UNBIASED,
     W2,
+    Y2,
     H,
     L,
     R,
@@ -67,11 +69,13 @@ from proofs.nwl92.notation import (
     W,
     X,
     Zd,
+    Ze,
     Zm,
     excess,
     in_coordinates,
     inverses,
     lower,
+    made_inverse,
     n,
     p,
     two_inverses,
@@ -101,6 +105,9 @@ claim("NWL92-EA.2", "in blocks, ZGZ = Z is the three equations (A.3), (A.4), (A.
       note="The blocks (1,1), (1,2), (2,2) of ZGZ - Z are the left minus right sides of (A.3), (A.4), (A.5).")
 
 SYMMETRIC = {**SETTING, R: symmetric_matrix(p)}
+#: an R that is not nonnegative: RWH = [1/2; 0] and HU'H = [1/2; 0]
+INDEFINITE = {"p": 2, "n": 1, R: [[0, 1], [1, 0]], H: [[1], [0]], W: [[0, "1/2"], ["1/2", 0]], U: [["1/2"], [0]],
+              Tb: [[0]]}
 claim("NWL92-EA.3", "block (1,1) of ZGZ = Z",
       R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R,
       sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
@@ -110,7 +117,7 @@ claim("NWL92-EA.3", "block (1,1) of ZGZ = Z",
 claim("NWL92-EA.4", "block (1,2) of ZGZ = Z",
       R * W * H + H * T(U) * H == H,
       sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
-      by=[combination([(T(upper(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), inverses()],
+      by=[combination([(T(upper(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), example(INDEFINITE), inverses()],
       note="Neither the rank of H nor R >= 0 is needed.")
 
 claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
@@ -121,8 +128,15 @@ claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
 
 claim("NWL92-EA.6", "RWH = 0",
       R * W * H == Zero(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK],
+      by=[steps("NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+                prose="(A.4) multiplied by H'W on the left is H'WRWH = 0 by (A.5); so RWH = 0, column by column."),
+          inverses()],
       note="R >= 0 is needed, the rank of H is not.")
+
+LEFT_INVERSE_PROOF = steps(
+    "NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+    prose="RWH = 0 as for (A.6); then (A.4) is HU'H = H, and (H'H)^-1 H' on the left leaves U'H = I.")
 
 SMALL_TWICE = {**SMALL, W2: SMALL[W], U2: SMALL[U], T2: SMALL[Tb]}
 claim("NWL92-EA.7", "D = R + RWR does not depend on the (1)-inverse and is the D of (A.8), (A.9)",
@@ -163,13 +177,13 @@ claim("NWL92-EA.10", "T through the D of (A.7), hence unique",
 
 claim("NWL92-EA.11", "U' is a left inverse of H",
       eq(T(U) * H, inv(HH) * HH, Identity(n)),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[LEFT_INVERSE_PROOF, inverses()],
       note="Full column rank enters as the denominator det H'H.")
 
 claim("NWL92-EA.12", "the mean of the estimate is x",
       T(lower(p, n)) * Zd * vstack(H, Zero(n, n)) * x == x,
       sizes=["p", "n"], over={**SETTING, x: matrix(n, 1)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()],
+      by=[LEFT_INVERSE_PROOF, inverses()],
       note="The mean of y is Hx, and the estimate is linear in y.")
 
 claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",
@@ -190,3 +204,20 @@ claim("NWL92-EA.15", "RU + HT = 0",
       R * U + H * Tb == Zero(p, n),
       sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
       by=[in_coordinates(), inverses()])
+
+U_TWICE, FREE_TWICE = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
+LEFT_INVERSE = [let(Ze, block([[W, T(L)], [L, Tb]]))]
+WHICH = (Zm * Ze * Zm == Zm, R * T(L) * T(H) == D)
+LEFT_INVERSES = {**SETTING, L: matrix(n, p)}
+claim("NWL92-SA1", "a left inverse of H that is a block of a symmetric (1)-inverse satisfies (A.9)",
+      WHICH[0] >> WHICH[1],
+      sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, PRINTED_D],
+      given=[ONE_INVERSE, UNBIASED],
+      by=[example({**SMALL, L: [[1, "-1/2"]]}), inverses(made_by={**U_TWICE, L: T(U2)}, using=FREE_TWICE)],
+      repair=repair("sign", SIGN + "; with that D a left inverse of H is such a block exactly if it satisfies (A.9)",
+                    iff(*WHICH), sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, RIGHT_D],
+                    given=[ONE_INVERSE, UNBIASED],
+                    by=[inverses(made_by=OTHER, using={X: matrix(n, p)}),
+                        inverses(made_by={**U_TWICE, L: T(U2)}, using=FREE_TWICE)]),
+      note=("The footnote itself is right once the sign in (A.7) is put right: among the left inverses L of H only "
+            "those with RL'H' = D occur, and all of them do. (A.9) with the printed D excludes even the block U'."))
