@@ -356,7 +356,7 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
              function(alpha, [k], coeff(a, n - k) - co(phi, n, k)
                       - sum_of(j, 1, k - 1, alpha[j] * coeff(phi[n - j], n - k)))],
       given=[_MATCH, standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 6)),
+      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 7)),
           instances(n=(1, 2, 3), made_by={b: Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(a, n - k) + 2 * sum_of(
               j, 1, k, c[j] * coeff(a, n - k + j))))})],
       note="alpha is solved from a; det Phi = 1 says that it is the only one. The polynomials are needed for k = 0, "
