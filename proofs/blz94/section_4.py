@@ -175,7 +175,8 @@ claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parame
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
-      by=[steps("BLZ94-L4.2", prose="The first Schur parameter of v_t is its coefficient of 1/z, which is g_1(t)."),
+      by=[steps("BLZ94-L4.2", prose="By t deletions gamma_t is the first Schur parameter of v_t, its coefficient of "
+                                    "1/z, that is g_1(t). Lemma 4.2, with m to 3, reaches t = 4."),
           instances(n=(1, 2, 3, 4))])
 
 _A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
