@@ -181,7 +181,7 @@ claim("NWL92-EA.12", "the mean of the estimate is x",
       note="The mean of y is Hx, and the estimate is linear in y.")
 
 claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",
-      (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
+      (T(lower(p, n)) * Zd * block([[R, Zero(p, n)], [Zero(n, p), Zero(n, n)]]) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR,
       given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
       by=[every_size([], [excess_term(L, U, R)]),
