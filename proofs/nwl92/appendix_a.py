@@ -24,7 +24,7 @@ that (A.14) does not feel because U'RWR = 0.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import combination, example, identity, instances
 from exactkf.language import (
     Identity,
     T,
@@ -44,12 +44,11 @@ from exactkf.language import (
 )
 from proofs.nwl92.notation import (
     BLOCKS,
-    FULL_COLUMN_RANK,
+    GRAM,
     G2,
-    IMPLIED_RANK,
+    IMPLIED_GRAM,
     ONE_INVERSE,
     OTHER,
-    OTHER_IN_COORDINATES,
     PAIR,
     SECOND,
     SECOND_GIVEN,
@@ -71,8 +70,9 @@ from proofs.nwl92.notation import (
     Zd,
     Ze,
     Zm,
+    every_size,
     excess,
-    in_coordinates,
+    excess_term,
     inverses,
     lower,
     made_inverse,
@@ -128,82 +128,76 @@ claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
 
 claim("NWL92-EA.6", "RWH = 0",
       R * W * H == Zero(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK],
-      by=[steps("NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
-                prose="(A.4) multiplied by H'W on the left is H'WRWH = 0 by (A.5); so RWH = 0, column by column."),
-          inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_GRAM],
+      by=[every_size(), inverses()],
       note="R >= 0 is needed, the rank of H is not.")
-
-LEFT_INVERSE_PROOF = steps(
-    "NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
-    prose="RWH = 0 as for (A.6); then (A.4) is HU'H = H, and (H'H)^-1 H' on the left leaves U'H = I.")
 
 SMALL_TWICE = {**SMALL, W2: SMALL[W], U2: SMALL[U], T2: SMALL[Tb]}
 claim("NWL92-EA.7", "D = R + RWR does not depend on the (1)-inverse and is the D of (A.8), (A.9)",
       (D == R + R * W2 * R) & (H * Tb * T(H) == -D) & (R * U * T(H) == D),
       sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, PRINTED_D],
-      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK],
+      given=[ONE_INVERSE, SECOND_GIVEN, GRAM],
       by=[example(SMALL_TWICE), two_inverses()],
       repair=repair("sign", SIGN + ", and only that one equals RUH' = -HTH'",
                     (D == R - R * W2 * R) & (H * Tb * T(H) == -D) & (R * U * T(H) == D),
                     sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, RIGHT_D],
-                    given=[ONE_INVERSE, SECOND_GIVEN, IMPLIED_RANK], by=[in_coordinates(second=True), two_inverses()]),
+                    given=[ONE_INVERSE, SECOND_GIVEN, IMPLIED_GRAM], by=[every_size(second=True), two_inverses()]),
       note="RWR is the same for all (1)-inverses, so that R + RWR is unique too; it is not the matrix of (A.8), (A.9).")
 
 claim("NWL92-EA.8", "HTH' = -D with the D of (A.7)",
       H * Tb * T(H) == -D,
-      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, GRAM],
       by=[example(SMALL), inverses()],
       repair=repair("sign", SIGN, H * Tb * T(H) == -D, sizes=["p", "n"], over=SETTING, where=[*PAIR, RIGHT_D],
-                    given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()]),
+                    given=[ONE_INVERSE, IMPLIED_GRAM], by=[every_size(), inverses()]),
       note="Right as it stands once the sign in (A.7) is put right; the rank of H is not needed.")
 
 claim("NWL92-EA.9", "RUH' = D with the D of (A.7)",
       R * U * T(H) == D,
-      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, GRAM],
       by=[example(SMALL), inverses()],
       repair=repair("sign", SIGN, R * U * T(H) == D, sizes=["p", "n"], over=SETTING, where=[*PAIR, RIGHT_D],
-                    given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()]),
+                    given=[ONE_INVERSE, IMPLIED_GRAM], by=[every_size(), inverses()]),
       note="Right as it stands once the sign in (A.7) is put right; the rank of H is not needed.")
 
 claim("NWL92-EA.10", "T through the D of (A.7), hence unique",
       Tb == -inv(HH) * T(H) * D * H * inv(HH),
-      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, FULL_COLUMN_RANK],
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE, GRAM],
       by=[example(SMALL), inverses()],
       repair=repair("sign", SIGN, eq(Tb, -inv(HH) * T(H) * D * H * inv(HH), T2), sizes=["p", "n"],
                     over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE, RIGHT_D],
-                    given=[ONE_INVERSE, SECOND_GIVEN], by=[in_coordinates(second=True), two_inverses()]),
+                    given=[ONE_INVERSE, SECOND_GIVEN], by=[every_size(second=True), two_inverses()]),
       note="T is unique in any case; the formula needs the D of (A.8), which is R - RWR.")
 
 claim("NWL92-EA.11", "U' is a left inverse of H",
       eq(T(U) * H, inv(HH) * HH, Identity(n)),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[LEFT_INVERSE_PROOF, inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[every_size(), inverses()],
       note="Full column rank enters as the denominator det H'H.")
 
 claim("NWL92-EA.12", "the mean of the estimate is x",
       T(lower(p, n)) * Zd * vstack(H, Zero(n, n)) * x == x,
-      sizes=["p", "n"], over={**SETTING, x: matrix(n, 1)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[LEFT_INVERSE_PROOF, inverses()],
+      sizes=["p", "n"], over={**SETTING, x: matrix(n, 1)}, where=PAIR, given=[ONE_INVERSE, GRAM],
+      by=[every_size(), inverses()],
       note="The mean of y is Hx, and the estimate is linear in y.")
 
 claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",
-      (T(lower(p, n)) * Zd * diag(R, Zero(n, n)) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
+      (T(lower(p, n)) * Zd * block([[R, Zero(p, n)], [Zero(n, p), Zero(n, n)]]) * Zd * lower(p, n) == T(U) * R * U) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR,
-      given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
+      given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
+      by=[every_size([], [excess_term(L, U, R)]),
           inverses(made_by=OTHER, using={X: matrix(n, p)})],
       note=("The error of the estimate U'y is U'v, of covariance U'RU. It is the maximum likelihood estimate: by the "
-            "second equation every other unbiased Ly has a larger error covariance LRL'."))
+            "second statement no other unbiased Ly has a smaller error covariance LRL'."))
 
 claim("NWL92-EA.14", "P = U'DH(H'H)^-1 = -U'HTH'H(H'H)^-1 = -T",
       eq(T(U) * R * U, T(U) * D * H * inv(HH), -T(U) * H * Tb * HH * inv(HH), -Tb),
-      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=[*PAIR, PRINTED_D], given=[ONE_INVERSE], by=[every_size(), inverses()],
       note="Holds with D = R + RWR as printed in (A.7) and with the right D = R - RWR, because U'RWR = 0.")
 
 claim("NWL92-EA.15", "RU + HT = 0",
       R * U + H * Tb == Zero(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, GRAM],
+      by=[every_size(), inverses()])
 
 U_TWICE, FREE_TWICE = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
 LEFT_INVERSE = [let(Ze, block([[W, T(L)], [L, Tb]]))]

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactkf.evidence import Evidence, identity, instances
+from exactkf.evidence import Evidence, identity, instances, order
 from exactkf.language import (
     Expr,
     Identity,
@@ -24,11 +24,12 @@ from exactkf.language import (
     block,
     diag,
     given,
-    hstack,
     integer,
     inv,
+    invertible,
     kernel_basis,
     let,
+    loewner,
     matrix,
     matrix_of,
     positive_semidefinite,
@@ -130,8 +131,13 @@ def two_inverses(count: int = 24, *, made_by: dict | None = None, using: dict | 
 
 
 def excess(L: Expr, U: Expr, R: Expr) -> Expr:
-    """The error covariance of Ly is that of U'y plus a positive semidefinite matrix."""
-    return L * R * T(L) == T(U) * R * U + (L - T(U)) * R * T(L - T(U))
+    """The error covariance of Ly is at least that of U'y."""
+    return loewner(L * R * T(L), T(U) * R * U)
+
+
+def excess_term(L: Expr, U: Expr, R: Expr) -> Expr:
+    """By how much it is larger, if LH = U'H and RU is a multiple of H."""
+    return (L - T(U)) * R * T(L - T(U))
 
 
 def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
@@ -172,13 +178,52 @@ COORDINATES_2 = inverse_in_coordinates((W2, U2, T2), (Y5, Y6, Y7), n)
 PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n),
               Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
 PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
-#: L with LH = I
-OTHER_IN_COORDINATES = {L: hstack(Identity(n), X) * S}
-
-
 def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None,
                    **sizes: Any) -> Evidence:
     """The conclusion as an identity in all R >= 0, H of full column rank and all their symmetric (1)-inverses."""
     return identity(given_by={**COORDINATES, **(COORDINATES_2 if second else {}), **(made or {})},
                     using={**PARAMETERS, **(PARAMETERS_2 if second else {}), **(using or {})}, fact=NORMAL_FORM,
                     **(sizes or {"p": (2, 3), "n": (1, 2)}))
+
+
+# ------------------------------------------------------------------ every size at once
+#: H has full column rank, said through H'H (NWL92-EA.1)
+GRAM = given("H has full column rank", invertible(T(H) * H))
+IMPLIED_GRAM = standing("H has full column rank", invertible(T(H) * H))
+
+
+def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
+    """From ZGZ = Z with R >= 0 and invertible H'H to U'H = I and RU + HT = 0, with what each step needs.
+
+    With M = I - HU' and v = (WR - I)M', the three blocks of ZGZ = Z give RWH = 0 and U'H = I, then MRWRU = 0 and
+    v'Rv = 0, so that Rv = 0, that is MRW R = MR, and MRU = 0.
+    """
+    M, gram = Identity(p) - H * T(U), T(H) * H
+    v = (W * R - Identity(p)) * T(M)
+    steps = [
+        (R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R, []),
+        (R * W * H + H * T(U) * H == H, []),
+        (T(H) * W * H == Zero(n, n), []),
+        (T(H) * W * R * W * H * Identity(n) == Zero(n, n), []),
+        (R * W * H == Zero(p, n), [T(H) * W * R * W * H]),
+        (inv(gram) * T(H) * (H * T(U) * H - H) == Zero(n, n), []),
+        (T(U) * H == Identity(n), [inv(gram)]),
+        (M * R * W * R * U == Zero(p, n), []),
+        (R * W * R * W * R * T(M) == R * W * R * T(M), []),
+        (M * R * W * R * T(M) == M * R * T(M), []),
+        (T(v) * R * v * Identity(p) == Zero(p, p), []),
+        (R * v == Zero(p, p), [T(v) * R * v]),
+        (M * R * U == Zero(p, n), []),
+        (R * W * R * U == Zero(p, n), []),
+        (R * U + H * Tb == Zero(p, n), []),
+    ]
+    return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def every_size(*sums: list, second: bool = False, also: tuple = ()) -> Evidence:
+    """The conclusion for every size by `block_identities` for (W, U, T), or the blocks ``also`` lists."""
+    lemmas, needs = [], []
+    for problem in also or ((R, H, W, U, Tb, n, p), *(((R, H, W2, U2, T2, n, p),) if second else ())):
+        more, most = block_identities(*problem)
+        lemmas, needs = lemmas + more, needs + most
+    return order(*needs, *sums, lemmas=lemmas)

@@ -74,11 +74,12 @@ from proofs.nwl92.notation import (
     E0,
     E1,
     FULL_COLUMN_RANK,
+    GRAM,
+    IMPLIED_GRAM,
     IMPLIED_RANK,
     NORMAL_FORM,
     ONE_INVERSE,
     OTHER,
-    OTHER_IN_COORDINATES,
     PAIR,
     PARAMETERS,
     ROTATED,
@@ -112,8 +113,9 @@ from proofs.nwl92.notation import (
     Zm,
     any_one_inverse,
     blocks_of,
+    every_size,
     excess,
-    in_coordinates,
+    excess_term,
     inverse_in_coordinates,
     inverses,
     lam,
@@ -419,8 +421,8 @@ claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and al
 
 claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
       (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & excess(L, U, R),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
+      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
+      by=[every_size([], [], [excess_term(L, U, R)]),
           inverses(made_by=OTHER, using={X: matrix(n, p)})],
       note=("Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; "
             "NWL92-E2.21 states it as a minimum of w'w."))
@@ -446,13 +448,13 @@ claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
 
 claim("NWL92-L2.2.1", "the estimate (2.21) is unbiased",
       T(lower(p, n)) * Zd * upper(p, n) * H == Identity(n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, GRAM],
+      by=[every_size(), inverses()])
 
 claim("NWL92-E2.22", "the error covariance is minus a block of any symmetric (1)-inverse",
       T(U) * R * U == -T(lower(p, n)) * Zd * lower(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, GRAM],
+      by=[every_size(), inverses()],
       note="The error of the estimate U'y is U'v, as U'H = I.")
 
 W3, U3 = symbols("W3 U3")
@@ -467,7 +469,7 @@ claim("NWL92-E2.23", "a matrix in blocks is symmetric exactly if it has the form
 
 claim("NWL92-S8", "the block T is the same for all symmetric (1)-inverses",
       Tb == T2, sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
-      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[in_coordinates(second=True), two_inverses()])
+      given=[ONE_INVERSE, SECOND_GIVEN, GRAM], by=[every_size(second=True), two_inverses()])
 
 NULL_COLUMN = column(i, p, when(rank(vstack(R, T(H))) < p, kernel_basis(vstack(R, T(H)))[i, 1], 0))
 claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
@@ -482,20 +484,20 @@ claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
 claim("NWL92-E2.24", "the ML estimate is U'y",
       (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & excess(L, U, R),
       sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR,
-      given=[ONE_INVERSE, IMPLIED_RANK, UNBIASED],
-      by=[in_coordinates(made=OTHER_IN_COORDINATES, using={X: matrix(n, p - n)}),
+      given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
+      by=[every_size([], [excess_term(L, U, R)]),
           inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="Second equation: every other unbiased Ly has a larger error covariance.")
+      note="Second statement: no other unbiased Ly has a smaller error covariance.")
 
 claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-inverses",
       eq(T(U) * R * U, -Tb, T(U2) * R * U2),
       sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
-      given=[ONE_INVERSE, SECOND_GIVEN, FULL_COLUMN_RANK], by=[in_coordinates(second=True), two_inverses()])
+      given=[ONE_INVERSE, SECOND_GIVEN, GRAM], by=[every_size(second=True), two_inverses()])
 
 claim("NWL92-E2.25", "Z times the last block column of a symmetric (1)-inverse",
       Zm * vstack(U, Tb) == vstack(Zero(p, n), Identity(n)),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()])
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, GRAM],
+      by=[every_size(), inverses()])
 
 # ------------------------------------------------------------------ H of any rank
 claim("NWL92-S11", "c'x is estimable exactly if c lies in the range of H'",

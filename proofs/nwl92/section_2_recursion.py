@@ -56,6 +56,7 @@ from proofs.nwl92.notation import (
     E0,
     E1,
     FULL_COLUMN_RANK,
+    GRAM,
     NORMAL_FORM,
     PARAMETERS,
     Y3,
@@ -65,6 +66,7 @@ from proofs.nwl92.notation import (
     P,
     S,
     any_one_inverse,
+    every_size,
     inverse_in_coordinates,
     lower,
     made_inverse,
@@ -175,12 +177,8 @@ lemma("NWL92-L2.3.2", "the estimate of z and its error covariance are the same",
 PROBLEM = {V: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
            T1: symmetric_matrix(n)}
 PROBLEM_LETS = (let(Z1, two_block(V, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])))
-PROBLEM_GIVEN = [is_inverse(G1, Z1, "x from a"), FULL_COLUMN_RANK]
-Y = sym("Y")
-IN_COORDINATES = {F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V: F * diag(P, E1) * T(F),
-                  H: F * upper(n, p - n),
-                  **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), n)}
-PROVED = identity(given_by=IN_COORDINATES, using=PARAMETERS, fact=NORMAL_FORM, p=(2, 3), n=(1, 2))
+PROBLEM_GIVEN = [is_inverse(G1, Z1, "x from a"), GRAM]
+PROVED = every_size(also=((V, H, W1, U1, T1, n, p),))
 DRAWN = instances(made_by=made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Gm"))[0], using={Y1: matrix(p + n, p + n)},
                   p=(1, 2, 3), n=(1, 2))
 
@@ -394,6 +392,7 @@ SPLIT = {V: positive_semidefinite(p), H: matrix(p, n), G: matrix(p, g), Gg: symm
 SPLIT_GIVEN = [is_inverse(Gg, Zg, "x1 and x2 from a"), given("[H G] has full column rank", rank(HG) == n + g)]
 SPLIT_MADE = some_inverse(Gg, Zg, Yg, p + n + g)
 BOTH_COLUMNS = n + g
+Y = sym("Y")
 SPLIT_PROVED = identity(
     given_by={F: inv(S), E1: ones(p - BOTH_COLUMNS, p - BOTH_COLUMNS), E0: Identity(p - BOTH_COLUMNS) - E1,
               V: F * diag(P, E1) * T(F),
@@ -456,20 +455,17 @@ NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(
           W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
 NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
                let(G2, block([[W2, U2], [T(U2), T2]])), let(P1, -T1), let(P2, -T2))
-NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK,
+NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(G2, Z2, "second noise"), GRAM,
                 given("the second noise is larger", loewner(V2, V1))]
 FIRST_MADE = made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Ga"))
 SECOND_MADE = made_inverse(Z2, (W2, U2, T2), p, n, Y2, sym("Gc"))
 NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)},
                        count=24, p=(1, 2, 3), n=(1, 2))
-CHAIN_PROOF = steps(
-    "NWL92-E2.47",
-    facts=["(2.25) holds for every symmetric (1)-inverse (NWL92-E2.25, by the normal form of R and H)"],
-    prose=("By (2.25) U1 and U2 are left inverses, V1 U1 = H P1 and V2 U2 = H P2. So P2 = U2'V2U2 and P1 = U1'V1U1 = "
-           "U2'V1U1, hence U2'V1U2 - P1 = (U2 - U1)'V1(U2 - U1) >= 0, and U2'V2U2 - U2'V1U2 = U2'(V2 - V1)U2 >= 0."))
+TWO_PROBLEMS = ((V1, H, W1, U1, T1, n, p), (V2, H, W2, U2, T2, n, p))
+MORE_NOISE, OTHER_GAIN = T(U2) * (V2 - V1) * U2, T(U2 - U1) * V1 * (U2 - U1)
 claim("NWL92-L2.5", "more noise, more error",
       loewner(P2, P1), sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
-      by=[CHAIN_PROOF, NOISES_MADE],
+      by=[every_size([MORE_NOISE, OTHER_GAIN], also=TWO_PROBLEMS), NOISES_MADE],
       note=("The error covariances are minus blocks of arbitrary symmetric (1)-inverses (NWL92-E2.22)."))
 
 SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n),
@@ -477,11 +473,8 @@ SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_m
 claim("NWL92-E2.46", "gain and error covariance for the second noise",
       eq(T(U2) * V2 * U2, -T2) & (T(U2) * H == Identity(n)),
       sizes=["p", "n"], over=SECOND_PROBLEM, where=[NOISES_LETS[1], let(G2, block([[W2, U2], [T(U2), T2]]))],
-      given=[is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK],
-      by=[identity(given_by={F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, V2: F * diag(P, E1) * T(F),
-                             H: F * upper(n, p - n),
-                             **inverse_in_coordinates((W2, U2, T2), (Y3, Y, Y4), n)}, using=PARAMETERS,
-                             fact=NORMAL_FORM, p=(2, 3), n=(1, 2)),
+      given=[is_inverse(G2, Z2, "second noise"), GRAM],
+      by=[every_size(also=TWO_PROBLEMS[1:]),
           instances(made_by=SECOND_MADE[0], using=SECOND_MADE[1], p=(1, 2, 3), n=(1, 2))],
       note="The estimate is U2'y2 (NWL92-E2.24); its error is U2'v2.")
 
@@ -497,5 +490,5 @@ claim("NWL92-E2.47", "the gain for the second noise is unbiased for the first",
 claim("NWL92-E2.48", "the chain of inequalities",
       loewner(T(U2) * V1 * U2, P1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == P2),
       sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
-      by=[CHAIN_PROOF, NOISES_MADE],
+      by=[every_size([OTHER_GAIN], [MORE_NOISE], [], also=TWO_PROBLEMS), NOISES_MADE],
       note="U2'V1U2 is the error covariance of U2'y1 by NWL92-E2.47. Gains and error covariances as in Lemma 2.5.")
