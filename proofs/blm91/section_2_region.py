@@ -45,8 +45,8 @@ claim("BLM91-E2.31", "the Popov condition is handed on",
       note="The Popov condition of b/(2a) is written without denominators, as positivity of |a|^2 + g a* + g* a; m is the time t.")
 claim("BLM91-S24", "each step gives data of another stochastic system",
       schur(den) & pos_on_circle(pop), sizes=["n", "m"], over=AG, where=[*POLY, *DATA, *ALONG], given=REAL,
-      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem"],
-                prose="|Q*_t| < |Q_t| on the circle while r_t > 0, so Q_t - Q*_t has as many zeros in the disc as Q_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
+      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"],
+                prose="r_t > 0 as for the stability of the filter matrix, hence |Q*_t| < |Q_t| on the circle, so Q_t - Q*_t has as many zeros in the disc as Q_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
       note="a := q_t - q*_t and g := q*_t are positive real; den is r_t times a(z), m is the time t.")
 
@@ -58,7 +58,7 @@ claim("BLM91-S23", "convergence to the steady-state filter",
       (last < rational("1/1000")) & (abs(low - d) < rational("1/1000")), sizes=["n"], over={a: vector(n), g: vector(n), x: vector(n)},
       where=[*POLY, *DATA, INVARIANT, let(sg, polynomial_of(x)), let(d, coeff(D, 0) / coeff(sg * recip(sg), 0)),
              let(last, trace(T(q[20] - x) * (q[20] - x)) + trace(T(qs[20]) * qs[20])), let(low, r[20])],
-      given=[standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
+      given=[standing("few states", n <= 2), standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
              standing("data well inside", d >= rational("1/4"))],
       by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=["r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
                 prose="r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t then tend to zero one after "
@@ -67,7 +67,7 @@ claim("BLM91-S23", "convergence to the steady-state filter",
                     made_by={x: w / (2 * (1 + SW)), a: (MA - J * MA) / (1 - MA[1]), g: (J * MA - MA[1] * MA) / (1 - MA[1] ** 2)}),
           example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
       note="The limit has no finite test. On the instances, whose spectral factor z^n + x_1 z^(n-1) + .. is known and whose rate is bounded by the "
-           "standing hypotheses, the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
+           "standing hypotheses (n <= 2 among them), the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
 
 # ---------------------------------------------------------------------- shape of the positive real region
 binom = sym("binom")

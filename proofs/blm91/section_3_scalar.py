@@ -27,7 +27,7 @@ from proofs.blm91.notation import *
 
 kap, vz, b, x, y, D0, Dm, ab, ah, gh, bal, bga, denv, numv, now = symbols("kap vz b x y D0 Dm ab ah gh bal bga denv numv now")
 PLANE = {al0: scalar(), ga0: scalar()}
-eps = sym("eps")
+eps, last = symbols("eps last")
 RT = rec(r, t, 1, (1 - ga[t] ** 2) * r[t])
 
 
@@ -42,13 +42,13 @@ CROSSES = [example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1), example(al
 
 # ---------------------------------------------------------------------- the map
 claim("BLM91-E3.10", "the algorithm for n = 1, referred to as (3.25)",
-      forall(t, 0, m, (al[t] == q[t][1]) & (ga[t] == qs[t][1])) & exists(k, 1, 15, k == 25), sizes=["m"],
+      forall(t, 0, m, (al[t] == q[t][1]) & (ga[t] == qs[t][1])) & exists(k, 1, 17, k == 25), sizes=["m"],
       over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])],
       by=[example(m=1, a=["1/2"], g=["1/2"]), instances(m=(1, 2))],
-      repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.15); the system is (2.25)",
+      repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.17); the system is (2.25)",
                     always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
                     over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])], by=[induction(), instances()]),
-      note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 15 of the displays of Section III.")
+      note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 17 of the displays of Section III.")
 claim("BLM91-E3.11", "the invariant for n = 1",
       always(t, r[t] * ((Z + al[t]) * (recip(Z) + al[t]) - ga[t] ** 2) == (Z + al0) * (recip(Z) + al0) - ga0**2), over=PLANE, where=[*ORBIT, RT],
       by=[induction(), instances()])
@@ -127,14 +127,16 @@ LINES = {al0: (pp * y**2 - 1 / pp) / (y**2 - 1), ga0: y * (pp - 1 / pp) / (y**2 
 TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=ORBIT)
 ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", pp=1), example(m=2, alpha0="-1/2", gamma0="1/2", pp=-1), example(m=2, alpha0=4, gamma0=3, pp=1),
         example(m=1, alpha0=-4, gamma0=-3, pp=-1), example(m=2, alpha0=3, gamma0=0, pp="1/3")]
-claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, 0, k == 1), **TO, given=[ROOT],
+#: how many numbered parts Theorem 3.2 has (Theorem 3.3 has three)
+PARTS = let(last, 0)
+claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, last, k == 1), sizes=["m"], over=TO["over"], where=[*ORBIT, PARTS], given=[ROOT],
       by=[example(m=3, alpha0="1/2", gamma0="1/2", pp=1), instances(m=(1, 2))],
       repair=repair("cross-reference", "Theorem 3.2 has no part 1) and says nothing of convergence; necessity is Theorem 3.3, 1)", AWAY, **TO, given=[ROOT],
                     by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
                         instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO]),
       note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1, that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. "
            "Where the orbit exists, the equation shows that alpha_t - p tends to zero: for |p| < 1 because p^(2t) does (unless alpha_0 is the other fixed point 1/p), for p = 1, -1 "
-           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). The last conjunct says that 1 is the number of a part of Theorem 3.2, which has none. m is the time.")
+           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). The last conjunct says that 1 is among the numbers of the parts of the theorem cited; Theorem 3.2 has no numbered part. m is the time.")
 
 # ---------------------------------------------------------------------- Remark 3.6
 VA = (let(a, al0 - ga0), let(b, al0 + ga0), let(vz, rational("1/2") * (Z + b) / (Z + a)), let(D0, d_of(al0, ga0)))
@@ -181,9 +183,18 @@ claim("BLM91-E3.14b", "the spectral density by alpha_-, and two stable spectral 
       by=[steps("BLM91-E3.14a", "BLM91-R3.6.5", prose="|a| < 1 in the diamond, and alpha_0, alpha_+, alpha_- have one sign there, so that the factors are real and stable"),
           instances(40, **INSIDE)],
       note="p = alpha_+, 1/p = alpha_-. Stable: z + a is a Schur polynomial; the factors are real because alpha_0/alpha_+ > 0, hence alpha_0/alpha_- > 0.")
-claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor",
-      (vstack(al[1], ga[1]) == Zero(2, 1)) & ~defined(far) & (D0 == 1 - ga0**2), over={ga0: scalar()},
-      where=[*NIL, let(al0, 0), let(far, (al0**2 - ga0**2) / al0), let(D0, d_of(al0, ga0))], by=[instances()], note="Escape in backward time: the inverse map is not defined at alpha = 0.")
+# a point (x, y) and its image (bal, bga)
+IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(bal, x / (1 - y**2)), let(bga, -x * y / (1 - y**2)))
+HIT = (bal == 0) & (bga == ga0)
+NIL_SAYS = (vstack(al[1], ga[1]) == Zero(2, 1)) & (D0 == 1 - ga0**2)
+claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
+      by=[example(gamma0=0, x=0, y="1/2"), instances()],
+      repair=repair("boundary case", "(0, gamma_0) has no preimage for gamma_0 not 0; the origin does not escape in backward time, being an equilibrium and the image of every (0, y)",
+                    NIL_SAYS & iff(HIT, (x == 0) & (ga0 == 0)), over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
+                    by=[steps("BLM91-S36", prose="x/(1 - y^2) = 0 leaves x = 0, and then the image is the origin"),
+                        instances(), example(gamma0=0, x=0, y="1/2"), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=0, x=1, y=0),
+                        example(gamma0="-2/3", x=1, y="1/2")]),
+      note="Escape in backward time is read as: no point (x, y) is mapped to (0, gamma_0).")
 denb = sym("denb")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),
