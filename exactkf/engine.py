@@ -324,7 +324,8 @@ def _steps(e: Evidence, found: Findings) -> None:
         found.evidence.append(f"steps not proved: {', '.join(weak)}")
     elif found.strength == "instances":
         found.strength = "steps"
-        found.evidence.append(f"displayed steps {', '.join(standings)} proved; classical facts: {'; '.join(e.hints['facts']) or 'none'}")
+        shown = f"displayed steps {', '.join(standings)} proved; " if standings else ""
+        found.evidence.append(f"{shown}classical facts: {'; '.join(e.hints['facts']) or 'none'}")
         if e.hints["prose"]:
             found.evidence.append(f"between the steps: {e.hints['prose']}")
 

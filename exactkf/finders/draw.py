@@ -21,8 +21,9 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.kernel.instances import admissible
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible
+from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
@@ -99,7 +100,7 @@ class Sampler:
 
     def _from_example(self, example: Mapping[str, Any]) -> tuple[dict, dict]:
         """Complete a hand-made instance (columns as lists, missing horizon) to JSON."""
-        from exactkf.kernel.meaning import read_instance
+        from exactkf.kernel.instances import read_instance
 
         sizes = {n: example[n] for n in self.statement["sizes"]}
         data: dict[str, Any] = {"sizes": {**sizes, "horizon": example.get("horizon", self.horizon)}, "values": {}}

@@ -19,10 +19,12 @@ from itertools import combinations, islice
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.kernel.instances import generic
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, generic
-from exactkf.kernel.numbers import Laurent, SymbolicField, Undefined, Unknown
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Undefined, Unknown
 from exactkf.kernel.replay import _integers
+from exactkf.kernel.symbolic import SymbolicField
 
 __all__ = ["says_nothing_new"]
 

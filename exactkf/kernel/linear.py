@@ -12,7 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Symbolic, Undefined, Unknown, divide, sign
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, sign
+from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar"]
 

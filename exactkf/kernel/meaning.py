@@ -4,7 +4,7 @@
 A statement is the JSON object of `exactkf.language.Statement`: sizes, typed
 variables, definitions, labelled hypotheses, conclusion. An instance gives
 every size an integer and every variable a value. `World` evaluates trees on
-an instance; `admissible` says whether types and hypotheses hold.
+an instance; `exactkf.kernel.instances` reads instances.
 
 Truth follows classical logic with two conventions. A term that divides by
 zero has no value (`Undefined`), and an instance on which the conclusion has
@@ -20,11 +20,13 @@ from fractions import Fraction
 from math import isqrt
 from typing import Any
 
+from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar
-from exactkf.kernel.numbers import Algebraic, AlgebraicField, Laurent, Ratio, Symbolic, SymbolicField, Undefined, Unknown, divide, rational, sign
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, rational, sign
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
+from exactkf.kernel.symbolic import Symbolic
 
-__all__ = ["Signal", "World", "admissible", "generic", "read_instance", "read_number", "variables"]
+__all__ = ["Signal", "World", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
 
 _DEEPEST = 100  # levels of recursion a definition may take
 
@@ -189,7 +191,7 @@ def _prod(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
     return acc
 
 
-def _truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+def truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
     result = world.value(tree, local)
     if not isinstance(result, bool):
         raise Undefined("a term stands where a formula is needed")
@@ -197,11 +199,11 @@ def _truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 
 def _every(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
-    return all(_truth(world, tree[4], inner) for inner in _range(world, tree, local))
+    return all(truth(world, tree[4], inner) for inner in _range(world, tree, local))
 
 
 def _some(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
-    return any(_truth(world, tree[4], inner) for inner in _range(world, tree, local))
+    return any(truth(world, tree[4], inner) for inner in _range(world, tree, local))
 
 
 def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
@@ -210,7 +212,7 @@ def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
         raise Unknown("a statement for all t needs an induction")
     for t in range(world.horizon + 1):
         try:
-            if not _truth(world, body, {**local, index: t}):
+            if not truth(world, body, {**local, index: t}):
                 return False
         except Undefined:
             if t <= min(1, world.horizon):
@@ -223,7 +225,7 @@ def _condition(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
     """Truth of what decides between cases. Where variables are symbols only indices may decide:
     two expressions that differ as rational functions are still equal for some values."""
     if not world.symbolic:
-        return _truth(world, tree, local)
+        return truth(world, tree, local)
     if tree[0] in ("and", "or", "not", "<=>"):
         parts = [_condition(world, x, local) for x in tree[1:]]
         return {"and": all, "or": any, "not": lambda p: not p[0], "<=>": lambda p: p[0] == p[1]}[tree[0]](parts)
@@ -233,7 +235,7 @@ def _condition(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 
 def _implies(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
-    return not _condition(world, tree[1], local) or _truth(world, tree[2], local)
+    return not _condition(world, tree[1], local) or truth(world, tree[2], local)
 
 
 def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
@@ -389,20 +391,20 @@ def _charpoly(m: Any) -> Laurent:
     return Laurent(dict(enumerate(char_coefficients(_square(m)))))
 
 
-def _is_symmetric(m: Any) -> bool:
+def is_symmetric(m: Any) -> bool:
     m = _matrix(m)
     return m.nrows == m.ncols and m == m.transpose()
 
 
-def _is_psd(m: Any) -> bool:
-    return _is_symmetric(m) and inertia(_matrix(m))[1] == 0
+def is_psd(m: Any) -> bool:
+    return is_symmetric(m) and inertia(_matrix(m))[1] == 0
 
 
-def _is_pd(m: Any) -> bool:
-    return _is_symmetric(m) and inertia(_matrix(m))[1:] == (0, 0)
+def is_pd(m: Any) -> bool:
+    return is_symmetric(m) and inertia(_matrix(m))[1:] == (0, 0)
 
 
-def _is_invertible(m: Any) -> bool:
+def is_invertible(m: Any) -> bool:
     m = _matrix(m)
     return m.nrows == m.ncols and m.determinant() != 0
 
@@ -466,8 +468,8 @@ _SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
     "block": _blocks, "rows": _table,
     "rat": lambda w, t, loc: rational(t[1], t[2]),
     "if": lambda w, t, loc: w.value(t[2] if _condition(w, t[1], loc) else t[3], loc),
-    "and": lambda w, t, loc: all(_truth(w, x, loc) for x in t[1:]),
-    "or": lambda w, t, loc: any(_truth(w, x, loc) for x in t[1:]),
+    "and": lambda w, t, loc: all(truth(w, x, loc) for x in t[1:]),
+    "or": lambda w, t, loc: any(truth(w, x, loc) for x in t[1:]),
     "not": lambda w, t, loc: not _condition(w, t[1], loc),
     "<=>": lambda w, t, loc: _condition(w, t[1], loc) == _condition(w, t[2], loc),
 }
@@ -488,8 +490,8 @@ _PLAIN: dict[str, Callable] = {
     "real_roots": lambda p, lo, hi: count_real(_poly(p).dense(), _scalar(lo), _scalar(hi)),
     "=": _chain(lambda x, y: x == y), "!=": _chain(lambda x, y: not x == y),
     "<": _ordered(lambda s: s < 0), "<=": _ordered(lambda s: s <= 0), ">": _ordered(lambda s: s > 0), ">=": _ordered(lambda s: s >= 0),
-    "loewner": lambda a, b: _is_psd(_matrix(a - b)), "psd": _is_psd, "pd": _is_pd, "symmetric": _is_symmetric,
-    "invertible": _is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
+    "loewner": lambda a, b: is_psd(_matrix(a - b)), "psd": is_psd, "pd": is_pd, "symmetric": is_symmetric,
+    "invertible": is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
     "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur,
     "pos_circle": lambda d: circle_sign(_poly(d)) == "+", "nonneg_circle": lambda d: circle_sign(_poly(d)) in ("+", "0+", "0"),
 }
@@ -497,126 +499,3 @@ _PLAIN: dict[str, Callable] = {
 #: operations whose value for symbols does not carry over to every value of the symbols
 _NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
                 "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "pos_circle", "nonneg_circle"}
-
-
-# ---------------------------------------------------------------------- instances
-def read_number(text: Any, field: AlgebraicField | None) -> Any:
-    """An int, 'p/q', or a list of coefficients in theta."""
-    if isinstance(text, list):
-        if field is None:
-            raise Undefined("an algebraic number needs the instance's field")
-        return field.element([Fraction(c) for c in text])
-    if isinstance(text, bool) or not isinstance(text, (int, str)):
-        raise Undefined(f"{text!r} is not an exact number")
-    value = Fraction(text)
-    return int(value) if value.denominator == 1 else rational(value.numerator, value.denominator)
-
-
-def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number: Callable[[Any], Any] | None = None) -> dict[str, Any]:
-    """Values of sizes and variables from JSON; shapes are checked here, the rest of a type in `admissible`."""
-    field = None
-    if data.get("field"):
-        modulus, lo, hi = data["field"]
-        field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
-    read = number or (lambda x: read_number(x, field))
-    values: dict[str, Any] = {}
-    for name in statement["sizes"]:
-        values[name] = data["sizes"][name]
-        if not isinstance(values[name], int) or values[name] < 0:
-            raise Undefined(f"size {name} is not a natural number")
-    values["horizon"] = data["sizes"].get("horizon", 5)
-    for name, kind in statement["over"]:
-        values[name] = _read_value(World({"where": statement["where"]}, values), kind, data["values"][name], read)
-    return values
-
-
-def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
-    args = [world.integer(a, {}) for a in kind[1:]]
-    match kind[0]:
-        case "integer":
-            if isinstance(data, bool) or not isinstance(data, int):
-                raise Undefined("an integer is needed")
-            return data
-        case "scalar" | "nonzero" | "positive" | "nonneg":
-            return read(data)
-        case "sequence":
-            return dict(zip(range(args[0], args[1] + 1), [read(x) for x in data], strict=True))
-        case "signal":
-            return {args[0] + k: read(x) for k, x in enumerate(data)}
-        case "poly" | "monic":
-            if len(data) != args[0] + 1:
-                raise Undefined("a polynomial lists its coefficients from z^0 to z^n")
-            return Laurent({k: read(x) for k, x in enumerate(data)})
-    nrows, ncols = args if kind[0] == "matrix" else args * 2
-    if len(data) != nrows or any(len(r) != ncols for r in data):
-        raise Undefined(f"a {nrows}x{ncols} matrix is needed")
-    return Matrix([[read(x) for x in r] for r in data], ncols)
-
-
-_TYPE_TESTS: dict[str, Callable[..., bool]] = {
-    "integer": lambda v, lo, hi: lo <= v <= hi, "nonzero": lambda v: v != 0, "positive": lambda v: v > 0, "nonneg": lambda v: v >= 0,
-    "symmetric": lambda v, n: _is_symmetric(v), "psd": lambda v, n: _is_psd(v), "pd": lambda v, n: _is_pd(v),
-    "nonsingular": lambda v, n: _is_invertible(v), "monic": lambda v, n: v.get(n) == 1,
-    "diagonal": lambda v, n: all(v.rows[i][j] == 0 for i in range(n) for j in range(n) if i != j),
-}
-
-
-def admissible(statement: Mapping[str, Any], world: World) -> str:
-    """'' if types and hypotheses hold, else what does not."""
-    for name, kind in statement["over"]:
-        test = _TYPE_TESTS.get(kind[0])
-        if test and not test(world.values[name], *(world.integer(a, {}) for a in kind[1:])):
-            return f"{name} is not of type {kind[0]}"
-    for label, formula, _kind in statement["given"]:
-        if not _truth(world, formula, {}):
-            return f"hypothesis {label!r} does not hold"
-    return ""
-
-
-def generic(statement: Mapping[str, Any], sizes: Mapping[str, int], given_by: Mapping[str, Any] | None = None,
-            new: Callable[[str], Any] | None = None) -> tuple[World, Callable[[str], Any]]:
-    """A world in which every variable is made of independent symbols, as far as its type is an equation.
-
-    Inequalities of types (positive, psd, nonsingular ...) are ignored, so that what is
-    true in this world is true for every value. Variables in ``given_by`` are computed from the others.
-    """
-    new = new or SymbolicField().variable
-    values: dict[str, Any] = {"horizon": None, **sizes}
-    given_by = given_by or {}
-    for name, kind in statement["over"]:
-        if name in values or name in given_by:
-            continue
-        args = [World({"where": statement["where"]}, values).integer(a, {}) for a in kind[1:]]
-        values[name] = _generic_value(name, kind[0], args, new)
-    world = World(statement, values)
-    world.symbolic = True
-    for name, tree in given_by.items():
-        world.values[name] = world.value(tree)
-    return world, new
-
-
-def _generic_value(name: str, kind: str, args: list[int], new: Callable[[str], Any]) -> Any:
-    match kind:
-        case "integer":
-            raise Unknown(f"integer variable {name} needs a value")
-        case "scalar" | "nonzero" | "positive" | "nonneg":
-            return new(name)
-        case "sequence":
-            return {k: new(f"{name}_{k}") for k in range(args[0], args[1] + 1)}
-        case "signal":
-            return Signal(args[0], lambda k: new(f"{name}_{k}"))
-        case "poly":
-            return Laurent({k: new(f"{name}_{k}") for k in range(args[0] + 1)})
-        case "monic":
-            return Laurent({k: new(f"{name}_{k}") if k < args[0] else 1 for k in range(args[0] + 1)})
-        case "matrix" | "nonsingular":
-            return Matrix.build(args[0], args[-1], lambda i, j: new(f"{name}_{i + 1}{j + 1}"))
-        case "diagonal":
-            return Matrix.build(args[0], args[0], lambda i, j: new(f"{name}_{i + 1}") if i == j else 0)
-    upper = {(i, j): new(f"{name}_{i + 1}{j + 1}") for i in range(args[0]) for j in range(i, args[0])}
-    return Matrix.build(args[0], args[0], lambda i, j: upper[min(i, j), max(i, j)])
-
-
-def variables(statement: Mapping[str, Any]) -> list[str]:
-    """Names of the free variables."""
-    return [name for name, _ in statement["over"]]

@@ -29,10 +29,12 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World, admissible, generic, read_instance
-from exactkf.kernel.numbers import Laurent, Ratio, SymbolicField, Undefined, Unknown, rationals
+from exactkf.kernel.meaning import World
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rationals
 from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.symbolic import SymbolicField
 from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]

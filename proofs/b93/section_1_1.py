@@ -258,7 +258,10 @@ claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
       where=[let(M, T(U) * inv(L))],
       given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)),
              given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
-      by=[order([], [], [T(U) * T(L) * Q * L * U]),
+      by=[steps(facts=["every positive P is LL* with a nonsingular L",
+                       "every symmetric matrix is UDU* with U orthogonal and D diagonal"],
+                prose="Such L and U exist; inv(P) = inv(L*)inv(L) = M*M, Q = inv(L*)UDU*inv(L) = M*DM and D = "
+                      "U*(L*QL)U >= 0; then PQ = inv(M)inv(M*)M*DM = inv(M)DM."),
           instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
                     made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
                              Q: inv(T(L)) * U * D * T(U) * inv(L)})],
@@ -274,10 +277,11 @@ claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
           "one only if both matrices are positive.",
           psd(W), sizes=["d"], over=NONNEGATIVE_PAIR,
           where=[let(W, matrix_of(i, j, d, d, trace((P * Q) ** (i + j - 1))))],
-          by=[steps("B93-S15",
+          by=[steps("B93-L1.2",
                     facts=["a matrix N has real nonnegative eigenvalues only exactly when the matrix with the entries "
-                           "tr N^(i+j-1) is nonnegative"],
-                    prose="For positive P the eigenvalues of I + PQ are 1 + D[i, i]; the general case follows by continuity."),
+                           "tr N^(i+j-1) is nonnegative", "XY and YX have the same eigenvalues if both are square"],
+                    prose="With H the symmetric root of P, PQ = H(HQ) has the eigenvalues of HQH, which is symmetric "
+                          "and nonnegative. One is added to each for I + PQ."),
               instances(d=(1, 2, 3, 4))]),
       note="The eigenvalues are real, so greater than one means outside the unit circle. In the correction W is "
            "nonnegative exactly when the eigenvalues of PQ are real and nonnegative.")

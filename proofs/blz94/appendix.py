@@ -19,10 +19,73 @@ same sum in one dimension less, with parameters shifted by one.
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, identity, induction, instances
-from exactkf.language import *
+from exactkf.language import (
+    T,
+    Z,
+    Zero,
+    always,
+    block,
+    coeff,
+    column,
+    eq,
+    forall,
+    function,
+    given,
+    inv,
+    let,
+    matrix_of,
+    prod,
+    rec,
+    rev,
+    sequence,
+    sum_of,
+    symbols,
+    vector,
+    vstack,
+    when,
+)
 from proofs.blz94.notation import (
-    FAST, HALF, KIMURA, NORM, ORBIT, PHI, PI, PI_T, PSI, RHO, RHO_T, SHIFTED, STEP, VECTORS, A, D, a, a0, a_of, alpha, alpha0, b, b_of, co,
-    cot, g, g0, gamma, gamma0, i, j, k, n, phi, pi, psi, r, rho, rhos, s, sigma, symmetric_part, t,
+    FAST,
+    HALF,
+    ORBIT,
+    PHI,
+    PI,
+    PI_T,
+    PSI,
+    RHO,
+    RHO_T,
+    SHIFTED,
+    STEP,
+    VECTORS,
+    A,
+    D,
+    a,
+    a0,
+    a_of,
+    alpha,
+    alpha0,
+    b,
+    b_of,
+    co,
+    cot,
+    g,
+    g0,
+    gamma,
+    gamma0,
+    i,
+    j,
+    k,
+    n,
+    phi,
+    pi,
+    psi,
+    r,
+    rho,
+    rhos,
+    s,
+    sigma,
+    symmetric_part,
+    t,
 )
 
 B, d, l, x = symbols("B d l x")
@@ -42,30 +105,38 @@ _LEFT = -sum_of(i, 1, n - 1, gamma[t][n - i] * alpha[t + 1][i]) - gamma[t][n] + 
 _RIGHT = -sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) - gamma[t][n] + alpha[t + 1][n]
 claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
       always(t, (a[t + 1][n] == _LEFT) | (a[t + 1][n] == _RIGHT)), **_ALONG,
-      by=[example(n=1, alpha0=[1], gamma0=["1/2"]), instances(n=(1, 2, 3), horizon=2)],
-      note="gamma_{t+k} is entry k + 1 of gamma(t). The printed sum begins with gamma_{t+n-1}, gamma_{t+n-2} alpha_1(t+1) and ends with "
-           "gamma_{t+1} alpha_{n-1}(t+1), which is not one pattern; it is false with the pattern of its first and with that of its last terms.",
-      repair=repair("index", "The constant coefficient of phi_n at t + 1 is -gamma_{t+n}, that of phi_{n-1} is -gamma_{t+n-1}, and so on.",
-                    always(t, a[t + 1][n] == -gamma[t + 1][n] - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
+      by=[example(n=1, alphabar=[1], gammabar=["1/2"]), instances(n=(1, 2, 3), horizon=2)],
+      note="gamma_{t+k} is entry k + 1 of gamma(t). The printed sum begins with gamma_{t+n-1}, gamma_{t+n-2} "
+           "alpha_1(t+1) and ends with gamma_{t+1} alpha_{n-1}(t+1), which is not one pattern; it is false with the "
+           "pattern of its first and with that of its last terms.",
+      repair=repair("index", "The constant coefficient of phi_n at t + 1 is -gamma_{t+n}, that of phi_{n-1} is "
+                             "-gamma_{t+n-1}, and so on.",
+                    always(t, a[t + 1][n] == -gamma[t + 1][n]
+                           - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
                     **_ALONG, by=[induction(n=range(1, 6), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)]))
 
-claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]), **_ALONG,
+claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]),
+      **_ALONG,
       by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
 
 claim("BLZ94-EA.3", "the last coordinate alpha_n", always(t, alpha[t][n] == a[t][n] + g[t][n]), **_ALONG,
       by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
 
 _ALPHA1 = column(i, n, alpha(1, i))
-_A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2), gamma0[n - i + 1] * gamma0[n - j + 1]
+_A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
+                                                gamma0[n - i + 1] * gamma0[n - j + 1]
                                                 / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
 claim("BLZ94-EA.5", "the inverse of A(gamma), and alpha = A(gamma)^-1 alpha(1)",
       (inv(A) == B) & (alpha0 == B * _ALPHA1), sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(A, _A0), let(B, matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1, 0) - gamma0[n - i + 1] * gamma0[n - j + 1])))],
+      where=[*STEP, let(A, _A0), let(B, matrix_of(i, j, n, n,
+                                                  when(i > j, 0,
+                                                       when(i == j, 1, 0) - gamma0[n - i + 1] * gamma0[n - j + 1])))],
       by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a).")
 
 claim("BLZ94-EA.6", "alpha_j in terms of alpha_1(1), ..., alpha_j(1)",
-      forall(j, 1, n, alpha0[j] == gamma(0, n - j) * gamma(0, n) + sum_of(i, 1, j - 1, gamma(0, n - j) * gamma(0, n - i) * alpha(1, i))
+      forall(j, 1, n, alpha0[j] == gamma(0, n - j) * gamma(0, n)
+             + sum_of(i, 1, j - 1, gamma(0, n - j) * gamma(0, n - i) * alpha(1, i))
              + alpha(1, j)),
       sizes=["n"], over=VECTOR_POINT, where=[*STEP], by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="gamma(0, k) are the Schur parameters of v, so gamma(0, n) is gamma_n; alpha(1) is found from (a(1), g(1)).")
@@ -74,26 +145,33 @@ _SEVEN = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *RHO
 
 
 def _seven(index):
-    return (cot(phi, 1, n, index) + sum_of(i, 1, index - 1, cot(phi, 1, n - i, index - i) * alpha[1][i]) + alpha[1][index]
+    return (cot(phi, 1, n, index) + sum_of(i, 1, index - 1, cot(phi, 1, n - i, index - i) * alpha[1][i])
+            + alpha[1][index]
             == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, index) - cot(rho, 0, n, index + 1) + sum_of(
-                i, 1, index - 1, (cot(pi, 0, n - i, index - i) - cot(rho, 0, n - i, index - i + 1)) * alpha0[i])) + alpha0[index])
+                i, 1, index - 1, (cot(pi, 0, n - i, index - i) - cot(rho, 0, n - i, index - i + 1)) * alpha0[i]))
+                  + alpha0[index])
 
 
 claim("BLZ94-EA.7", "the k-th equation of (2.16a), k = 1, ..., n", forall(k, 1, n, _seven(k)), **_SEVEN,
-      by=[example(n=1, alpha0=[1], gamma0=["1/2"]), instances(n=(1, 2, 3))],
-      note="phi(1, .) are the Szego polynomials for gamma(1), phi(0, .), rho(0, .), pi(0, .) those for gamma; coefficients beyond the degree are zero.",
-      repair=repair("boundary case", "For k = n there is no rho_{0,1} = gamma_0 to turn alpha_n/(1 - gamma_0) into alpha_n: the printed equation holds for "
-                    "k < n, and for k = n the last term is alpha_n/(1 - gamma_0).",
+      by=[example(n=1, alphabar=[1], gammabar=["1/2"]), instances(n=(1, 2, 3))],
+      note="phi(1, .) are the Szego polynomials for gamma(1), phi(0, .), rho(0, .), pi(0, .) those for gamma; "
+           "coefficients beyond the degree are zero.",
+      repair=repair("boundary case", "For k = n there is no rho_{0,1} = gamma_0 to turn alpha_n/(1 - gamma_0) into "
+                                     "alpha_n: the printed equation holds for k < n, and for k = n the last term is "
+                                     "alpha_n/(1 - gamma_0).",
                     forall(k, 1, n - 1, _seven(k))
-                    & (cot(phi, 1, n, n) + sum_of(i, 1, n - 1, cot(phi, 1, n - i, n - i) * alpha[1][i]) + alpha[1][n] == alpha0[n] / (1 - gamma0[1])),
+                    & (cot(phi, 1, n, n) + sum_of(i, 1, n - 1, cot(phi, 1, n - i, n - i) * alpha[1][i]) + alpha[1][n]
+                       == alpha0[n] / (1 - gamma0[1])),
                     **_SEVEN, by=[identity(n=range(1, 7)), instances(n=(3, 4))]))
 
 _PAIR = vstack(psi(1, t), phi(1, t)), vstack(psi(0, t + 1), phi(0, t + 1))
 claim("BLZ94-SA2", "shift identity for the Szego polynomials, and its inverse",
       forall(t, 0, n, (_PAIR[1] == HALF * block([[(1 + gamma[0]) * (Z + 1), (1 - gamma[0]) * (Z - 1)],
                                                  [(1 + gamma[0]) * (Z - 1), (1 - gamma[0]) * (Z + 1)]]) * _PAIR[0])
-             & (_PAIR[0] == HALF * (1 / (Z * (1 - gamma[0] ** 2))) * block([[(1 - gamma[0]) * (1 + Z), (1 - gamma[0]) * (1 - Z)],
-                                                                           [(1 + gamma[0]) * (1 - Z), (1 + gamma[0]) * (1 + Z)]]) * _PAIR[1])),
+             & (_PAIR[0] == HALF * (1 / (Z * (1 - gamma[0] ** 2))) * block([[(1 - gamma[0]) * (1 + Z),
+                 (1 - gamma[0]) * (1 - Z)],
+                                                                           [(1 + gamma[0]) * (1 - Z),
+                                                                               (1 + gamma[0]) * (1 + Z)]]) * _PAIR[1])),
       sizes=["n"], over=GAMMA, where=[*SHIFTED], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
       note="phi(s, t), psi(s, t) have degree t and the parameters gamma_s, gamma_{s+1}, ....")
 
@@ -101,8 +179,10 @@ _SHIFT = {"sizes": ["n"], "over": GAMMA, "where": [*SHIFTED]}
 claim("BLZ94-EA.8", "phi_t^(1) from pi_{t+1} and rho_{t+1}",
       forall(t, 0, n, phi(1, t) == 1 / (2 * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))), **_SHIFT,
       by=[example(n=1, gamma=["1/2", "1/3"]), instances(n=(1, 2, 3))],
-      repair=repair("factor", "The factor is 1/(z(1 - gamma_0)): already for t = 0 the bracket is z(1 - gamma_0), and phi_0^(1) = 1.",
-                    forall(t, 0, n, phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))), **_SHIFT,
+      repair=repair("factor", "The factor is 1/(z(1 - gamma_0)): already for t = 0 the bracket is z(1 - gamma_0), and "
+                              "phi_0^(1) = 1.",
+                    forall(t, 0, n, phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))),
+                    **_SHIFT,
                     by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
 
 _TO = {"sizes": ["n"], "over": {gamma: sequence(0, n - 1)}, "where": [*PHI, *PSI, *RHO, *PI]}
@@ -116,7 +196,8 @@ claim("BLZ94-EA.11", "pi_{t+1} as a sum over earlier polynomials",
       by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))])
 
 claim("BLZ94-EA.12", "rho_{t+1} as a sum over earlier polynomials",
-      forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + sum_of(k, 1, t - 1, gamma[t] * gamma[k] * Z * rho[k]) + gamma[t]), **_TO,
+      forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + sum_of(k, 1, t - 1, gamma[t] * gamma[k] * Z * rho[k])
+             + gamma[t]), **_TO,
       by=[identity(n=range(1, 8)), instances(n=(3, 4))])
 
 claim("BLZ94-SA3", "phi_t^(1) as a sum",
@@ -132,23 +213,31 @@ def _thirteen(high):
     def term(shift):
         return cot(pi, 0, t - shift, k - shift) - cot(rho, 0, t - shift, k - shift + 1)
     return forall(k, 1, high, cot(phi, 1, t, k) == 1 / (1 - gamma[0]) * (
-        cot(pi, 0, t, k) - cot(rho, 0, t, k + 1) + sum_of(i, 1, k - 1, gamma[t] * gamma[t - i] * term(i))) + gamma[t] * gamma[t - k])
+        cot(pi, 0, t, k) - cot(rho, 0, t, k + 1) + sum_of(i, 1, k - 1, gamma[t] * gamma[t - i] * term(i)))
+          + gamma[t] * gamma[t - k])
 
 
 claim("BLZ94-EA.13", "coefficients of phi_t^(1), k = 1, ..., t", forall(t, 1, n, _thirteen(t)), **_SHIFT,
       by=[example(n=1, gamma=["1/2", "1/3"]), instances(n=(1, 2, 3))],
-      note="Coefficients beyond the degree are zero. The display gives the range k = 1, ..., n; it is used for t = n, n - 1, ... with k at most t.",
-      repair=repair("boundary case", "For k = t the right side is gamma_t gamma_0, but the coefficient is -gamma_t; the range is k = 1, ..., t - 1.",
+      note="Coefficients beyond the degree are zero. The display gives the range k = 1, ..., n; it is used for t = n, "
+           "n - 1, ... with k at most t.",
+      repair=repair("boundary case", "For k = t the right side is gamma_t gamma_0, but the coefficient is -gamma_t; "
+                                     "the range is k = 1, ..., t - 1.",
                     forall(t, 1, n, _thirteen(t - 1) & (cot(phi, 1, t, t) == -gamma[t])), **_SHIFT,
                     by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))]))
 
-_FOURTEEN = ((cot(phi, 1, n, 1) + alpha[1][1] == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2)) + alpha0[1])
-             & (cot(phi, 1, n, 1) == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2)) + gamma[1][n] * gamma0[n])
+_FOURTEEN = ((cot(phi, 1, n, 1) + alpha[1][1] == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2))
+              + alpha0[1])
+             & (cot(phi, 1, n, 1) == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2))
+                + gamma[1][n] * gamma0[n])
              & (alpha0[1] == alpha[1][1] + gamma[1][n] * gamma0[n]))
-claim("BLZ94-EA.14", "the case k = 1", _FOURTEEN, **_SEVEN, by=[example(n=1, alpha0=[1], gamma0=["1/2"]), instances(n=(1, 2, 3))],
+claim("BLZ94-EA.14", "the case k = 1", _FOURTEEN, **_SEVEN, by=[example(n=1, alphabar=[1], gammabar=["1/2"]),
+                                                                instances(n=(1, 2, 3))],
       note="gamma_n is the last entry of gamma(1).",
-      repair=repair("boundary case", "For n = 1 the first two equations fail (there k = 1 = n); the conclusion on alpha_1 holds all the same.",
-                    _FOURTEEN, **_SEVEN, given=[given("n > 1", n > 1)], by=[identity(n=range(2, 7)), instances(n=(2, 3, 4)), instances(n=(1, 2))]))
+      repair=repair("boundary case", "For n = 1 the first two equations fail (there k = 1 = n); the conclusion on "
+                                     "alpha_1 holds all the same.",
+                    _FOURTEEN, **_SEVEN, given=[given("n > 1", n > 1)],
+                    by=[identity(n=range(2, 7)), instances(n=(2, 3, 4)), instances(n=(1, 2))]))
 
 # ---------------------------------------------------------------------- proof of Lemma 4.4
 _STARRED = (rec(rhos, t, 0, rhos[t] + gamma[t] * Z * pi[t]),)
@@ -158,7 +247,8 @@ claim("BLZ94-SA5", "the coupled recursion for pi_t and rho_t*, and (4.12)",
       _TWO & forall(t, 1, n - 1, pi[t + 1] == (1 + Z) * pi[t] + (gamma[t] * gamma[t - 1] - 1) * Z * pi[t - 1]), **_TO,
       by=[example(n=3, gamma=["1/2", "1/2", 0]), instances(n=(1, 2, 3))],
       note="The coupled recursion is right; (4.12), which is said to follow from it, does not.",
-      repair=repair("other", "Eliminating rho_t* from the coupled recursion gives a three-term recursion with the ratio of gamma_t to gamma_{t-1}, not (4.12).",
+      repair=repair("other", "Eliminating rho_t* from the coupled recursion gives a three-term recursion with the "
+                             "ratio of gamma_t to gamma_{t-1}, not (4.12).",
                     _TWO & forall(t, 1, n - 1, gamma[t - 1] * pi[t + 1] == (gamma[t - 1] * Z + gamma[t]) * pi[t]
                                   + gamma[t] * (gamma[t - 1] ** 2 - 1) * Z * pi[t - 1]), **_TO,
                     by=[identity(n=range(1, 8)), instances(n=(3, 4))]))
@@ -168,16 +258,19 @@ claim("BLZ94-SA6", "rho_t* is z^n rho_t(1/z)", forall(t, 0, n, rhos[t] == rev(rh
       by=[example(n=2, gamma=["1/2", "1/3"]), instances(n=(1, 2, 3))],
       note="rho_t* is the solution of the coupled recursion with rho_0* = 0.",
       repair=repair("index", "The reversed polynomial of rho_t is z^t rho_t(1/z).",
-                    forall(t, 0, n, rhos[t] == rev(rho[t], t)), **_STAR, by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))]))
+                    forall(t, 0, n, rhos[t] == rev(rho[t], t)), **_STAR,
+                    by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))]))
 
 _POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
-_D = (let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))), let(b, psi(0, n) + sum_of(i, 1, n, alpha[i] * psi(0, n - i))),
+_D = (let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))),
+      let(b, psi(0, n) + sum_of(i, 1, n, alpha[i] * psi(0, n - i))),
       let(D, symmetric_part(a, b)), function(x, [i], when(i == 0, 1, alpha[i])))
 _SIGMA = {"sizes": ["n"], "over": _POINT, "where": [*SHIFTED, *_D]}
 claim("BLZ94-EA.15", "D as a double sum", D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, i, j))), **_SIGMA,
       by=[example(n=1, alpha=[2], gamma=["1/2"]), instances(n=(1, 2, 3))],
       note="x_i is alpha_i with alpha_0 = 1; sigma(0, i, j) is sigma_ij.",
-      repair=repair("index", "a and b are sums of alpha_i phi_{n-i} and alpha_i psi_{n-i}, so the weight alpha_i alpha_j belongs to sigma_{n-i,n-j}.",
+      repair=repair("index", "a and b are sums of alpha_i phi_{n-i} and alpha_i psi_{n-i}, so the weight alpha_i "
+                             "alpha_j belongs to sigma_{n-i,n-j}.",
                     D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, n - i, n - j))), **_SIGMA,
                     by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
 
@@ -185,23 +278,27 @@ claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma
       forall(i, 1, n, (sigma(0, i, i) == r(0, i)) & (sigma(0, i, i - 1) == r(0, i - 1) * Z)
              & forall(j, 1, i, (sigma(0, i, i - j) == r(0, i - j) * pi(i - j, j))
                       & (pi(i - j, j) == Z**j + sum_of(k, 1, j - 1, coeff(pi(i - j, j), k) * Z**k)))),
-      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED], by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
+      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED],
+      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
       note="pi(s, j), the polynomial pi_j for gamma_s, gamma_{s+1}, ..., is made of gamma_s, ..., gamma_{s+j-1} alone.")
 
 claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n split off",
       (coeff(D, 0) == sum_of(i, 0, n - 1, r(0, i) * alpha[n - i] ** 2) + r(0, n))
-      & eq(sum_of(i, 1, n, coeff(D, i) * Z**i), sum_of(i, 0, n - 1, sum_of(j, i + 1, n, x[i] * x[j] * sigma(0, n - i, n - j))),
-           sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j))) + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
+      & eq(sum_of(i, 1, n, coeff(D, i) * Z**i), sum_of(i, 0, n - 1,
+                                                       sum_of(j, i + 1, n, x[i] * x[j] * sigma(0, n - i, n - j))),
+           sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
+             + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
       & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **_SIGMA, by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))])
 
 claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and of the gammas by one",
       forall(k, 1, n - 1, forall(l, 0, k - 1, sigma(0, k + 1, l + 1) * r(1, l) == r(0, l + 1) * sigma(1, k, l)))
       & (sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
-         == (1 - gamma[0] ** 2) * sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(1, n - 1 - i, n - 1 - j))))
+         == (1 - gamma[0] ** 2) * sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1,
+                                                             x[i] * x[j] * sigma(1, n - 1 - i, n - 1 - j))))
       & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]), **_SIGMA,
       by=[identity(n=range(2, 7)), instances(n=(2, 3, 4))],
-      note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first list is read as the r. "
-           "In the sum the shift of the r is the factor 1 - gamma_0^2.")
+      note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first "
+           "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2.")
 
 _WEIGHT = matrix_of(i, k, n, n, when(k < i, 0, prod(s, 0, n - k - 1, 1 - gamma[s] ** 2)
                                      * sum_of(j, 1, k, x[k - j] * coeff(pi(n - k, j), i))))
@@ -210,6 +307,7 @@ claim("BLZ94-SA8", "if d_1, ..., d_n vanish, alpha is zero and d_0 = r_n",
       (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)), **_SIGMA,
       given=[_HIGHER, given("gamma_k^2 != 1", forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
       by=[combination([[(inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)],
-                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]], n=range(1, 7)),
+                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]],
+                       n=range(1, 7)),
           instances(n=(1, 2, 3), made_by={alpha: column(i, n, 0)})],
       note="d_0 = r_n is a product of the 1 - gamma_k^2, none of which is zero.")

@@ -3,6 +3,7 @@
 
 Vectors ``a``, ``b``, ``g`` of length n hold the coefficients of z^(n-1), ..., 1
 of the polynomials a(z), b(z) (monic of degree n) and g(z) = (b(z) - a(z))/2.
+A bar marks initial values.
 A time index comes first: ``a[t]`` is the vector at time t, ``a[t][i]`` its i-th
 entry; ``phi(t, k)`` is the Szego polynomial of degree k for the Schur
 parameters at time t.
@@ -36,7 +37,7 @@ HALF = rational("1/2")
 
 # ---------------------------------------------------------------------- polynomials of vectors
 a, b, g, h, F, J, P, r = symbols("a b g h F J P r")
-a0, b0, g0 = symbols("a0 b0 g0")
+a0, b0, g0 = symbols("abar bbar gbar")
 apoly, bpoly, D = symbols("a_z b_z D")
 
 
@@ -106,10 +107,11 @@ SCHUR = (*PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 
 #: a(z) and b(z) of (3.12)
-KIMURA = (*PHI, *PSI, let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])), let(b, psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])))
+KIMURA = (*PHI, *PSI, let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])),
+          let(b, psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])))
 
 # ---------------------------------------------------------------------- Szego polynomials along a trajectory
-alpha0, gamma0, A, G = symbols("alpha0 gamma0 A G")
+alpha0, gamma0, A, G = symbols("alphabar gammabar A G")
 
 #: polynomials for the Schur parameters gamma(t), entries gamma_0(t) = gamma[t][1], ...
 PHI_T = (
@@ -155,7 +157,7 @@ INVERSE = (
     function(alpha, [t, k], a[t][k] - cot(phi, t, n, k) - sum_of(j, 1, k - 1, alpha(t, j) * cot(phi, t, n - j, k - j))),
 )
 
-# ---------------------------------------------------------------------- one step of the algorithm, coordinates recovered
+#: the fast algorithm from the (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
 phi0, phi0s, psi0, psi0s = symbols("phi0 phi0s psi0 psi0s")
 #: the fast algorithm from the vectors (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
 STEP = (

@@ -20,10 +20,79 @@ nothing keeps their zeros inside the unit circle.
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, induction, instances, steps
-from exactkf.language import *
+from exactkf.language import (
+    Identity,
+    T,
+    Z,
+    Zero,
+    always,
+    charpoly,
+    coeff,
+    column,
+    coprime,
+    eq,
+    forall,
+    function,
+    given,
+    iff,
+    integer,
+    inv,
+    laurent,
+    let,
+    loewner,
+    matrix,
+    matrix_of,
+    monic,
+    nonneg_on_circle,
+    pd,
+    pos_on_circle,
+    rank,
+    rec,
+    recip,
+    schur,
+    standing,
+    substitute,
+    sum_of,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    to_expr,
+    vector,
+    when,
+)
 from proofs.blz94.notation import (
-    FAST, HALF, OBSERVER, POLYNOMIALS, RICCATI, SCALE, SHIFT, D, F, J, P, a, a0, apoly, b, bpoly, g, g0, gain, h, i, j,
-    k, m, monic_of, n, r, s, strict_of, symmetric_part, t, u,
+    FAST,
+    HALF,
+    OBSERVER,
+    POLYNOMIALS,
+    RICCATI,
+    SCALE,
+    SHIFT,
+    D,
+    F,
+    J,
+    P,
+    a,
+    a0,
+    apoly,
+    b,
+    bpoly,
+    g,
+    g0,
+    gain,
+    h,
+    i,
+    j,
+    k,
+    m,
+    monic_of,
+    n,
+    r,
+    s,
+    strict_of,
+    symmetric_part,
+    t,
+    u,
 )
 
 v, q, w, x, y, K, N = symbols("v q w x y K N")
@@ -35,9 +104,12 @@ claim("BLZ94-E2.1", "v has degree n exactly when the realization is reachable an
       & iff((rank(C) == n) & (rank(O) == n), coprime(charpoly(F), N)),
       sizes=["n"], over={F: matrix(n, n), g: vector(n), h: vector(n)},
       where=[let(N, charpoly(F - g * T(h)) - charpoly(F)),
-             let(C, matrix_of(i, j, n, n, (F ** (j - 1) * g)[i])), let(O, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j]))],
-      by=[instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]), example(n=2, F=[[1, 0], [0, 2]], g=[1, 0], h=[1, 1])],
-      note="A definition; what is checked is that the minimal realizations are those whose numerator and denominator have no common zero.")
+             let(C, matrix_of(i, j, n, n, (F ** (j - 1) * g)[i])),
+             let(O, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j]))],
+      by=[instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]),
+          example(n=2, F=[[1, 0], [0, 2]], g=[1, 0], h=[1, 1])],
+      note="A definition; what is checked is that the minimal realizations are those whose numerator and denominator "
+           "have no common zero.")
 
 claim("BLZ94-E2.2", "a Riccati step takes symmetric matrices to symmetric matrices",
       symmetric(F * P * T(F) + (g - F * P * h) * inv(1 - T(h) * P * h) * T(g - F * P * h)),
@@ -57,9 +129,12 @@ claim("BLZ94-E2.4", "the covariances of a positive real function form positive d
       where=[let(v, b / (2 * a)), let(D, symmetric_part(a, b)),
              let(Tm, matrix_of(i, j, m + 1, m + 1, when(i == j, 1, laurent(v, abs(i - j)))))],
       given=[given("v is analytic on |z| >= 1", schur(a)), given("v(z) + v(1/z) > 0 on |z| = 1", pos_on_circle(D))],
-      by=[steps("BLZ94-E2.3", facts=["the Toeplitz form x'T_m x is the mean of |x(z)|^2 (v(z) + v(1/z)) over the circle"],
-                prose="A continuous positive function on the circle is integrable, and its Fourier coefficients are those of v."),
-          instances(n=(1, 2, 3), made_by={a: substitute(u, 4 * Z) / to_expr(4) ** n, b: substitute(w, 4 * Z) / to_expr(4) ** n},
+      by=[steps("BLZ94-E2.3", facts=["the Toeplitz form x'T_m x is the mean of |x(z)|^2 (v(z) + v(1/z)) over the "
+                                     "circle"],
+                prose="A continuous positive function on the circle is integrable, and its Fourier coefficients are "
+                      "those of v."),
+          instances(n=(1, 2, 3), made_by={a: substitute(u, 4 * Z) / to_expr(4) ** n,
+                                          b: substitute(w, 4 * Z) / to_expr(4) ** n},
                     using={u: monic(n), w: monic(n)})])
 
 claim("BLZ94-E2.8", "the gain (2.8) gives the linear least-squares estimate: its error is orthogonal to past outputs",
@@ -70,9 +145,9 @@ claim("BLZ94-E2.8", "the gain (2.8) gives the linear least-squares estimate: its
              function(L, [t, s], when(s == t - 1, gain[t - 1], (F - gain[t - 1] * T(h)) * L(t - 1, s))),
              function(c, [m], when(m == 0, 1, T(h) * F ** (m - 1) * g))],
       by=[identity(n=(1, 2)), instances(n=(2, 3))],
-      note="A definition; what is checked, through covariances, is that the filter is the one it is said to be: the estimate "
-           "at t is the sum of L(t, s) y_s over s < t, the covariance of x_t with y_s is F^(t-s-1) g, that of y_t with y_s is "
-           "h'F^(t-s-1) g, the variance of y_t is one, and t runs to 4.")
+      note="A definition; what is checked, through covariances, is that the filter is the one it is said to be: the "
+           "estimate at t is the sum of L(t, s) y_s over s < t, the covariance of x_t with y_s is F^(t-s-1) g, that "
+           "of y_t with y_s is h'F^(t-s-1) g, the variance of y_t is one, and t runs to 4.")
 
 # ---------------------------------------------------------------------- positive real functions
 q_vec, B, beta, S, Q, a_vec, rr, bb, gg, Pinf, Gam = symbols("q B beta S Q a_vec varrho b g P_inf Gamma")
@@ -98,18 +173,21 @@ claim("BLZ94-S4", "for positive real v the Riccati orbit from zero increases to 
              let(Pinf, sum_of(k, 0, n - 1, J**k * S * T(J) ** k)),
              rec(P, t, Zero(n, n), F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h))],
       given=[given("a(z) is stable", schur(monic_of(a))), given("the spectral factor is stable", schur(monic_of(q)))],
-      by=[instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i), q: column(i, n, y[i] / to_expr(4) ** i)},
+      by=[instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i),
+                                           q: column(i, n, y[i] / to_expr(4) ** i)},
                     using={x: vector(n), y: vector(n)}, horizon=3)],
-      note="Every positive real v comes from a stable a(z) and the stable q(z) with D proportional to q(z)q(1/z): b is the monic "
-           "multiple of the solution beta of a linear system, and P_inf a finite sum. The bound by powers of the stable matrix "
-           "F - k_inf h' is what makes the convergence.")
+      note="Every positive real v comes from a stable a(z) and the stable q(z) with D proportional to q(z)q(1/z): b "
+           "is the monic multiple of the solution beta of a linear system, and P_inf a finite sum. The bound by "
+           "powers of the stable matrix F - k_inf h' is what makes the convergence.")
 
 claim("BLZ94-E2.10", "the observer form is the shift minus ah'",
-      matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0)) == J - a * T(h), sizes=["n"], over={a: vector(n)},
+      matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0)) == J - a * T(h), sizes=["n"],
+      over={a: vector(n)},
       where=[*SHIFT], by=[identity(n=range(1, 7)), instances(n=range(2, 5))])
 
 claim("BLZ94-E2.11", "the transfer function of the observer form",
-      T(h) * inv(Z * Identity(n) - F) * g == strict_of(g) / monic_of(a0), sizes=["n"], over={a0: vector(n), g: vector(n)},
+      T(h) * inv(Z * Identity(n) - F) * g == strict_of(g) / monic_of(a0), sizes=["n"],
+      over={a0: vector(n), g: vector(n)},
       where=[*OBSERVER], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
 claim("BLZ94-E2.12", "v = b/(2a) with b = a + 2g monic",
@@ -121,11 +199,13 @@ a1, b1, d = symbols("a1 b1 d")
 claim("BLZ94-E2.13", "for positive real v of degree n, D is positive on the circle and a and b are stable",
       pos_on_circle(symmetric_part(a, b)) & schur(a) & schur(b), sizes=["n", "m"],
       over={a1: monic(n), b1: monic(n), d: monic(m)}, where=[let(a, a1 * d), let(b, b1 * d)],
-      given=[given("v is analytic on |z| >= 1", schur(a1)), given("v(z) + v(1/z) > 0 on |z| = 1", pos_on_circle(symmetric_part(a1, b1))),
+      given=[given("v is analytic on |z| >= 1", schur(a1)), given("v(z) + v(1/z) > 0 on |z| = 1",
+                                                                  pos_on_circle(symmetric_part(a1, b1))),
              given("v has degree n", coprime(a, b)), standing("v in lowest terms", coprime(a1, b1))],
       by=[steps("BLZ94-E2.3", facts=["maximum principle: v has positive real part on |z| >= 1, so b has no zero there"],
                 prose="In lowest terms the poles of v are the zeros of a, and D = a(z)a(1/z)(v(z) + v(1/z))."),
-          instances(n=(1, 2, 3), m=(0, 1), made_by={a1: substitute(u, 4 * Z) / to_expr(4) ** n, b1: substitute(w, 4 * Z) / to_expr(4) ** n},
+          instances(n=(1, 2, 3), m=(0, 1), made_by={a1: substitute(u, 4 * Z) / to_expr(4) ** n,
+                                                    b1: substitute(w, 4 * Z) / to_expr(4) ** n},
                     using={u: monic(n), w: monic(n)}),
           example(n=1, m=0, a1=["1/2", 1], b1=["-1/2", 1], d=[1])],
       note="v is b1/(2 a1) in lowest terms; the common factor d is there to show what the degree is needed for.")
@@ -135,8 +215,10 @@ claim("BLZ94-S5", "D > 0 on the circle and one of a, b stable: then v is positiv
       where=[let(v, b / (2 * a)), let(D, symmetric_part(a, b))],
       given=[given("D > 0 on the circle", pos_on_circle(D)), given("a or b is stable", schur(a) | schur(b))],
       by=[steps("BLZ94-E2.3", facts=["maximum principle, for v or for 1/v"],
-                prose="If b is stable, a/b has positive real part on the circle, hence outside, where it has no zero; a is stable."),
-          instances(n=(1, 2, 3), made_by={a: substitute(u, 3 * Z) / to_expr(3) ** n, b: substitute(w, 3 * Z) / to_expr(3) ** n},
+                prose="If b is stable, a/b has positive real part on the circle, hence outside, where it has no zero; "
+                      "a is stable."),
+          instances(n=(1, 2, 3), made_by={a: substitute(u, 3 * Z) / to_expr(3) ** n,
+                                          b: substitute(w, 3 * Z) / to_expr(3) ** n},
                     using={u: monic(n), w: monic(n)})],
       note="That a is stable says that v is analytic on |z| >= 1; D > 0 then says v(z) + v(1/z) > 0 on the circle.")
 
@@ -146,8 +228,8 @@ claim("BLZ94-E2.16", "the fast algorithm in terms of polynomials",
       & (strict_of(g[1]) == ((Z - g0[1]) * strict_of(g0) - g0[1] * monic_of(a0)) / (1 - g0[1] ** 2)),
       sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST],
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
-      note="A definition; what is checked is that a step of the vectors is a step of polynomials: a(z) stays monic of degree n, "
-           "and the leading terms of (z - g_1)g(z) - g_1 a(z) cancel.")
+      note="A definition; what is checked is that a step of the vectors is a step of polynomials: a(z) stays monic of "
+           "degree n, and the leading terms of (z - g_1)g(z) - g_1 a(z) cancel.")
 
 _den, _den1 = 1 - T(h) * P[t] * h, 1 - T(h) * P[t + 1] * h  # 1 - h'Ph now and at the next step
 _k, _k1 = (g0 - F * P[t] * h) / _den, (g0 - F * P[t + 1] * h) / _den1  # the gain of the Riccati recursion
@@ -155,17 +237,20 @@ _f, _f1 = a[t] + g[t] - a0, a[t + 1] + g[t + 1] - a0  # the gain of the fast alg
 claim("BLZ94-E2.17", "the fast algorithm gives the gain of the Riccati recursion from zero",
       always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == a[t] + g[t] - a0), sizes=["n"],
       over={a0: vector(n), g0: vector(n)}, where=[*RICCATI, *FAST, *SCALE],
-      by=[induction(n=(1, 2, 3), also=[r[t] == 1 - T(h) * P[t] * h, P[t + 1] == P[t] + r[t] * g[t] * T(g[t]), T(_k) == T(_f),
+      by=[induction(n=(1, 2, 3), also=[r[t] == 1 - T(h) * P[t] * h, P[t + 1] == P[t] + r[t] * g[t] * T(g[t]),
+                                       T(_k) == T(_f),
                                     T(P[t + 1]) == T(P[t]) + r[t] * g[t] * T(g[t])],
                     cofactors=[
                         [(_den / _den1, 0, 1), ((_f1 - _f) / _den1, 1, 1), ((_f1 * T(h) - F) / _den1, 2, h)],
                         [(1, 1, 1), (T(h), 2, h)],
                         [(-_den, 0, T(_k)), (_den, 0, T(_k1)), (_f, 1, T(_f)), (-_f1, 1, T(_f1)), (_f1, 1, T(_f1 - _f)),
-                         (_f1 - _f, 1, T(_k1)), (-_f1 * T(h), 2, h * T(_f1)), (_f1 * T(h) - F, 2, h * T(_k1)), (F, 2, T(F)),
+                         (_f1 - _f, 1, T(_k1)), (-_f1 * T(h), 2, h * T(_f1)), (_f1 * T(h) - F, 2, h * T(_k1)),
+                         (F, 2, T(F)),
                          (-_den * _f, 3, 1), (_den * _f1, 3, 1), (_f1 * T(h), 4, h * T(_f1) - T(F))],
                         [(1 / _den1, 3, _den), (1 / _den1, 1, T(_f1 - _f)), (T(h), 4, (h * T(_f1) - T(F)) / _den1)],
                         [(_k, 3, -_den), (_k1, 3, _den), (_f, 1, T(_f)), (-_f1, 1, T(_f1)), (_f1 - _f, 1, T(_f1)),
-                         (_k1, 1, T(_f1 - _f)), (-_f1 * T(h), 4, h * T(_f1)), (_k1 * T(h), 4, h * T(_f1) - T(F)), (F, 4, T(F)),
+                         (_k1, 1, T(_f1 - _f)), (-_f1 * T(h), 4, h * T(_f1)), (_k1 * T(h), 4, h * T(_f1) - T(F)),
+                         (F, 4, T(F)),
                          (-_den, 0, T(_f)), (_den, 0, T(_f1)), (_f1 * T(h) - F, 2, h * T(_f1))],
                     ]),
           instances(n=(2, 3, 4), horizon=4)],
@@ -178,21 +263,29 @@ claim("BLZ94-E2.18", "the symmetric part of a_t(z)b_t(1/z) is preserved up to th
       by=[induction(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
 
 _PR = [given("v is analytic on |z| >= 1", schur(monic_of(a0))), given("v(z) + v(1/z) > 0 on |z| = 1", pos_on_circle(D))]
-_PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(4) ** i), g0: column(i, n, y[i] / to_expr(4) ** i)},
+_PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(4) ** i),
+                                                g0: column(i, n, y[i] / to_expr(4) ** i)},
                           using={x: vector(n), y: vector(n)}, horizon=4)
 _ALONG = [*FAST, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))]
 claim("BLZ94-S6", "a_t(z) and b_t(z) are stable",
       always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG,
-      by=[example(n=1, a0=[2], g0=[1]), instances(n=(1, 2))],
-      repair=repair("missing hypothesis", "The sentence has no hypothesis; only for positive real v are a_t and b_t stable (a_0 = z + 2 is not).",
-                    always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG, given=_PR,
-                    by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step of Schur's algorithm"],
-                              prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive real."),
+      by=[example(n=1, abar=[2], gbar=[1]), instances(n=(1, 2))],
+      repair=repair("missing hypothesis", "The sentence has no hypothesis; only for positive real v are a_t and b_t "
+                                          "stable (a_0 = z + 2 is not).",
+                    always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)},
+                    where=_ALONG, given=_PR,
+                    by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of "
+                                                    "(2.16) is a step of Schur's algorithm"],
+                              prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t "
+                                    "positive real."),
                         _PR_INSTANCES]))
 
 claim("BLZ94-S7", "if v is positive real, so is every v_t",
-      always(t, schur(apoly[t]) & pos_on_circle(symmetric_part(apoly[t], bpoly[t]))), sizes=["n"], over={a0: vector(n), g0: vector(n)},
+      always(t, schur(apoly[t]) & pos_on_circle(symmetric_part(apoly[t], bpoly[t]))), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)},
       where=_ALONG, given=_PR,
-      by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step of Schur's algorithm"],
-                prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive real."),
+      by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step "
+                                      "of Schur's algorithm"],
+                prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive "
+                      "real."),
           _PR_INSTANCES])

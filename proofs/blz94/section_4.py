@@ -21,12 +21,91 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
-from exactkf.language import *
+from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.language import (
+    T,
+    Z,
+    Zero,
+    always,
+    bottom,
+    coeff,
+    column,
+    det,
+    exists,
+    forall,
+    function,
+    given,
+    hstack,
+    iff,
+    integer,
+    laurent,
+    let,
+    matrix,
+    matrix_of,
+    monic,
+    prod,
+    rank,
+    rec,
+    recip,
+    scalar,
+    sequence,
+    standing,
+    substitute,
+    sum_of,
+    symbols,
+    vector,
+    vstack,
+    when,
+)
 from proofs.blz94.notation import (
-    COMPANION, FAST, HALF, INVERSE, KIMURA, NORM, ORBIT, PHI, PHI_T, PI, PSI, RICCATI, SCALE, STEP, VECTORS, A, D, F, G, J, P,
-    Toeplitz, a, a0, a_of, alpha, alpha0, b, b0, b_of, beta, c, cot, g, g0, gamma, gamma0, h, i, j, k, m, monic_of, n, phi, pi, psi,
-    r, rhos, s, strict_of, symmetric_part, t, u,
+    FAST,
+    HALF,
+    INVERSE,
+    KIMURA,
+    NORM,
+    ORBIT,
+    PHI,
+    PHI_T,
+    PI,
+    PSI,
+    RICCATI,
+    STEP,
+    VECTORS,
+    A,
+    D,
+    F,
+    G,
+    P,
+    Toeplitz,
+    a,
+    a0,
+    a_of,
+    alpha,
+    alpha0,
+    b,
+    b_of,
+    c,
+    cot,
+    g,
+    g0,
+    gamma,
+    gamma0,
+    h,
+    i,
+    j,
+    k,
+    m,
+    monic_of,
+    n,
+    phi,
+    pi,
+    psi,
+    r,
+    rhos,
+    s,
+    symmetric_part,
+    t,
+    u,
 )
 
 v, w, ws, x, y, q, d, l, eta, xi = symbols("v w ws x y q d l eta xi")
@@ -39,62 +118,73 @@ VECTOR_POINT = {alpha0: vector(n), gamma0: vector(n)}
 claim("BLZ94-D4.U", "the map takes U_gamma, and nothing else, into V_c",
       iff(prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0, prod(k, 1, n - 1, det(Toeplitz[k])) != 0), sizes=["n"], over=POINT,
       where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ],
-      by=[steps("BLZ94-P3.1", "BLZ94-L3.3", prose="By Lemma 3.3 the c_k of (a, b) are those of gamma; det T_k is the product of r_0, ..., r_k."),
-          instances(40, n=(2, 3)), example(n=2, alpha=[1, 1], gamma=["1/2", 1]), example(n=2, alpha=[1, 1], gamma=[1, "1/2"])],
-      note="A definition; what is checked is that the two sets correspond. The display of V_c prints T_t for i = 1, ..., n-1; "
-           "T_i is meant. gamma_{n-1} may have modulus one.")
+      by=[steps("BLZ94-P3.1", "BLZ94-L3.3", prose="By Lemma 3.3 the c_k of (a, b) are those of gamma; det T_k is the "
+                                                  "product of r_0, ..., r_k."),
+          instances(40, n=(2, 3)), example(n=2, alpha=[1, 1], gamma=["1/2", 1]),
+          example(n=2, alpha=[1, 1], gamma=[1, "1/2"])],
+      note="A definition; what is checked is that the two sets correspond. The display of V_c prints T_t for i = 1, "
+           "..., n-1; T_i is meant. gamma_{n-1} may have modulus one.")
 
 claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that is not zero",
       forall(k, 1, n, substitute(c[k], 1) == laurent(monic_of(b) / (2 * monic_of(a)), k))
       & forall(i, 1, n - 1, coeff(det(Toeplitz[i]), 0) == 1), sizes=["n"], over={a: vector(n), b: vector(n)},
       where=[function(c, [k], HALF * (Z * b[k] - Z * a[k]) - sum_of(j, 1, k - 1, c[j] * (Z * a[k - j]))), *TOEPLITZ],
       by=[identity(n=range(1, 7)), instances(n=(2, 3))],
-      note="c_k and det T_i are polynomials in (a, b); here they are followed along the line from (0, 0), at z = 0, to (a, b), at "
-           "z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points arbitrarily near to z = 1.")
+      note="c_k and det T_i are polynomials in (a, b); here they are followed along the line from (0, 0), at z = 0, "
+           "to (a, b), at z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points "
+           "arbitrarily near to z = 1.")
 
 #: gamma and alpha recovered from polynomials p, q
-f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o beta0")
-claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from U_gamma onto V_c with rational inverse",
+f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o betabar")
+claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from U_gamma onto V_c with rational "
+                    "inverse",
       (column(i, n, coeff(a, n - i)) == column(i, n, coeff(phi[n], n - i)) + Phi * column(i, n, alpha[i]))
       & (column(i, n, coeff(b, n - i)) == column(i, n, coeff(psi[n], n - i)) + Psi * column(i, n, alpha[i]))
       & forall(k, 0, n - 1, eta[k] == gamma[k]) & forall(k, 1, n, xi[k] == alpha[k])
       & (u == f[n] + sum_of(i, 1, n, tau[i] * f[n - i])) & (v == e[n] + sum_of(i, 1, n, tau[i] * e[n - i])),
       sizes=["n"], over={**POINT, u: monic(n), v: monic(n)},
-      where=[*KIMURA, let(Phi, matrix_of(i, j, n, n, coeff(phi[n - j], n - i))), let(Psi, matrix_of(i, j, n, n, coeff(psi[n - j], n - i))),
+      where=[*KIMURA, let(Phi, matrix_of(i, j, n, n, coeff(phi[n - j], n - i))),
+             let(Psi, matrix_of(i, j, n, n, coeff(psi[n - j], n - i))),
              function(c, [k], laurent(b / (2 * a), k)),
-             rec(w, t, 1, Z * w[t] - eta[t] * ws[t]), rec(ws, t, 1, ws[t] - eta[t] * Z * w[t]), rec(r, t, 1, (1 - eta[t] ** 2) * r[t]),
+             rec(w, t, 1, Z * w[t] - eta[t] * ws[t]), rec(ws, t, 1, ws[t] - eta[t] * Z * w[t]),
+             rec(r, t, 1, (1 - eta[t] ** 2) * r[t]),
              function(eta, [t], 1 / r[t] * sum_of(k, 0, t, coeff(w[t], k) * c[k + 1])),
-             function(xi, [k], coeff(a, n - k) - coeff(w[n], n - k) - sum_of(j, 1, k - 1, xi[j] * coeff(w[n - j], n - k))),
-             rec(f, t, 1, Z * f[t] - theta[t] * fs[t]), rec(fs, t, 1, fs[t] - theta[t] * Z * f[t]), rec(q, t, 1, (1 - theta[t] ** 2) * q[t]),
+             function(xi, [k], coeff(a, n - k) - coeff(w[n], n - k)
+                      - sum_of(j, 1, k - 1, xi[j] * coeff(w[n - j], n - k))),
+             rec(f, t, 1, Z * f[t] - theta[t] * fs[t]), rec(fs, t, 1, fs[t] - theta[t] * Z * f[t]),
+             rec(q, t, 1, (1 - theta[t] ** 2) * q[t]),
              function(theta, [t], 1 / q[t] * sum_of(k, 0, t, coeff(f[t], k) * laurent(v / (2 * u), k + 1))),
              rec(e, t, 1, Z * e[t] + theta[t] * o[t]), rec(o, t, 1, o[t] + theta[t] * Z * e[t]),
-             function(tau, [k], coeff(u, n - k) - coeff(f[n], n - k) - sum_of(j, 1, k - 1, tau[j] * coeff(f[n - j], n - k)))],
+             function(tau, [k], coeff(u, n - k) - coeff(f[n], n - k)
+                      - sum_of(j, 1, k - 1, tau[j] * coeff(f[n - j], n - k)))],
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
              standing("(u, v) lies in V", prod(k, 0, n - 2, 1 - theta[k] ** 2) != 0)],
       by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
-      note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of the (tau, theta) "
-           "found from it. gamma_{n-1} = 1 and -1 are allowed.")
+      note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
+           "the (tau, theta) found from it. gamma_{n-1} = 1 and -1 are allowed.")
 
 # ---------------------------------------------------------------------- the algorithm in the new coordinates
 claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",
       always(t, gamma(t + 1, m) == gamma(t, m + 1)), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
-      where=[*FAST, *INVERSE],
+      where=[*FAST, *INVERSE[:-1]],
       by=[induction(n=(1, 2)), instances(n=(1, 2, 3), horizon=3)],
-      note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, gamma_{t+1}, ... is the "
-           "same as one deletion at each step. m runs to 3.")
+      note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
+           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3.")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
-      always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE],
+      always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
       by=[steps("BLZ94-L4.2", prose="The first Schur parameter of v_t is its coefficient of 1/z, which is g_1(t)."),
           instances(n=(1, 2, 3, 4))])
 
-_A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2), gamma0[n - i + 1] * gamma0[n - j + 1]
+_A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
+                                               gamma0[n - i + 1] * gamma0[n - j + 1]
                                                / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
 _ALPHA1 = column(i, n, alpha(1, i))
-claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", _ALPHA1 == A * alpha0, sizes=["n"], over=VECTOR_POINT, where=[*STEP, let(A, _A)],
+claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", _ALPHA1 == A * alpha0, sizes=["n"], over=VECTOR_POINT,
+      where=[*STEP, let(A, _A)],
       by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a). The "
-           "algorithm does not depend on t otherwise.")
+      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) "
+           "and (3.12a). The algorithm does not depend on t otherwise.")
 
 claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
       column(i, n, gamma(1, i - 1)) == G * gamma0, sizes=["n"], over=VECTOR_POINT,
@@ -105,7 +195,8 @@ claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
 _START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
 _COORDINATES = [a[t] == a_of[t], g[t] == HALF * (b_of[t] - a_of[t])]
 claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the gamma_k(t) are shifted",
-      always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t])) & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
+      always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
+             & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
       sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *_START, *FAST],
       by=[induction(n=range(1, 6)), instances(n=(2, 3, 4), horizon=3)],
       note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
@@ -114,21 +205,27 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
 claim("BLZ94-T4.3.4", "the recursion for the Schur parameters of v",
       gamma(0, m + n) == -sum_of(i, 1, n, alpha(m + 1, i) * gamma(0, m + n - i)), sizes=["n"],
       over={a0: vector(n), g0: vector(n), m: integer(0, 2)}, where=[*FAST, *INVERSE],
-      by=[steps("BLZ94-T4.3.2", "BLZ94-L4.2", prose="The last row of (4.4b), with gamma_k(t) = gamma_{t+k}."), instances(n=(1, 2, 3))],
+      by=[steps("BLZ94-T4.3.2", "BLZ94-L4.2", prose="The last row of (4.4b), with gamma_k(t) = gamma_{t+k}."),
+          instances(n=(1, 2, 3))],
       note="t = m; gamma(0, k) are the Schur parameters of v, alpha(t, i) the coordinates of v_t.")
 
 claim("BLZ94-T4.3.5", "the gain in the new coordinates",
-      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == Pi[t] * alpha[t] + pi[t] - Phi * alpha0 - a_of), sizes=["n"], over=VECTOR_POINT,
+      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == Pi[t] * alpha[t] + pi[t] - Phi * alpha0 - a_of),
+      sizes=["n"], over=VECTOR_POINT,
       where=[*ORBIT, *PHI_T, *VECTORS[2:4], let(a_of, column(i, n, cot(phi, 0, n, i))),
              let(Phi, matrix_of(i, j, n, n, coeff(phi(0, n - j), n - i))),
-             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i) + coeff(psi(t, n - j), n - i)))),
+             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i)
+                                                             + coeff(psi(t, n - j), n - i)))),
              function(pi, [t], column(i, n, HALF * (cot(phi, t, n, i) + cot(psi, t, n, i)))),
              let(a0, a_of + Phi * alpha0),
              let(g0, HALF * (column(i, n, cot(psi, 0, n, i)) - a_of
-                             + matrix_of(i, j, n, n, coeff(psi(0, n - j), n - i) - coeff(phi(0, n - j), n - i)) * alpha0)),
+                             + matrix_of(i, j, n, n, coeff(psi(0, n - j), n - i)
+                                         - coeff(phi(0, n - j), n - i)) * alpha0)),
              *RICCATI],
-      by=[steps("BLZ94-E2.17", "BLZ94-T4.3.3", prose="Insert a(t) and g(t) into k_t = a(t) + g(t) - a."), instances(n=(2, 3, 4), horizon=3)],
-      note="The gain on the left is that of the Riccati recursion from P_0 = 0; a_F on the right is the vector phi_n(gamma).")
+      by=[steps("BLZ94-E2.17", "BLZ94-T4.3.3", prose="Insert a(t) and g(t) into k_t = a(t) + g(t) - a."),
+          instances(n=(2, 3, 4), horizon=3)],
+      note="The gain on the left is that of the Riccati recursion from P_0 = 0; a_F on the right is the vector "
+           "phi_n(gamma).")
 
 # ---------------------------------------------------------------------- the invariants
 claim("BLZ94-E4.10", "D is d(z) + d(1/z)", D == d + recip(d), sizes=["n"], over={a: monic(n), b: monic(n)},
@@ -145,7 +242,8 @@ def _recursion(polynomials):
     """d(k, s, i) = d_i^(k) for the parameters gamma_s, gamma_{s+1}, ...; pi(s, j) the polynomials for these."""
     return (*polynomials,
             function(d, [k, s, i], when(i == k, alpha[k], (1 - gamma[s] ** 2) * d(k - 1, s + 1, i)
-                                        + alpha[k] * sum_of(j, 1, k, when(j == k, 1, alpha[k - j]) * coeff(pi(s, j), i)))))
+                                        + alpha[k] * sum_of(j, 1, k,
+                                                            when(j == k, 1, alpha[k - j]) * coeff(pi(s, j), i)))))
 
 
 _PRINTED_PI = (function(pi, [s, t], when(t == 0, 1, when(t == 1, Z, (1 + Z) * pi(s, t - 1) + (
@@ -156,15 +254,19 @@ claim("BLZ94-L4.4.2", "d_1, ..., d_n by recursion on n, with the polynomials of 
       forall(i, 1, n, coeff(D, i) == d(n, 0, i)), sizes=["n"], over=POINT, where=[*_D, *_recursion(_PRINTED_PI)],
       by=[example(n=3, alpha=[0, 0, 1], gamma=["1/2", "1/2", 0]), instances(n=(1, 2, 3))],
       note="pi_{j,j-i} is the coefficient of z^i in pi_j, zero for i > j.",
-      repair=repair("factor", "The recursion (4.12) does not give the polynomials (phi_j + psi_j)/2 for j >= 3; with these the recursion for d_i holds.",
-                    forall(i, 1, n, coeff(D, i) == d(n, 0, i)), sizes=["n"], over=POINT, where=[*_D, *_recursion(_RIGHT_PI)],
+      repair=repair("factor", "The recursion (4.12) does not give the polynomials (phi_j + psi_j)/2 for j >= 3; with "
+                              "these the recursion for d_i holds.",
+                    forall(i, 1, n, coeff(D, i) == d(n, 0, i)), sizes=["n"], over=POINT,
+                    where=[*_D, *_recursion(_RIGHT_PI)],
                     by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))]))
 
 claim("BLZ94-E4.12", "three-term recursion for pi_t",
-      forall(t, 1, n - 1, pi[t + 1] == (1 + Z) * pi[t] + (gamma[t] * gamma[t - 1] - 1) * Z * pi[t - 1]) & (pi[0] == 1) & (pi[1] == Z),
+      forall(t, 1, n - 1, pi[t + 1] == (1 + Z) * pi[t] + (gamma[t] * gamma[t - 1] - 1) * Z * pi[t - 1])
+        & (pi[0] == 1) & (pi[1] == Z),
       sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*PHI, *PSI, *PI],
       by=[example(n=3, gamma=["1/2", "1/2", 0]), instances(n=(1, 2, 3))],
-      repair=repair("factor", "The ratio of gamma_t to gamma_{t-1} is missing: (4.12) holds for t = 1, and for t >= 2 only in special cases.",
+      repair=repair("factor", "The ratio of gamma_t to gamma_{t-1} is missing: (4.12) holds for t = 1, and for t >= 2 "
+                              "only in special cases.",
                     forall(t, 1, n - 1, gamma[t - 1] * pi[t + 1] == (gamma[t - 1] * Z + gamma[t]) * pi[t]
                            + gamma[t] * (gamma[t - 1] ** 2 - 1) * Z * pi[t - 1]) & (pi[0] == 1) & (pi[1] == Z),
                     sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*PHI, *PSI, *PI],
@@ -173,9 +275,10 @@ claim("BLZ94-E4.12", "three-term recursion for pi_t",
 claim("BLZ94-S23", "the convention pi_{ji} = 0 for i > j completes the recursion for d_i",
       ((j - i < 0) | (j - i > j)) >> (j - i > j), sizes=["n"], over={i: integer(1, n - 1), j: integer(1, n)},
       by=[example(n=3, i=2, j=1), instances(n=(2, 3))],
-      note="The recursion needs pi_{j,l} for l = j - i, where i = 1..n-1 and j = 1..n. Each l that is no index of a coefficient, "
-           "0..j, must be covered by the convention l > j.",
-      repair=repair("index", "The indices l = j - i that need a convention are the negative ones: pi_{j,j-i} = 0 for i > j.",
+      note="The recursion needs pi_{j,l} for l = j - i, where i = 1..n-1 and j = 1..n. Each l that is no index of a "
+           "coefficient, 0..j, must be covered by the convention l > j.",
+      repair=repair("index", "The indices l = j - i that need a convention are the negative ones: pi_{j,j-i} = 0 for "
+                             "i > j.",
                     iff((j - i < 0) | (j - i > j), i > j), sizes=["n"], over={i: integer(1, n - 1), j: integer(1, n)},
                     by=[evaluation(n=range(2, 9)), instances(n=(2, 3, 4))]))
 
@@ -188,24 +291,31 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
 _ORBIT_D = (*ORBIT, *VECTORS, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
             function(D, [t], symmetric_part(monic_of(a_of[t]), monic_of(b_of[t]))))
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
-      always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D,
+      always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
+      over=VECTOR_POINT, where=_ORBIT_D,
       by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
-      note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later start.")
+      note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later "
+           "start.")
 
 claim("BLZ94-S24", "the n + 1 functions d_0, ..., d_{n-1} are invariant up to a common factor",
-      always(t, (sum_of(i, 0, n - 1, 1) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1)) == column(i, n, coeff(D[0], i - 1)))),
-      sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[example(n=1, alpha0=[1], gamma0=["1/2"]), instances(n=(1, 2), horizon=2)],
+      always(t, (sum_of(i, 0, n - 1, 1) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1))
+                                                     == column(i, n, coeff(D[0], i - 1)))),
+      sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[example(n=1, alphabar=[1], gammabar=["1/2"]),
+                                                          instances(n=(1, 2), horizon=2)],
       note="The first equation counts the functions.",
       repair=repair("index", "The n + 1 functions are d_0, ..., d_n; d_n = alpha_n is left out by the printed range.",
-                    always(t, (sum_of(i, 0, n, 1) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1)))),
-                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)]))
+                    always(t, (sum_of(i, 0, n, 1) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1))
+                                                               == column(i, n + 1, coeff(D[0], i - 1)))),
+                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D,
+                    by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)]))
 
 # ---------------------------------------------------------------------- the level sets
 V, K, M = symbols("V K M")
 #: on line number e through (alpha0, gamma0), with parameter z: the point, coefficients of phi_t, psi_t, a, b, and d_i.
 #: Lines 1..n+1 have the columns of V as directions, line n+1+i the i-th unit vector; line 0 stays at the point.
 _LINES = (
-    function(x, [e, i], when(i <= n, alpha0[i], gamma0[i - n]) + Z * when(e == 0, 0, when(e <= n + 1, V[i, e], when(e == n + 1 + i, 1, 0)))),
+    function(x, [e, i], when(i <= n, alpha0[i], gamma0[i - n])
+             + Z * when(e == 0, 0, when(e <= n + 1, V[i, e], when(e == n + 1 + i, 1, 0)))),
     function(f, [e, t, k], when(k == 0, 1, when(k > t, 0, f(e, t - 1, k) - x(e, n + t) * f(e, t - 1, t - k)))),
     function(q, [e, t, k], when(k == 0, 1, when(k > t, 0, q(e, t - 1, k) + x(e, n + t) * q(e, t - 1, t - k)))),
     function(a, [e, k], f(e, n, k) + sum_of(j, 1, k, x(e, j) * f(e, n - j, k - j))),
@@ -214,7 +324,10 @@ _LINES = (
     let(K, matrix_of(i, j, n + 1, 2 * n, coeff(d(n + 1 + j, i - 1), 1))),
     let(M, hstack(K, column(i, n + 1, coeff(d(0, i - 1), 0)))),
 )
-_ON = given("the lines lie on the level set", forall(e, 1, n + 1, forall(i, 0, n, forall(j, 0, i - 1, d(e, i) * d(0, j) == d(e, j) * d(0, i)))))
+_ON = given("the lines lie on the level set", forall(e, 1, n + 1,
+                                                     forall(i, 0, n,
+                                                            forall(j, 0, i - 1,
+                                                                   d(e, i) * d(0, j) == d(e, j) * d(0, i)))))
 _POINT_LINES = {**VECTOR_POINT, V: matrix(2 * n, n + 1)}
 _BY_LINES = instances(n=(1, 2), using={u: scalar(), v: scalar()}, made_by={
     alpha0: column(i, n, when(i == 1, 1 + gamma0[n], 0)),
@@ -223,14 +336,16 @@ _BY_LINES = instances(n=(1, 2), using={u: scalar(), v: scalar()}, made_by={
 claim("BLZ94-S25", "the level set is a smooth n-manifold where the Jacobian of T has an n-dimensional kernel",
       rank(V) <= n, sizes=["n"], over=_POINT_LINES, where=_LINES,
       given=[given("n-dimensional kernel", rank(K) == n), _ON, standing("d_0 != 0", d(0, 0) != 0)],
-      by=[example(n=1, alpha0=[1], gamma0=[0], V=[[1, 1], [1, -1]]), _BY_LINES],
-      note="What is stated is a consequence: straight lines through the point that lie on the level set of D up to a factor have "
-           "directions in the tangent space, so no n + 1 of them are independent. For n = 1 the level set through (1, 0) is the "
-           "pair of lines (alpha - 1)^2 = gamma^2.",
-      repair=repair("missing hypothesis", "The kernel of the Jacobian of the projective map has to have dimension n: the vector T itself must "
-                    "not lie in the image of the Jacobian of T (at alpha = 1, gamma = 0, n = 1 it does).",
+      by=[example(n=1, alphabar=[1], gammabar=[0], V=[[1, 1], [1, -1]]), _BY_LINES],
+      note="What is stated is a consequence: straight lines through the point that lie on the level set of D up to a "
+           "factor have directions in the tangent space, so no n + 1 of them are independent. For n = 1 the level set "
+           "through (1, 0) is the pair of lines (alpha - 1)^2 = gamma^2.",
+      repair=repair("missing hypothesis", "The kernel of the Jacobian of the projective map has to have dimension n: "
+                                          "the vector T itself must not lie in the image of the Jacobian of T (at "
+                                          "alpha = 1, gamma = 0, n = 1 it does).",
                     rank(V) <= n, sizes=["n"], over=_POINT_LINES, where=_LINES,
-                    given=[given("the projective map is a submersion", rank(M) == n + 1), _ON, standing("d_0 != 0", d(0, 0) != 0)],
+                    given=[given("the projective map is a submersion", rank(M) == n + 1), _ON,
+                           standing("d_0 != 0", d(0, 0) != 0)],
                     by=[_BY_LINES]))
 
 aa, gg, A2, G2, a2, b2 = symbols("beta delta A2 G2 a2 b2")
@@ -240,7 +355,8 @@ claim("BLZ94-S26", "if the last alphas vanish, the algorithm is that of smaller 
       sizes=["m", "l"], over={aa0: vector(m), gamma0: vector(m + l)},
       where=[let(n, m + l), let(alpha0, vstack(aa0, Zero(l, 1))), *ORBIT, *VECTORS,
              function(D, [t], symmetric_part(monic_of(a_of[t]), monic_of(b_of[t]))),
-             function(A2, [t], matrix_of(i, j, m, m, when(i > j, 0, when(i == j, 1 / (1 - gg[t][m - i + 1] ** 2), gg[t][m - i + 1]
+             function(A2, [t], matrix_of(i, j, m, m, when(i > j, 0,
+                                                          when(i == j, 1 / (1 - gg[t][m - i + 1] ** 2), gg[t][m - i + 1]
                                                      * gg[t][m - j + 1] / prod(k, i, j, 1 - gg[t][m - k + 1] ** 2))))),
              function(G2, [t], matrix_of(i, j, m, m, when(i < m, when(j == i + 1, 1, 0), -aa[t][m - j + 1]))),
              rec(aa, t, aa0, A2[t] * aa[t]), rec(gg, t, bottom(gamma0, m), G2[t + 1] * gg[t]),
@@ -250,6 +366,7 @@ claim("BLZ94-S26", "if the last alphas vanish, the algorithm is that of smaller 
              function(o, [t, k], when(k == 0, 1, o(t, k - 1) + gg[t][k] * Z * e(t, k - 1))),
              function(a2, [t], f(t, m) + sum_of(i, 1, m, aa[t][i] * f(t, m - i))),
              function(b2, [t], e(t, m) + sum_of(i, 1, m, aa[t][i] * e(t, m - i)))],
-      by=[induction(m=(1, 2, 3), l=(1, 2, 3)), instances(m=(1, 2), l=(1, 2), horizon=3), instances(m=(2,), l=(1,), horizon=3)],
-      note="m is the k of the text, l = n - k; (beta, delta) is the orbit of (alpha_1..alpha_k; gamma_{n-k}..gamma_{n-1}) in dimension k. "
-           "The last equation reduces the level set.")
+      by=[induction(m=(1, 2, 3), l=(1, 2, 3)), instances(m=(1, 2), l=(1, 2), horizon=3),
+          instances(m=(2,), l=(1,), horizon=3)],
+      note="m is the k of the text, l = n - k; (beta, delta) is the orbit of (alpha_1..alpha_k; "
+           "gamma_{n-k}..gamma_{n-1}) in dimension k. The last equation reduces the level set.")

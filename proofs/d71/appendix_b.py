@@ -174,7 +174,6 @@ claim("D71-E8.5", "the equation that X satisfies",
 
 A, x, a, phi, theta, v, lam, krylov, q = symbols("A x a phi theta v lam krylov q")
 KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
-LAST = sum_of(k, 1, p, a[k]*A**(p - k)*x)
 PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
 CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
 
@@ -238,11 +237,10 @@ claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
-R, F, W, G, t, partial, back, x_ = symbols("R F W G t partial back x_")
+R, G, t, partial, back = symbols("R G t partial back")
 LYAPUNOV = given("A'QA - Q = R", T(A)*Q*A - Q == R)
 OUTSIDE = given("the eigenvalues of A lie outside the unit circle", schur(inv(A)))
 SUMS = [rec(back, t, I, back[t]*inv(A)), rec(partial, t, Zero(n, n), partial[t] + T(back[t]*inv(A))*R*back[t]*inv(A))]
-ONE_TO_4 = range(1, 5)
 
 
 def factor(at):

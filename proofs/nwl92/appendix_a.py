@@ -45,6 +45,7 @@ from exactkf.language import (
 from proofs.nwl92.notation import (
     BLOCKS,
     FULL_COLUMN_RANK,
+    G2,
     IMPLIED_RANK,
     ONE_INVERSE,
     OTHER,
@@ -66,12 +67,15 @@ from proofs.nwl92.notation import (
     U,
     W,
     X,
+    Y2,
     Zd,
+    Ze,
     Zm,
     excess,
     in_coordinates,
     inverses,
     lower,
+    made_inverse,
     n,
     p,
     two_inverses,
@@ -101,6 +105,9 @@ claim("NWL92-EA.2", "in blocks, ZGZ = Z is the three equations (A.3), (A.4), (A.
       note="The blocks (1,1), (1,2), (2,2) of ZGZ - Z are the left minus right sides of (A.3), (A.4), (A.5).")
 
 SYMMETRIC = {**SETTING, R: symmetric_matrix(p)}
+#: an R that is not nonnegative: RWH = [1/2; 0] and HU'H = [1/2; 0]
+INDEFINITE = {"p": 2, "n": 1, R: [[0, 1], [1, 0]], H: [[1], [0]], W: [[0, "1/2"], ["1/2", 0]], U: [["1/2"], [0]],
+              Tb: [[0]]}
 claim("NWL92-EA.3", "block (1,1) of ZGZ = Z",
       R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R,
       sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
@@ -110,7 +117,7 @@ claim("NWL92-EA.3", "block (1,1) of ZGZ = Z",
 claim("NWL92-EA.4", "block (1,2) of ZGZ = Z",
       R * W * H + H * T(U) * H == H,
       sizes=["p", "n"], over=SYMMETRIC, where=PAIR, given=[ONE_INVERSE],
-      by=[combination([(T(upper(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), inverses()],
+      by=[combination([(T(upper(p, n)), "(2.20)", lower(p, n))], p=(1, 2, 3), n=(1, 2)), example(INDEFINITE), inverses()],
       note="Neither the rank of H nor R >= 0 is needed.")
 
 claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
@@ -190,3 +197,20 @@ claim("NWL92-EA.15", "RU + HT = 0",
       R * U + H * Tb == Zero(p, n),
       sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
       by=[in_coordinates(), inverses()])
+
+U_TWICE, FREE_TWICE = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
+LEFT_INVERSE = [let(Ze, block([[W, T(L)], [L, Tb]]))]
+WHICH = (Zm * Ze * Zm == Zm, R * T(L) * T(H) == D)
+LEFT_INVERSES = {**SETTING, L: matrix(n, p)}
+claim("NWL92-SA1", "a left inverse of H that is a block of a symmetric (1)-inverse satisfies (A.9)",
+      WHICH[0] >> WHICH[1],
+      sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, PRINTED_D],
+      given=[ONE_INVERSE, UNBIASED],
+      by=[example({**SMALL, L: [[1, "-1/2"]]}), inverses(made_by={**U_TWICE, L: T(U2)}, using=FREE_TWICE)],
+      repair=repair("sign", SIGN + "; with that D a left inverse of H is such a block exactly if it satisfies (A.9)",
+                    iff(*WHICH), sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, RIGHT_D],
+                    given=[ONE_INVERSE, UNBIASED],
+                    by=[inverses(made_by=OTHER, using={X: matrix(n, p)}),
+                        inverses(made_by={**U_TWICE, L: T(U2)}, using=FREE_TWICE)]),
+      note=("The footnote itself is right once the sign in (A.7) is put right: among the left inverses L of H only "
+            "those with RL'H' = D occur, and all of them do. (A.9) with the printed D excludes even the block U'."))

@@ -26,7 +26,7 @@ probability one.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, identity, instances, order, steps
+from exactkf.evidence import combination, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
@@ -443,24 +443,26 @@ V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 
 not_checked("NWL92-E2.45", "the same measurement with two noises",
             "a definition: it fixes notation and asserts nothing")
 
-NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), U1: matrix(p, n),
-          P1: symmetric_matrix(n),
-          U2: matrix(p, n), P2: symmetric_matrix(n)}
-NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)))
-NOISES_GIVEN = [given("(2.25) for the first noise", Z1 * vstack(U1, -P1) == vstack(Zero(p, n), Identity(n))),
-                given("(2.25) for the second noise", Z2 * vstack(U2, -P2) == vstack(Zero(p, n), Identity(n))),
+NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n),
+          W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n),
+          W2: symmetric_matrix(p), U2: matrix(p, n), T2: symmetric_matrix(n)}
+NOISES_LETS = (let(Z1, two_block(V1, H, n)), let(Z2, two_block(V2, H, n)), let(G1, block([[W1, U1], [T(U1), T1]])),
+               let(G2, block([[W2, U2], [T(U2), T2]])), let(P1, -T1), let(P2, -T2))
+NOISES_GIVEN = [is_inverse(G1, Z1, "first noise"), is_inverse(G2, Z2, "second noise"), FULL_COLUMN_RANK,
                 given("the second noise is larger", loewner(V2, V1))]
 FIRST_MADE = made_inverse(Z1, (W1, U1, T1), p, n, Y1, sym("Ga"))
 SECOND_MADE = made_inverse(Z2, (W2, U2, T2), p, n, Y2, sym("Gc"))
 NOISES_MADE = together(FIRST_MADE, SECOND_MADE, before={V2: V1 + B}, using={B: positive_semidefinite(p)},
-                       made_by={P1: -T1, P2: -T2},
                        count=24, p=(1, 2, 3), n=(1, 2))
-MORE_NOISE, OTHER_GAIN = T(U2) * (V2 - V1) * U2, T(U2 - U1) * V1 * (U2 - U1)
+CHAIN_PROOF = steps(
+    "NWL92-E2.47",
+    facts=["(2.25) holds for every symmetric (1)-inverse (NWL92-E2.25, by the normal form of R and H)"],
+    prose=("By (2.25) U1 and U2 are left inverses, V1 U1 = H P1 and V2 U2 = H P2. So P2 = U2'V2U2 and P1 = U1'V1U1 = "
+           "U2'V1U1, hence U2'V1U2 - P1 = (U2 - U1)'V1(U2 - U1) >= 0, and U2'V2U2 - U2'V1U2 = U2'(V2 - V1)U2 >= 0."))
 claim("NWL92-L2.5", "more noise, more error",
       loewner(P2, P1), sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
-      by=[order([MORE_NOISE, OTHER_GAIN]), NOISES_MADE],
-      note=("Gains U1, U2 and error covariances P1, P2 of the ML estimates enter through (2.25), which every "
-            "(1)-inverse satisfies (NWL92-E2.25); it makes H a matrix of full column rank."))
+      by=[CHAIN_PROOF, NOISES_MADE],
+      note=("The error covariances are minus blocks of arbitrary symmetric (1)-inverses (NWL92-E2.22)."))
 
 SECOND_PROBLEM = {V2: positive_semidefinite(p), H: matrix(p, n), W2: symmetric_matrix(p), U2: matrix(p, n),
                   T2: symmetric_matrix(n)}
@@ -487,5 +489,5 @@ claim("NWL92-E2.47", "the gain for the second noise is unbiased for the first",
 claim("NWL92-E2.48", "the chain of inequalities",
       loewner(T(U2) * V1 * U2, P1) & loewner(T(U2) * V2 * U2, T(U2) * V1 * U2) & (T(U2) * V2 * U2 == P2),
       sizes=["p", "n"], over=NOISES, where=NOISES_LETS, given=NOISES_GIVEN,
-      by=[order([OTHER_GAIN], [MORE_NOISE], []), NOISES_MADE],
+      by=[CHAIN_PROOF, NOISES_MADE],
       note="U2'V1U2 is the error covariance of U2'y1 by NWL92-E2.47. Gains and error covariances as in Lemma 2.5.")

@@ -11,8 +11,25 @@ from exactkf.evidence import order
 from exactkf.finders.membership import find_order
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import (
-    Identity, Statement, T, Zero, iff, inv, invertible, let, loewner, matrix, nonsingular, pd, positive_definite, positive_semidefinite, psd, standing, symbols,
-    symmetric_matrix, vector,
+    Identity,
+    Statement,
+    T,
+    Zero,
+    iff,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    nonsingular,
+    pd,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    standing,
+    symbols,
+    symmetric_matrix,
+    vector,
 )
 
 n, p, P, Q, A, M, V, K, H = symbols("n p P Q A M V K H")

@@ -11,9 +11,11 @@ import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.linear import Matrix, char_coefficients, echelon, inertia, null_basis, similar
-from exactkf.kernel.numbers import AlgebraicField, Laurent, Ratio, SymbolicField, Undefined
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined
 from exactkf.kernel.roots import circle_sign, count_circle, count_real
+from exactkf.kernel.symbolic import SymbolicField
 
 small = st.fractions(min_value=-3, max_value=3, max_denominator=4)
 

@@ -11,7 +11,22 @@ from exactkf.finders.membership import find_membership
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.kernel.words import Reader, residual_blocks
-from exactkf.language import Identity, Statement, T, block, inv, let, matrix, standing, sym, symbols, symmetric, symmetric_matrix, symplectic, Zero
+from exactkf.language import (
+    Identity,
+    Statement,
+    T,
+    Zero,
+    block,
+    inv,
+    let,
+    matrix,
+    standing,
+    sym,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    symplectic,
+)
 
 n, m, p, d = symbols("n m p d")
 A, B, C, D, P, Q, M, V, K = symbols("A B C D P Q M V K")

@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 from exactkf.claims import load
 from exactkf.engine import _default_hints
 from exactkf.finders.draw import Sampler
-from exactkf.kernel.meaning import World, admissible, read_instance
+from exactkf.kernel.instances import admissible, read_instance
+from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.record import Record
 from tests.properties.mp_meaning import evaluate

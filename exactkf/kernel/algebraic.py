@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Elements of a real number field Q(theta).
+
+theta is given by a square-free polynomial and an interval that isolates one
+of its roots. Zero is decided by a gcd, every other sign by interval
+arithmetic on ever smaller intervals.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined
+from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
+
+__all__ = ["Algebraic", "AlgebraicField"]
+
+
+class AlgebraicField:
+    """Q(theta): ``modulus`` lists coefficients from x^0 up, ``lo < theta < hi`` isolates one root."""
+
+    def __init__(self, modulus: list[Fraction], lo: Fraction, hi: Fraction) -> None:
+        if len(modulus) < 2 or modulus[-1] == 0 or len(gcd_poly(modulus, [k * c for k, c in enumerate(modulus)][1:])) > 1:
+            raise Undefined("the polynomial of a number field must be square-free of positive degree")
+        if not lo < hi or _eval(modulus, lo) * _eval(modulus, hi) >= 0 or count_real(modulus, lo, hi) != 1:
+            raise Undefined("the interval of a number field must isolate one root")
+        self.modulus, self.lo, self.hi = modulus, lo, hi
+
+    def element(self, coefficients: list[Fraction]) -> Algebraic:
+        return Algebraic(self, _remainder(coefficients, self.modulus))
+
+    def refine(self) -> None:
+        """Halve the isolating interval."""
+        mid = (self.lo + self.hi) / 2
+        value = _eval(self.modulus, mid)
+        if value == 0:
+            width = (self.hi - self.lo) / 8
+            self.lo, self.hi = mid - width, mid + width
+        elif (value > 0) == (_eval(self.modulus, self.hi) > 0):
+            self.hi = mid
+        else:
+            self.lo = mid
+
+
+def _eval(p: list, x: Any) -> Any:
+    acc = Fraction(0)
+    for c in reversed(p):
+        acc = acc * x + c
+    return acc
+
+
+def _remainder(p: list, m: list) -> list:
+    p = list(p)
+    while len(p) >= len(m):
+        f = Fraction(p[-1]) / m[-1]
+        for i in range(len(m)):
+            p[len(p) - len(m) + i] -= f * m[i]
+        p.pop()
+    while p and p[-1] == 0:
+        p.pop()
+    return p
+
+
+class Algebraic:
+    """Polynomial in theta, reduced modulo the modulus."""
+
+    __slots__ = ("c", "field")
+
+    def __init__(self, field: AlgebraicField, coefficients: list) -> None:
+        self.field, self.c = field, coefficients
+
+    def _coerce(self, x: Any) -> Algebraic | None:
+        if isinstance(x, Algebraic):
+            return x
+        if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
+            return Algebraic(self.field, [Fraction(int(x.numerator), int(x.denominator))] if x else [])
+        return None
+
+    def __add__(self, other: Any) -> Any:
+        y = self._coerce(other)
+        if y is None:
+            return NotImplemented
+        long, short = (self.c, y.c) if len(self.c) >= len(y.c) else (y.c, self.c)
+        return self.field.element([v + (short[k] if k < len(short) else 0) for k, v in enumerate(long)])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Algebraic:
+        return Algebraic(self.field, [-v for v in self.c])
+
+    def __sub__(self, other: Any) -> Any:
+        return NotImplemented if isinstance(other, (Laurent, Ratio)) else self + (-other)
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other
+
+    def __mul__(self, other: Any) -> Any:
+        y = self._coerce(other)
+        if y is None:
+            return NotImplemented
+        out = [Fraction(0)] * max(0, len(self.c) + len(y.c) - 1)
+        for i, a in enumerate(self.c):
+            for j, b in enumerate(y.c):
+                out[i + j] += a * b
+        return self.field.element(out)
+
+    __rmul__ = __mul__
+
+    def inverse(self) -> Algebraic:
+        """By the extended Euclidean algorithm in Q[x]; a common factor not vanishing at theta is divided out."""
+        if self.sign() == 0:
+            raise Undefined("division by zero")
+        common = gcd_poly(self.c, self.field.modulus)
+        if len(common) > 1:
+            self.field.modulus = divmod_poly(self.field.modulus, common)[0]
+        a, b = self.field.modulus, _remainder(self.c, self.field.modulus)
+        s, t = [], [Fraction(1)]
+        while len(b) > 1:
+            q, r = divmod_poly(a, b)
+            new = list(s) + [Fraction(0)] * max(0, len(q) + len(t) - 1 - len(s))
+            for i, x in enumerate(q):
+                for j, y in enumerate(t):
+                    new[i + j] -= x * y
+            a, b, s, t = b, r, t, new
+        return self.field.element([x / b[0] for x in t])
+
+    def __truediv__(self, other: Any) -> Any:
+        y = self._coerce(other)
+        return NotImplemented if y is None else self * y.inverse()
+
+    def __rtruediv__(self, other: Any) -> Any:
+        y = self._coerce(other)
+        return NotImplemented if y is None else y * self.inverse()
+
+    def sign(self) -> int:
+        """Sign of the real number: zero is decided by a gcd, the rest by interval arithmetic."""
+        if not self.c:
+            return 0
+        common = gcd_poly(self.c, self.field.modulus)
+        if len(common) > 1 and _eval(common, self.field.lo) * _eval(common, self.field.hi) < 0:
+            return 0
+        while True:
+            low, high = _enclose(self.c, self.field.lo, self.field.hi)
+            if low > 0 or high < 0:
+                return 1 if low > 0 else -1
+            self.field.refine()
+
+    def __eq__(self, other: object) -> bool:
+        y = self._coerce(other)
+        return NotImplemented if y is None else (self - y).sign() == 0
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __lt__(self, other: Any) -> bool: return (self - other).sign() < 0
+    def __gt__(self, other: Any) -> bool: return (self - other).sign() > 0
+    def __le__(self, other: Any) -> bool: return (self - other).sign() <= 0
+    def __ge__(self, other: Any) -> bool: return (self - other).sign() >= 0
+
+
+def _enclose(p: list, lo: Fraction, hi: Fraction) -> tuple[Fraction, Fraction]:
+    """Interval Horner."""
+    a = b = Fraction(0)
+    for c in reversed(p):
+        products = (a * lo, a * hi, b * lo, b * hi)
+        a, b = min(products) + c, max(products) + c
+    return a, b

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""Instances of a statement: read, tested, or made of symbols.
+
+`read_instance` reads the values of an instance from JSON and checks their
+shapes; `admissible` says whether types and hypotheses hold; `generic` makes
+the world in which every variable consists of independent symbols.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from exactkf.kernel.algebraic import AlgebraicField
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.meaning import Signal, World, is_invertible, is_pd, is_psd, is_symmetric, truth
+from exactkf.kernel.numbers import Laurent, Undefined, Unknown, rational
+from exactkf.kernel.symbolic import SymbolicField
+
+__all__ = ["admissible", "generic", "read_instance", "read_number"]
+
+
+def read_number(text: Any, field: AlgebraicField | None) -> Any:
+    """An int, 'p/q', or a list of coefficients in theta."""
+    if isinstance(text, list):
+        if field is None:
+            raise Undefined("an algebraic number needs the instance's field")
+        return field.element([Fraction(c) for c in text])
+    if isinstance(text, bool) or not isinstance(text, (int, str)):
+        raise Undefined(f"{text!r} is not an exact number")
+    value = Fraction(text)
+    return int(value) if value.denominator == 1 else rational(value.numerator, value.denominator)
+
+
+def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number: Callable[[Any], Any] | None = None) -> dict[str, Any]:
+    """Values of sizes and variables from JSON; shapes are checked here, the rest of a type in `admissible`."""
+    field = None
+    if data.get("field"):
+        modulus, lo, hi = data["field"]
+        field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    read = number or (lambda x: read_number(x, field))
+    values: dict[str, Any] = {}
+    for name in statement["sizes"]:
+        values[name] = data["sizes"][name]
+        if not isinstance(values[name], int) or values[name] < 0:
+            raise Undefined(f"size {name} is not a natural number")
+    values["horizon"] = data["sizes"].get("horizon", 5)
+    for name, kind in statement["over"]:
+        values[name] = _read_value(World({"where": statement["where"]}, values), kind, data["values"][name], read)
+    return values
+
+
+def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
+    args = [world.integer(a, {}) for a in kind[1:]]
+    match kind[0]:
+        case "integer":
+            if isinstance(data, bool) or not isinstance(data, int):
+                raise Undefined("an integer is needed")
+            return data
+        case "scalar" | "nonzero" | "positive" | "nonneg":
+            return read(data)
+        case "sequence":
+            return dict(zip(range(args[0], args[1] + 1), [read(x) for x in data], strict=True))
+        case "signal":
+            return {args[0] + k: read(x) for k, x in enumerate(data)}
+        case "poly" | "monic":
+            if len(data) != args[0] + 1:
+                raise Undefined("a polynomial lists its coefficients from z^0 to z^n")
+            return Laurent({k: read(x) for k, x in enumerate(data)})
+    nrows, ncols = args if kind[0] == "matrix" else args * 2
+    if len(data) != nrows or any(len(r) != ncols for r in data):
+        raise Undefined(f"a {nrows}x{ncols} matrix is needed")
+    return Matrix([[read(x) for x in r] for r in data], ncols)
+
+
+_TYPE_TESTS: dict[str, Callable[..., bool]] = {
+    "integer": lambda v, lo, hi: lo <= v <= hi, "nonzero": lambda v: v != 0, "positive": lambda v: v > 0, "nonneg": lambda v: v >= 0,
+    "symmetric": lambda v, n: is_symmetric(v), "psd": lambda v, n: is_psd(v), "pd": lambda v, n: is_pd(v),
+    "nonsingular": lambda v, n: is_invertible(v), "monic": lambda v, n: v.get(n) == 1,
+    "diagonal": lambda v, n: all(v.rows[i][j] == 0 for i in range(n) for j in range(n) if i != j),
+}
+
+
+def admissible(statement: Mapping[str, Any], world: World) -> str:
+    """'' if types and hypotheses hold, else what does not."""
+    for name, kind in statement["over"]:
+        test = _TYPE_TESTS.get(kind[0])
+        if test and not test(world.values[name], *(world.integer(a, {}) for a in kind[1:])):
+            return f"{name} is not of type {kind[0]}"
+    for label, formula, _kind in statement["given"]:
+        if not truth(world, formula, {}):
+            return f"hypothesis {label!r} does not hold"
+    return ""
+
+
+def generic(statement: Mapping[str, Any], sizes: Mapping[str, int], given_by: Mapping[str, Any] | None = None,
+            new: Callable[[str], Any] | None = None) -> tuple[World, Callable[[str], Any]]:
+    """A world in which every variable is made of independent symbols, as far as its type is an equation.
+
+    Inequalities of types (positive, psd, nonsingular ...) are ignored, so that what is
+    true in this world is true for every value. Variables in ``given_by`` are computed from the others.
+    """
+    new = new or SymbolicField().variable
+    values: dict[str, Any] = {"horizon": None, **sizes}
+    given_by = given_by or {}
+    for name, kind in statement["over"]:
+        if name in values or name in given_by:
+            continue
+        args = [World({"where": statement["where"]}, values).integer(a, {}) for a in kind[1:]]
+        values[name] = _generic_value(name, kind[0], args, new)
+    world = World(statement, values)
+    world.symbolic = True
+    for name, tree in given_by.items():
+        world.values[name] = world.value(tree)
+    return world, new
+
+
+def _generic_value(name: str, kind: str, args: list[int], new: Callable[[str], Any]) -> Any:
+    match kind:
+        case "integer":
+            raise Unknown(f"integer variable {name} needs a value")
+        case "scalar" | "nonzero" | "positive" | "nonneg":
+            return new(name)
+        case "sequence":
+            return {k: new(f"{name}_{k}") for k in range(args[0], args[1] + 1)}
+        case "signal":
+            return Signal(args[0], lambda k: new(f"{name}_{k}"))
+        case "poly":
+            return Laurent({k: new(f"{name}_{k}") for k in range(args[0] + 1)})
+        case "monic":
+            return Laurent({k: new(f"{name}_{k}") if k < args[0] else 1 for k in range(args[0] + 1)})
+        case "matrix" | "nonsingular":
+            return Matrix.build(args[0], args[-1], lambda i, j: new(f"{name}_{i + 1}{j + 1}"))
+        case "diagonal":
+            return Matrix.build(args[0], args[0], lambda i, j: new(f"{name}_{i + 1}") if i == j else 0)
+    upper = {(i, j): new(f"{name}_{i + 1}{j + 1}") for i in range(args[0]) for j in range(i, args[0])}
+    return Matrix.build(args[0], args[0], lambda i, j: upper[min(i, j), max(i, j)])
