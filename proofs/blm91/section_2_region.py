@@ -110,7 +110,9 @@ claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
 claim("BLM91-F1", "the positive real region is the diamond",
       iff(((1 - abs(al0)) ** 2 > ga0**2) & schur(az), abs(al0) + abs(ga0) < 1), over={al0: scalar(), ga0: scalar()},
       where=[let(a, al0 - ga0), let(az, Z + a)],
-      by=[instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
+      by=[steps(facts=["triangle inequality"],
+                prose="(1 - |alpha|)^2 > gamma^2 says |alpha| + |gamma| < 1 or |alpha| > 1 + |gamma|; |alpha - gamma| is less than 1 in the first case and more in the second"),
+          instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
 claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
       over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(), instances()])
 

@@ -215,9 +215,11 @@ claim("BLM91-R3.6.8", "the point of the diamond that represents v(1/z)", SAME, o
 claim("BLM91-R3.6.9", "that point is in the diamond and on the same hyperbola",
       (dia < 1) & ((1 + ah**2 - gh**2) / ah == (1 + al0**2 - ga0**2) / al0), over=PLANE,
       where=[*ADJ, let(gh, ga0 / (a * b)), let(dia, abs(ah) + abs(gh))], given=[given("III or IV", abs(al0) > 1 + abs(ga0))],
-      by=[instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})])
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="with ab = alpha^2 - gamma^2 the sum of the moduli is 1/(|alpha| - |gamma|) < 1, and both quotients are (ab + 1)/alpha"),
+          instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})])
 claim("BLM91-R3.6.10", "ab >= 1 in III and IV", (a * b == al0**2 - ga0**2) & (far >= 1), over=PLANE, where=[*VA, let(far, a * b)],
-      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[instances(40, using={x: nonneg(), y: scalar()}, made_by={ga0: y, al0: x + 1 + abs(y)}), *CROSSES[3:4]])
+      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[steps(facts=["squaring keeps the order of nonnegative numbers"], prose="alpha^2 - gamma^2 >= (1 + |gamma|)^2 - gamma^2 = 1 + 2|gamma|"),
+          instances(40, using={x: nonneg(), y: scalar()}, made_by={ga0: y, al0: x + 1 + abs(y)}), *CROSSES[3:4]])
 claim("BLM91-R3.6.11", "the spectral density in III and IV, and antistable factors",
       (vz + recip(vz) == al0 / pp * (Z + pp) * (recip(Z) + pp) / ((Z + a) * (recip(Z) + a)))
       & (vz + recip(vz) == al0 / (1 / pp) * (Z + 1 / pp) * (recip(Z) + 1 / pp) / ((Z + a) * (recip(Z) + a))) & (far > 1),
@@ -231,5 +233,7 @@ claim("BLM91-R3.6.12", "region II is visited at most once",
       (dia <= 1) & (far > 0), sizes=["m"], over={al0: nonzero(), ga0: scalar()},
       where=[*ORBIT, let(dia, abs(al[m + 1]) + abs(ga[m + 1])), let(far, 1 + abs(al[m + 1]) - abs(ga[m + 1]))],
       given=[given("in II", abs(ga0) >= 1 + abs(al0))],
-      by=[instances(40, m=(0, 1, 2), using={x: nonneg(), y: nonzero()}, made_by={al0: y, ga0: 1 + abs(y) + x})],
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="the next point has |alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1 and |gamma'| - |alpha'| = |alpha|/(|gamma| + 1) < 1; later points: in the "
+                "closed diamond the sum of the moduli becomes |alpha|/(1 - |gamma|) <= 1, |gamma| < 1 as alpha is not 0"),
+          instances(40, m=(0, 1, 2), using={x: nonneg(), y: nonzero()}, made_by={al0: y, ga0: 1 + abs(y) + x})],
       note="From a point of II (with alpha_0 not 0, as kappa is not 0) every later point is in I and none in II; m + 1 is the time.")

@@ -69,7 +69,8 @@ claim("BLM91-L5.1", "coprime fractions, both parts",
 BETWEEN = (let(lo, r + 1), let(hi, 2 * r - 1), function(inside, [x], (r < x) & (x < 2 * r)))
 claim("BLM91-E5.11", "q between [p/4] and 2[p/4] serves",
       forall(q, lo, hi, (rational("1/4") < q / p) & (q / p < rational("1/2"))), over={r: integer(1, 100), s: integer(0, 3)},
-      where=[let(p, 4 * r + s), *BETWEEN], by=[instances(80), example(r=3, s=3), example(r=2, s=3)],
+      where=[let(p, 4 * r + s), *BETWEEN],
+      by=[steps(facts=["an integer above r is at least r + 1"], prose="4q >= 4r + 4 > p and 2q <= 4r - 2 < p"), instances(80), example(r=3, s=3), example(r=2, s=3)],
       note="Shown is 1/4 < q/p < 1/2, that is (5.9) with pi/4 for its printed lower bound 1/4, which is the stronger inequality; also for p < 10.")
 claim("BLM91-S92", "a prime between [p/4] and 2[p/4]", (r < last) & prime(last), over={r: integer(2, 40)},
       where=[*PRIME, function(down, [x], when(prime(x), x, down(x - 1))), let(last, down(2 * r - 1))],

@@ -212,6 +212,7 @@ IN_TIME = standing("m <= N", m <= N)
 SINGULAR_PHI = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
 PHI_NOTE = ("Phi_k is any square matrix in (1.13). That it is nonsingular is remarked for processes sampled from continuous time, and assumed only later, "
             "for section C.")
+EXACT = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 1]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 0]])  # V_1 = 0
 NEEDS_PHI = "a singular Phi_k with k >= m can make P_{k+1} singular again; with Phi_m = 0 and H_m = 0 it is zero"
 
 claim("D71-S21", "once positive definite, always positive definite",
@@ -224,7 +225,7 @@ claim("D71-S21", "once positive definite, always positive definite",
                     given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
                     by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
                               prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it positive."),
-                        SINGULAR_PHI, instances(**AFTER_SIZES)]),
+                        SINGULAR_PHI, EXACT, instances(**AFTER_SIZES)]),
       note=PHI_NOTE)
 
 claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
@@ -238,7 +239,7 @@ claim("D71-T3.3", "a completely driven process makes the covariance positive def
                     by=[steps("D71-E3.1", "D71-E1.28d",
                               facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
                               prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps the update of P_k > 0 positive."),
-                        SINGULAR_PHI, instances(**AFTER_SIZES)]),
+                        SINGULAR_PHI, EXACT, instances(**AFTER_SIZES)]),
       note=PHI_NOTE)
 
 # --- ordering --------------------------------------------------------------------------------------------------------
