@@ -22,7 +22,7 @@ from exactkf.language import (
 n, m, t, k, j, i, s = symbols("n m t k j i s")
 
 # ---------------------------------------------------------------------- the model (1.1)
-F, h, g, P, G, X, V, W, Y, N, K = symbols("F h g P G X V W Y N K")
+F, h, g, P, G, X, V, W, Y = symbols("F h g P G X V W Y")
 width = n + (m + 2) * (n + 1)
 
 #: rows of x_t, y_t over the variables x_0, (v_0, w_0), (v_1, w_1), ...
@@ -44,7 +44,7 @@ def gram(q, s, r):
 MODEL = (*ROWS, gram(P - F * P * T(F), g - F * P * h, 1 - T(h) * P * h))
 
 # ---------------------------------------------------------------------- Szego polynomials
-c, phi, phis, gam, r = symbols("c phi phis gam r")
+c, phi, phis, gam, r = symbols("c phi phis gamma r")
 
 
 def szego(cov, names=(phi, phis, gam, r)):
@@ -95,7 +95,7 @@ def polynomial_of(v, lead=1):
 
 
 # ---------------------------------------------------------------------- positive real data (a, g)
-u, w, az, gz, num = symbols("u w az gz num")
+u, w, az, gz, num = symbols("u w a_z g_z N")
 SU, SW = sum_of(i, 1, n, abs(u[i])), sum_of(i, 1, n, abs(w[i]))
 #: sum |a_i| < 1 and sum |g_i| < (1 - sum |a_i|)/2 give a Schur polynomial a(z) with |g/a| < 1/2 on the circle
 CLASSICAL = dict(using={u: vector(n), w: vector(n)}, made_by={a: u / (1 + SU), g: w / (2 * (1 + SU) * (1 + SW))})
@@ -106,14 +106,16 @@ EDGE = [example(n=1, m=3, a=["1/2"], g=["-7/10"]), example(n=1, m=3, a=["-9/10"]
 EDGE.append(example(n=2, m=2, a=["2/25", "-9/10"], g=["-4/5", "9/10"]))
 
 # ---------------------------------------------------------------------- n = 1: (alpha_t, gamma_t) = (q_t, q*_t)
-al, ga, al0, ga0, pp, s1 = symbols("alpha gamma alpha0 gamma0 pp s1")
+al, ga, al0, ga0, pp, s1 = symbols("alpha gamma alpha0 gamma0 p s1")
 
 
-def scalar_orbit(start, start_star):
+def scalar_orbit(start, start_star, ga=ga):
     """(2.34), the same as (3.10)."""
     return (rec(al, t, start, al[t] / (1 - ga[t] ** 2)), rec(ga, t, start_star, -ga[t] * al[t] / (1 - ga[t] ** 2)))
 
 
+#: name of gamma_t of the scalar recursion where the vector recursion stands beside it
+ga1 = symbols("gamma1")[0]
 ORBIT = scalar_orbit(al0, ga0)
 #: points of the curve 1 + alpha^2 - gamma^2 = (p + 1/p) alpha, the part inside the diamond
 INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={

@@ -32,7 +32,7 @@ from exactkf.language import *
 from proofs.blm91.notation import *
 
 chi, gz, num, Q, S, R, Mk, b, x, y, p = symbols("chi gz num Q S R M b x y p")
-cc, Toep, ip, Cof, sigma = symbols("cc Toep ip Cof sigma")
+cc, Toep, ip, Cof, sigma = symbols("cov T pairing x sigma")
 
 # ---------------------------------------------------------------------- covariances of the model
 NOISY = (*ROWS, let(Q, P - F * P * T(F)), gram(Q, S, R))
@@ -98,7 +98,7 @@ FREE = function(cc, [k], when(k == 0, 1, c[k]))
 MA = (function(cc, [k], sum_of(j, 0, n - k, sigma[j] * sigma[j + k]) / sum_of(j, 0, n, sigma[j] ** 2)),
       let(num, sum_of(k, -n, n, cc(abs(k)) * Z**k)))
 AB = (SHIFT, *CANONICAL, *POPOV, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])))
-Tm, gm = symbols("Tm gm")
+Tm, gm = symbols("T_m gamma_m")
 SUM = sum_of(i, 1, n, abs(x[i]))
 
 MA_NOTE = ("Read on moving averages y_t = sum sigma_j e_(t-j) with E y_t^2 = 1: there F = J is nilpotent, Phi_+(z) + Phi_+(1/z) is the sum of "
@@ -143,7 +143,7 @@ claim("BLM91-E2.6", "the recursions produce the monic orthogonal polynomials",
       note="Monic and orthogonal to 1, z, .., z^(t-1) in the form <z^i, z^j> = c_|i-j|, which determines phi_t.")
 
 # phi_t by its normal equations, gamma_t by its constant term, r_t by determinants
-tau, rr = symbols("tau rr")
+tau, rr = symbols("tau r")
 SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i))),
           function(Cof, [t], inv(Toep(t - 1)) * tau(t)),
           function(phi, [t], when(t == 0, 1, Z**t - sum_of(k, 1, t, Cof(t)[k] * Z ** (k - 1)))),
@@ -159,10 +159,10 @@ claim("BLM91-E2.8", "recursion of the squared norms",
       note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
 
 # c -> gamma -> c and gamma -> c -> gamma
-psi, psis, delta, rho, again, back = symbols("psi psis delta rho again back")
+psi, psis, delta, rho, again, back = symbols("psi psis delta rho again c_back")
 THERE_AND_BACK = (
     FREE, *szego(cc), function(again, [t], gam(t - 1) * r[t - 1] - sum_of(k, 0, t - 2, coeff(phi[t - 1], k) * again(k + 1))))
-gg, f, fs, w = symbols("gg f fs w")
+gg, f, fs, w = symbols("eta f f_star w")
 BACK_AND_THERE = (
     rec(f, t, 1, Z * f[t] - gg[t] * fs[t]), rec(fs, t, 1, fs[t] - gg[t] * Z * f[t]), rec(w, t, 1, (1 - gg[t] ** 2) * w[t]),
     function(back, [t], gg[t - 1] * w[t - 1] - sum_of(k, 0, t - 2, coeff(f[t - 1], k) * back(k + 1))),
@@ -173,7 +173,7 @@ claim("BLM91-S15", "covariances and Schur parameters determine each other",
       by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
       note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
 
-Low = sym("Low")
+Low = sym("R_n")
 claim("BLM91-E2.9", "positive definite Toeplitz matrix and Schur parameters",
       forall(t, 0, n, iff(pd(Toep(t)), forall(k, 0, t - 1, abs(gam(k)) < 1))), sizes=["n"], over={c: sequence(1, n)},
       where=[*SZEGO, TOEPLITZ],
@@ -190,7 +190,7 @@ claim("BLM91-E2.10", "the second recursion is the reversal of the first",
       note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
 
 # ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
-yhat, err, Coe, ts = symbols("yhat err Coe ts")
+yhat, err, Coe = symbols("y_hat err Phi_n")
 PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))),
            let(yhat, matrix_of(i, j, n, 1, -coeff(phi[n], i - 1))),
            function(err, [y], 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y))

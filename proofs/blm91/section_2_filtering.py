@@ -32,7 +32,7 @@ from exactkf.language import *
 
 from proofs.blm91.notation import *
 
-xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, az, gz, num, bk, Fm, Qm = symbols("xh yt Ys kk ks Pi fk fks x y az gz num bk Fm Qm")
+xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, bk, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y y_back F_m Q_m")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
 
 # ---------------------------------------------------------------------- estimates as projections
@@ -97,7 +97,7 @@ claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
            "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
 
 # ---------------------------------------------------------------------- canonical form
-Obs, Oc, Tm, Fc = symbols("Obs Oc Tm Fc")
+Obs, Oc, Tm, Fc = symbols("O_F O_c T_c F_c")
 claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
       (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
       where=[let(a, matrix_of(i, j, n, 1, coeff(charpoly(F), n - i))), let(e, matrix_of(i, j, n, 1, when(i == 1, 1, 0))),
@@ -150,7 +150,7 @@ claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
 # h_i of (3.4) as functions of a point, and the step as a map
-hi, til, one, u, w, un, wn = symbols("hi til one u w un wn")
+hi, til, one, u, w, un, wn = symbols("h_i zero one u w u_next w_next")
 claim("BLM91-S21", "n independent first integrals",
       forall(i, 1, n, (hi(i, un, wn) == hi(i, u, w)) & (laurent(hi(i, u / Z, w / Z), 1) == u[i])), sizes=["n"],
       over={u: vector(n), w: vector(n)},

@@ -30,7 +30,7 @@ from proofs.blm91.notation import *
 
 AG = {a: vector(n), g: vector(n)}
 POLY = (*stripped(g + a, g), *POLYNOMIALS)
-den, pop, rho, d, As, Gs, nums, sg = symbols("den pop rho d As Gs nums sg")
+den, pop, rho, d, As, Gs, nums, sg = symbols("a_m N_m rho d a_rho g_rho N_rho sigma")
 
 # ---------------------------------------------------------------------- Popov condition along the algorithm
 #: den = Q_t - Q*_t; pop = |den|^2 times the real part (doubled) of 1/2 + Q*_t/den
@@ -51,7 +51,7 @@ claim("BLM91-S24", "each step gives data of another stochastic system",
       note="a := q_t - q*_t and g := q*_t are positive real; den is r_t times a(z), m is the time t.")
 
 # ---------------------------------------------------------------------- convergence for positive real data
-x, last, low = symbols("x last low")
+x, last, low = symbols("x dist r_last")
 SX, XX = sum_of(i, 1, n, abs(x[i])), 1 + sum_of(i, 1, n, x[i] ** 2)
 MA = matrix_of(i, j, n, 1, (x[i] + sum_of(k, 1, n - i, x[k] * x[k + i])) / XX)  # c_1 .. c_n of a moving average with weights 1, x_1 .. x_n
 claim("BLM91-S23", "convergence to the steady-state filter",
@@ -70,7 +70,7 @@ claim("BLM91-S23", "convergence to the steady-state filter",
            "standing hypotheses (n <= 2 among them), the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
 
 # ---------------------------------------------------------------------- shape of the positive real region
-binom = sym("binom")
+binom = sym("binomial")
 claim("BLM91-S25", "the positive real region is bounded and contracts to a point",
       forall(i, 1, n, (abs(a[i]) <= binom(i)) & (abs(a[i] + 2 * g[i]) <= binom(i))) & schur(As) & pos_on_circle(nums),
       sizes=["n"], over={a: vector(n), g: vector(n), rho: positive()},
@@ -90,7 +90,7 @@ claim("BLM91-S25", "the positive real region is bounded and contracts to a point
 
 # ---------------------------------------------------------------------- n = 1
 ag = {a: scalar(), g: scalar()}
-p1, pos1, dia = symbols("p1 pos1 dia")
+p1, pos1, dia = symbols("Phi_plus N_1 size")
 PHI1 = let(p1, rational("1/2") + g / (Z + a))
 claim("BLM91-S26", "the Popov condition for n = 1",
       (p1 + recip(p1)) * (Z + a) * recip(Z + a) == 1 + a**2 + 2 * a * g + (a + g) * (Z + recip(Z)), over=ag, where=[PHI1],
@@ -113,8 +113,8 @@ claim("BLM91-F1", "the positive real region is the diamond",
       by=[steps(facts=["triangle inequality"],
                 prose="(1 - |alpha|)^2 > gamma^2 says |alpha| + |gamma| < 1 or |alpha| > 1 + |gamma|; |alpha - gamma| is less than 1 in the first case and more in the second"),
           instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
-claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
-      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1])], by=[induction(), instances()])
+claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1], ga1)], by=[induction(), instances()])
 
 claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
       (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],
@@ -122,10 +122,10 @@ claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
       given=[given("diamond", abs(al0) + abs(ga0) < 1), given("limit", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0), standing("smaller root", abs(pp) < 1)],
       by=[steps("BLM91-E2.34", "BLM91-E3.13", prose="|alpha'| + |gamma'| = |alpha|/(1 - |gamma|) is less than 1 in the diamond; with gamma^2 from (3.13) the step is "
                 "alpha' = 1/(p + 1/p - alpha), so (alpha' - p)/(p alpha' - 1) is p^2 (alpha - p)/(p alpha - 1)"),
-          instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", pp=0), example(m=3, alpha0="1/2", gamma0=0, pp="1/2")],
+          instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", p=0), example(m=3, alpha0="1/2", gamma0=0, p="1/2")],
       note="p = alpha_infinity is the root of p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 with |p| < 1. The equation is the convergence: alpha_t - p "
            "is p^(2t) times a bounded factor, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p) for p not 0. m is the time t.")
-kf, kfs = symbols("kf kfs")
+kf, kfs = symbols("K K_star")
 claim("BLM91-E2.35", "the steady-state filter for n = 1",
       always(t, (kf[t] == al[t] - a) & (kfs[t] == ga[t]) & (-a - kf[t] == -al[t])), over=ag,
       where=[*scalar_orbit(a + g, g), rec(kf, t, g, (kf[t] + kfs[t] * a * kfs[t]) / (1 - kfs[t] ** 2)),

@@ -19,8 +19,8 @@ from exactkf.language import *
 
 from proofs.blm91.notation import *
 
-q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 qm qsm hi til one x y un wn lev")
-av, bv, dv, pd_, Fa, dm, xt, p = symbols("av bv dv pd_ Fa dm xt p")
+q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y u_next w_next h_m")
+av, bv, dv, pd_, Fa, dm, xt, p = symbols("a_poly b_poly d N F_a d_m x_orbit f")
 SX = sum_of(i, 1, n, abs(x[i]))
 POINT = {q0: vector(n), qs0: vector(n)}
 FROM = (*stripped(q0, qs0), *POLYNOMIALS)
@@ -35,22 +35,22 @@ MAP = (rec(xt, t, x, substitute(p, xt[t])),)
 claim("BLM91-S29", "finite orbits and periodic orbits",
       (xt[m] == xt[m + i]) >> exists(k, 1, m + i, xt[k] == x), sizes=["m"], over={p: polynomial(2), x: scalar(), i: integer(1, 3)}, where=MAP,
       given=[standing("time", defined(1 / m))],
-      by=[example(m=1, p=[0, 0, 1], x=-1, i=1), instances(60, m=(1, 2))],
+      by=[example(m=1, f=[0, 0, 1], x=-1, i=1), instances(60, m=(1, 2))],
       repair=repair("other", "a finite orbit need not return to its start: under x -> x^2 the orbit of -1 is {1}; finite is the same as eventually periodic",
                     (xt[m] == xt[m + i]) >> (forall(k, 0, 4, xt[m + k] == xt[m + i + k])), sizes=["m"],
                     over={p: polynomial(2), x: scalar(), i: integer(1, 3)}, where=MAP,
-                    by=[instances(60, m=(0, 1, 2)), example(m=1, p=[0, 0, 1], x=-1, i=1), example(m=1, p=[-1, 0, 1], x=1, i=2), example(m=0, p=[-1, 0, 1], x=0, i=2)]),
+                    by=[instances(60, m=(0, 1, 2)), example(m=1, f=[0, 0, 1], x=-1, i=1), example(m=1, f=[-1, 0, 1], x=1, i=2), example(m=0, f=[-1, 0, 1], x=0, i=2)]),
       note="Read on quadratic polynomials as maps of the line. A repetition x_m = x_(m+i), m >= 1, makes the orbit {x_1, x_2, ..} finite, and on such an "
            "orbit x_0 returns, if at all, among the first m + i steps.")
 CYCLE = [given("periodic", exists(k, 1, 3, xt[k] == x))]
 COUNT = let(n, sum_of(i, 1, 4, when(forall(k, 1, i - 1, xt[k] != xt[i]), 1, 0)))
 claim("BLM91-S30", "the period is the smallest n with f^n(x_0) = x_0",
       forall(k, 0, n, iff(xt[k] == x, k == n)), over={p: polynomial(2), x: scalar()}, where=[*MAP, COUNT], given=CYCLE,
-      by=[example(p=[0, 1, 0], x=0), instances()],
+      by=[example(f=[0, 1, 0], x=0), instances()],
       repair=repair("boundary case", "n must be positive: f^0(x_0) = x_0, so that the smallest nonnegative n is always 0",
                     forall(k, 1, n, iff(xt[k] == x, k == n)), over={p: polynomial(2), x: scalar()}, where=[*MAP, COUNT], given=CYCLE,
-                    by=[example(p=[-1, 0, 1], x=0), example(p=[-1, 0, 1], x=-1), example(p=[0, 0, 1], x=1),
-                        example(p=[2, -1, 0], x=5), example(p=[1, "5/2", "-3/2"], x=0), example(p=[1, "-1/2", "-3/2"], x=0), instances()]),
+                    by=[example(f=[-1, 0, 1], x=0), example(f=[-1, 0, 1], x=-1), example(f=[0, 0, 1], x=1),
+                        example(f=[2, -1, 0], x=5), example(f=[1, "5/2", "-3/2"], x=0), example(f=[1, "-1/2", "-3/2"], x=0), instances()]),
       note="The definition is meant to give the number n of points of the periodic orbit through x_0; read on quadratic maps of the line.")
 
 not_checked("BLM91-R3.1.1", "a dense orbit makes a map topologically transitive",
@@ -74,7 +74,7 @@ claim("BLM91-E3.4", "the quotients of coefficients of the invariant",
 claim("BLM91-T3.2.1", "level sets of the integrals are invariant",
       forall(i, 1, n, hi(i, un(q0, qs0), wn(q0, qs0)) == hi(i, q0, qs0)), sizes=["n"], over=POINT, where=[*STEP, *HI],
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="One step from any point keeps every h_i, so a common level set is mapped into itself.")
-up, down, first = symbols("up down first")
+up, down, first = symbols("h_up h_down h_0")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 claim("BLM91-T3.2.3", "the algorithm is not topologically transitive",
       iff(first > 0, lev > 0) & (up > 0) & (down < 0), sizes=["n", "m"], over=POINT,

@@ -25,9 +25,9 @@ from exactkf.language import *
 from proofs.blm91.notation import *
 
 
-kap, vz, b, x, y, D0, Dm, ab, ah, gh, bal, bga, denv, numv, now = symbols("kap vz b x y D0 Dm ab ah gh bal bga denv numv now")
+kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
 PLANE = {al0: scalar(), ga0: scalar()}
-eps, last = symbols("eps last")
+eps, parts, na, ng = symbols("ratio parts alpha_next gamma_next")
 RT = rec(r, t, 1, (1 - ga[t] ** 2) * r[t])
 
 
@@ -42,12 +42,12 @@ CROSSES = [example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1), example(al
 
 # ---------------------------------------------------------------------- the map
 claim("BLM91-E3.10", "the algorithm for n = 1, referred to as (3.25)",
-      forall(t, 0, m, (al[t] == q[t][1]) & (ga[t] == qs[t][1])) & exists(k, 1, 17, k == 25), sizes=["m"],
-      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])],
+      forall(t, 0, m, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])) & exists(k, 1, 17, k == 25), sizes=["m"],
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)],
       by=[example(m=1, a=["1/2"], g=["1/2"]), instances(m=(1, 2))],
       repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.17); the system is (2.25)",
-                    always(t, (al[t] == q[t][1]) & (ga[t] == qs[t][1])),
-                    over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1])], by=[induction(), instances()]),
+                    always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
+                    over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)], by=[induction(), instances()]),
       note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 17 of the displays of Section III.")
 claim("BLM91-E3.11", "the invariant for n = 1",
       always(t, r[t] * ((Z + al[t]) * (recip(Z) + al[t]) - ga[t] ** 2) == (Z + al0) * (recip(Z) + al0) - ga0**2), over=PLANE, where=[*ORBIT, RT],
@@ -88,10 +88,10 @@ SIGNDEF = nonneg_on_circle(D0) | nonneg_on_circle(-D0)
 BORDER = (abs(ga0) == abs(1 - abs(al0))) | (abs(ga0) == 1 + abs(al0))
 SAYS34 = iff(kap**2 > 1, ~(SIGNDEF)) & iff(kap**2 == 1, BORDER)
 DEG = "the points (0, 1) and (0, -1) lie on every hyperbola, and D is zero there, so that they are in no corridor; for the other points the statement is right"
-MORE = [example(alpha0="1/2", gamma0="1/2", kap=1), example(alpha0=3, gamma0=2, kap=1), example(alpha0=-3, gamma0=2, kap=-1), example(alpha0=-1, gamma0=2, kap=1),
-        example(alpha0=1, gamma0=1, kap=2), example(alpha0="1/2", gamma0=0, kap="4/5"), example(alpha0=2, gamma0=0, kap="4/5")]
+MORE = [example(alpha0="1/2", gamma0="1/2", kappa=1), example(alpha0=3, gamma0=2, kappa=1), example(alpha0=-3, gamma0=2, kappa=-1), example(alpha0=-1, gamma0=2, kappa=1),
+        example(alpha0=1, gamma0=1, kappa=2), example(alpha0="1/2", gamma0=0, kappa="4/5"), example(alpha0=2, gamma0=0, kappa="4/5")]
 claim("BLM91-S34", "hyperbolas and regions", SAYS34, over=HYP, where=[let(D0, d_of(al0, ga0))], given=[ON],
-      by=[example(alpha0=0, gamma0=1, kap=2), instances(60, **FROM_POINT)],
+      by=[example(alpha0=0, gamma0=1, kappa=2), instances(60, **FROM_POINT)],
       repair=repair("boundary case", DEG, SAYS34, over={**HYP, al0: nonzero()}, where=[let(D0, d_of(al0, ga0))], given=[ON],
                     by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                               prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
@@ -125,12 +125,12 @@ MOVE = (al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m]
 AWAY = pp ** (2 * m) / (al[m] - pp) == 1 / (al0 - pp) - sum_of(j, 1, m, pp ** (2 * j - 1))
 LINES = {al0: (pp * y**2 - 1 / pp) / (y**2 - 1), ga0: y * (pp - 1 / pp) / (y**2 - 1)}
 TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=ORBIT)
-ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", pp=1), example(m=2, alpha0="-1/2", gamma0="1/2", pp=-1), example(m=2, alpha0=4, gamma0=3, pp=1),
-        example(m=1, alpha0=-4, gamma0=-3, pp=-1), example(m=2, alpha0=3, gamma0=0, pp="1/3")]
+ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0="-1/2", gamma0="1/2", p=-1), example(m=2, alpha0=4, gamma0=3, p=1),
+        example(m=1, alpha0=-4, gamma0=-3, p=-1), example(m=2, alpha0=3, gamma0=0, p="1/3")]
 #: how many numbered parts Theorem 3.2 has (Theorem 3.3 has three)
-PARTS = let(last, 0)
-claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, last, k == 1), sizes=["m"], over=TO["over"], where=[*ORBIT, PARTS], given=[ROOT],
-      by=[example(m=3, alpha0="1/2", gamma0="1/2", pp=1), instances(m=(1, 2))],
+PARTS = let(parts, 0)
+claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, parts, k == 1), sizes=["m"], over=TO["over"], where=[*ORBIT, PARTS], given=[ROOT],
+      by=[example(m=3, alpha0="1/2", gamma0="1/2", p=1), instances(m=(1, 2))],
       repair=repair("cross-reference", "Theorem 3.2 has no part 1) and says nothing of convergence; necessity is Theorem 3.3, 1)", AWAY, **TO, given=[ROOT],
                     by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
                         instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO]),
@@ -140,7 +140,7 @@ claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exi
 
 # ---------------------------------------------------------------------- Remark 3.6
 VA = (let(a, al0 - ga0), let(b, al0 + ga0), let(vz, rational("1/2") * (Z + b) / (Z + a)), let(D0, d_of(al0, ga0)))
-dia, quad, far = symbols("dia quad far")
+dia, quad, far = symbols("size quadratic bound")
 IN = given("diamond", abs(al0) + abs(ga0) < 1)
 claim("BLM91-R3.6.1", "points of the diamond are the positive real functions",
       iff(abs(al0) + abs(ga0) < 1, schur(az) & pos_on_circle(numv)), over=PLANE,
@@ -158,7 +158,7 @@ BACK = pp ** (2 * m) * (bal[m] - pp) * (pp * al0 - 1) == (al0 - pp) * (pp * bal[
 BOTH = dict(sizes=["m"], over={al0: nonzero(), ga0: scalar(), pp: nonzero()}, where=[*ORBIT, *BACKWARD])
 claim("BLM91-R3.6.3", "forward and backward limits in the diamond", defined(bal[m]) & MOVE & BACK, **BOTH,
       given=[IN, ROOT, standing("smaller root", abs(pp) < 1)],
-      by=[example(m=2, alpha0="2/5", gamma0="2/5", pp="1/2"), instances(m=(1, 2), **INSIDE)],
+      by=[example(m=2, alpha0="2/5", gamma0="2/5", p="1/2"), instances(m=(1, 2), **INSIDE)],
       repair=repair("missing hypothesis", "the backward orbit need not exist: (2/5, 2/5) has no preimage, the inverse formulas leading to (0, -1), where the map is not defined; "
                     "where it exists, the limits are right", MOVE & BACK, **BOTH, given=[ROOT],
                     by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3),
@@ -183,9 +183,9 @@ claim("BLM91-E3.14b", "the spectral density by alpha_-, and two stable spectral 
       by=[steps("BLM91-E3.14a", "BLM91-R3.6.5", prose="|a| < 1 in the diamond, and alpha_0, alpha_+, alpha_- have one sign there, so that the factors are real and stable"),
           instances(40, **INSIDE)],
       note="p = alpha_+, 1/p = alpha_-. Stable: z + a is a Schur polynomial; the factors are real because alpha_0/alpha_+ > 0, hence alpha_0/alpha_- > 0.")
-# a point (x, y) and its image (bal, bga)
-IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(bal, x / (1 - y**2)), let(bga, -x * y / (1 - y**2)))
-HIT = (bal == 0) & (bga == ga0)
+# a point (x, y) and its image
+IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(na, x / (1 - y**2)), let(ng, -x * y / (1 - y**2)))
+HIT = (na == 0) & (ng == ga0)
 NIL_SAYS = (vstack(al[1], ga[1]) == Zero(2, 1)) & (D0 == 1 - ga0**2)
 claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
       by=[example(gamma0=0, x=0, y="1/2"), instances()],
@@ -195,7 +195,7 @@ claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over=
                         instances(), example(gamma0=0, x=0, y="1/2"), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=0, x=1, y=0),
                         example(gamma0="-2/3", x=1, y="1/2")]),
       note="Escape in backward time is read as: no point (x, y) is mapped to (0, gamma_0).")
-denb = sym("denb")
+denb = sym("den")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),
       over=PLANE, where=[*VA, let(denb, 1 + a * Z)],
@@ -210,7 +210,7 @@ SAME = recip(vz) == b / a * (rational("1/2") * (Z + (ah + gh)) / (Z + (ah - gh))
 claim("BLM91-R3.6.8", "the point of the diamond that represents v(1/z)", SAME, over=PLANE, where=[*ADJ, let(gh, ga0 / (a * b))], given=[OUT],
       by=[example(alpha0=3, gamma0=1), instances()],
       repair=repair("sign", "with gamma/(ab) the pole of the represented function is -1/b and the zero -1/a, the wrong way round; the second coordinate is -gamma/(ab)",
-                    SAME, over=PLANE, where=[*ADJ, let(gh, -ga0 / (a * b))], given=[OUT], by=[identity(), instances()]),
+                    SAME, over=PLANE, where=[*ADJ, let(gh, -ga0 / (a * b))], given=[OUT], by=[identity(), instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})]),
       note="v(1/z) has the pole -1/a and the zero -1/b; represented by a point as in the first part of the remark, up to the constant b/a.")
 claim("BLM91-R3.6.9", "that point is in the diamond and on the same hyperbola",
       (dia < 1) & ((1 + ah**2 - gh**2) / ah == (1 + al0**2 - ga0**2) / al0), over=PLANE,

@@ -21,7 +21,7 @@ from exactkf.evidence import evaluation, example, identity, instances, steps
 from exactkf.language import *
 
 p, q, d, j, k, r, s, x, pi, kappa, A, v, alpha1 = symbols("p q d j k r s x pi kappa A v alpha1")
-coprime_, divides, prime, good, bad, inside, lo, hi, last, down, m = symbols("coprime_ divides prime good bad inside lo hi last down m")
+coprime_, divides, prime, good, bad, inside, lo, hi, last, down, m = symbols("coprime divides prime good bad inside lo hi last down m")
 
 #: d divides x; q and p have no common divisor but 1; x is prime
 DIVIDES = function(divides, [d, x], exists(k, 1, x, k * d == x))
@@ -34,11 +34,11 @@ MEANT = (p <= 4 * q) & (2 * q < p)  # 1/4 <= q/p < 1/2
 
 # ---------------------------------------------------------------------- the lemma
 ESCAPE = (let(A, rows([[2 / kappa, -1], [1, 0]])), let(v, inv(A) * rows([[0], [1]])), let(alpha1, 2 / kappa))
-WITNESS = (eq((2 * j + 1) - 2 * j, 1) & eq((2 * j - 1) * (2 * j - 1) - (j - 1) * (4 * j), 1)
-           & eq(j * ((8 * j + 2) - 2 * (4 * j - 1)) - (4 * j - 1), 1) & eq((4 * j + 1) - j * ((8 * j + 6) - 2 * (4 * j + 1)), 1)
-           & eq(4 * j - (2 * j + 1), 2 * (j - 1) + 1) & eq(4 * (2 * j - 1) - 4 * j, 4 * (j - 1))
-           & eq(4 * (4 * j - 1) - (8 * j + 2), 8 * (j - 1) + 2) & eq(4 * (4 * j + 1) - (8 * j + 6), 8 * (j - 1) + 6)
-           & eq(4 * j - 2 * (2 * j - 1), 2) & eq((8 * j + 2) - 2 * (4 * j - 1), 4) & eq((8 * j + 6) - 2 * (4 * j + 1), 4))
+p1, q1, p2, q2, p3, q3, p4, q4 = symbols("p1 q1 p2 q2 p3 q3 p4 q4")
+FAMILIES = (let(p1, 2 * j + 1), let(q1, j), let(p2, 4 * j), let(q2, 2 * j - 1), let(p3, 8 * j + 2), let(q3, 4 * j - 1), let(p4, 8 * j + 6), let(q4, 4 * j + 1))
+WITNESS = ((p1 - 2 * q1 == 1) & ((2 * j - 1) * q2 - (j - 1) * p2 == 1) & (j * (p3 - 2 * q3) - q3 == 1) & (q4 - j * (p4 - 2 * q4) == 1)
+           & (p2 - 2 * q2 == 2) & (p3 - 2 * q3 == 4) & (p4 - 2 * q4 == 4)
+           & (4 * q1 - p1 == 2 * (j - 1) + 1) & (4 * q2 - p2 == 4 * (j - 1)) & (4 * q3 - p3 == 8 * (j - 1) + 2) & (4 * q4 - p4 == 8 * (j - 1) + 6))
 NOTE_WITNESS = ("The correction is proved for every p by the explicit q of the module's text: Bezout identities make q coprime to p, and 4q - p >= 0, p - 2q > 0 are "
                 "written as equations with j - 1 >= 0.")
 claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6, with (5.6) for q",
@@ -46,7 +46,7 @@ claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6, with (5.6) fo
       given=[standing("p not 6", p != 6), standing("kappa > 1", kappa > 1)],
       by=[example(p=3, kappa=3), instances()],
       repair=repair("cross-reference", "(5.6) is a formula for escaping points and says nothing about q; meant is the double inequality of (5.9), and there pi/4 <= q pi/p < pi/2",
-                    WITNESS, over={j: scalar()}, by=[identity(), instances()]),
+                    WITNESS, over={j: scalar()}, where=FAMILIES, by=[identity(), instances()]),
       note="As printed q is to satisfy (5.6), that is alpha^(i) = v_1^(i) for the point escaping at step i; taken at i = 1, where alpha^(1) = 2/kappa "
            "is the pole of (5.1), and kappa = 3, which has arctan sqrt(kappa^2 - 1) outside Q pi. " + NOTE_WITNESS)
 NONE = forall(p, 1, 6, iff(exists(q, 1, p - 1, coprime_(p, q) & MEANT), (p == 3) | (p == 4) | (p == 5)))

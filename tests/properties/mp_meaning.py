@@ -755,9 +755,12 @@ class _World:
         return all(_rounds(e, p) for r, s in zip(x.rows, table, strict=True) for e, p in zip(r, s, strict=True))
 
     def at(self, name: str, args: Any, local: Mapping[str, Any]) -> Any:
-        if name in self.where and name not in self.names:
+        definition = self.where.get(name) if name not in self.names and name not in local else None
+        if definition is not None and (definition[0] == "rec" or definition[2]):
             return self.defined(name, tuple(self.value(a, local) for a in args))
-        row = local[name] if name in local else self.names[name]
+        row = self.value(["sym", name], local)
+        if isinstance(row, Table):
+            return self.value(["entry", ["sym", name], *args], local)
         k = self.index(args[0], local)
         if not isinstance(row, dict) or k not in row:
             raise NoValue("outside the sequence")
