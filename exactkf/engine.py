@@ -23,7 +23,7 @@ import json
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache
 from typing import Any
 
 from flint import fmpq
@@ -79,12 +79,12 @@ def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
     with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
-        return _verify(claim, seed, started)
+        return _verify(claim, claim.statement, seed, started)
 
 
-def _verify(claim: Claim, seed: int, started: float) -> dict[str, Any]:
+def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> dict[str, Any]:
     """Verdict on the print, then on the repair where the print fails; then the mutants."""
-    found = _find(claim.id, claim.statement, claim.by, seed)
+    found = _find(claim.id, statement, claim.by, seed)
     repaired, report = None, MutantReport()
     if found.verdict == "fails" and claim.repair is not None:
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
@@ -92,7 +92,7 @@ def _verify(claim: Claim, seed: int, started: float) -> dict[str, Any]:
             report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler)
             _count_survivors(repaired, report)
     elif found.verdict == "holds":
-        report = judge_mutants(claim.statement.to_json(), claim.by, found.worlds, found.sampler)
+        report = judge_mutants(statement.to_json(), claim.by, found.worlds, found.sampler)
         _count_survivors(found, report)
     return _result(claim, found, repaired, report, claim.repair, started)
 
@@ -305,7 +305,7 @@ _PHRASES = {
 }
 
 
-@lru_cache(maxsize=None)
+@cache
 def _standing_of(id: str) -> str | None:
     """Strength of another claim, its mutants left aside; None if it does not hold."""
     from exactkf.claims import load

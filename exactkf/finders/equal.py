@@ -39,8 +39,8 @@ _CONNECTIVES = {"and", "or", "not", "=>", "<=>"}
 
 def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[Evidence]) -> bool:
     """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
-    made_by = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
-    using = next((e.hints["using"] for e in by if e.hints.get("using")), {})
+    made_by: Any = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
+    using: Any = next((e.hints["using"] for e in by if e.hints.get("using")), {})
     statement = {**data, "over": [*([n, _lists(t)] for n, t in using.items()), *data["over"]]}
     worlds = list(_worlds(statement, data, by, made_by)) or list(_worlds(statement, data, by, {}))
     if not worlds:
@@ -57,7 +57,7 @@ def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[
 
 
 def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
-    sizes = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
+    sizes: Any = next((e.hints["sizes"] for e in by if e.hints.get("sizes")), {})
     case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:

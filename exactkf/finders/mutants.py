@@ -115,7 +115,7 @@ def _misfit(reason: str) -> bool:
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
     """Order and transposes mean nothing on this instance: operands (one of the exchanged factors) are scalars or polynomials."""
-    tree, local = data["says"], {}
+    tree, local = data["says"], dict[str, int]()
     try:
         for k in mutant.path:
             if isinstance(tree, list) and tree and tree[0] in _BINDERS:
@@ -147,7 +147,7 @@ def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
     if changed["sizes"]:
         if (terms := find_membership(changed, seconds=1.0)) is not None:
             tries.append(seal("mutant", "membership", changed, {"terms": terms}))
-        hints = next((json.loads(json.dumps(dict(e.hints))) for e in by if e.kind == "order"), {})
+        hints: Any = next((json.loads(json.dumps(dict(e.hints))) for e in by if e.kind == "order"), {})
         if (parts := find_order(changed, hints.get("sums", ()), hints.get("roots", ()), seconds=1.0)) is not None:
             tries.append(seal("mutant", "order", changed, {"parts": parts}))
     for certificate in tries:

@@ -115,7 +115,8 @@ class Algebraic:
         if len(common) > 1:
             self.field.modulus = divmod_poly(self.field.modulus, common)[0]
         a, b = self.field.modulus, _remainder(self.c, self.field.modulus)
-        s, t = [], [Fraction(1)]
+        s: list[Fraction] = []
+        t = [Fraction(1)]
         while len(b) > 1:
             q, r = divmod_poly(a, b)
             new = list(s) + [Fraction(0)] * max(0, len(q) + len(t) - 1 - len(s))

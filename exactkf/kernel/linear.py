@@ -157,7 +157,8 @@ class _Minors:
     """Memoised expansion of minors along the first row."""
 
     def __init__(self, matrix: Matrix) -> None:
-        self.rows, self.known = matrix.rows, {}
+        self.rows = matrix.rows
+        self.known: dict[tuple, Any] = {}
 
     def minor(self, rows: tuple, cols: tuple) -> Any:
         if not rows:

@@ -162,7 +162,7 @@ class Leaf:
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
         reader = self.reader
-        equation = next((f for name, f, _ in reader.statement["given"] if name == label), ["", 0, 0])
+        equation: Any = next((f for name, f, _ in reader.statement["given"] if name == label), ["", 0, 0])
         if equation[0] != "=" or len(equation) != 3 or not _is_zero(equation[2]) or equation[1][0] != "*":
             raise Unknown("no hypothesis Kx = 0")
         *factors, x = equation[1][1:]
@@ -197,6 +197,8 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
     while len(factors) > 1 and _transposed(reader, factors[0], factors[-1]):
         outer.insert(0, factors.pop())
         factors.pop(0)
+        if factors and not definiteness(reader, factors[0] if len(factors) == 1 else ["*", *factors]):
+            return  # the whole is semidefinite by hypothesis, its middle need not be
         rest = [*factors, *outer]
         yield rest[0] if len(rest) == 1 else ["*", *rest]
 

@@ -291,7 +291,8 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows:
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    todo, denominators = list(leaves(statement, evidence.get("lemmas", ()))), []
+    todo = list(leaves(statement, evidence.get("lemmas", ())))
+    denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
         leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()), proof.get("null", ""))

@@ -3,7 +3,7 @@
 
 from exactkf.language import statement as _statement
 from exactkf.language import tree as _tree
-from exactkf.language.statement import *  # noqa: F403
-from exactkf.language.tree import *  # noqa: F403
+from exactkf.language.statement import *
+from exactkf.language.tree import *
 
 __all__ = [*_tree.__all__, *_statement.__all__]

@@ -17,22 +17,8 @@ the eigenvalues of P inv(Q), up to replacing all of them by their reciprocals;
 congruence leaves them alone and inversion inverts them.
 """
 
-from proofs.b93.introduction import (
-    DEPENDENT,
-    GAUSSIAN,
-    INDEPENDENT,
-    JOINT,
-    NO_COVARIANCE,
-    PARAMETERS,
-    REGULAR,
-    SIZES,
-    SMALL,
-)
-from proofs.b93.introduction import SYSTEM as EVOLUTION
-from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, p, part, q
-
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -58,6 +44,19 @@ from exactkf.language import (
     symbols,
     symplectic,
 )
+from proofs.b93.introduction import (
+    DEPENDENT,
+    GAUSSIAN,
+    INDEPENDENT,
+    JOINT,
+    NO_COVARIANCE,
+    PARAMETERS,
+    REGULAR,
+    SIZES,
+    SMALL,
+)
+from proofs.b93.introduction import SYSTEM as EVOLUTION
+from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, p, part, q
 
 A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi = symbols("A B C D M N P Q R S F W H X Y Phi")
 TT, S0, P0, Q0 = symbols("T S0 P0 Q0")

@@ -15,8 +15,28 @@ nonnegativity, so they are checked for every symmetric P.
 
 from exactkf.evidence import example
 from exactkf.language import (
-    Identity, T, Z, Zero, block, coeff, function, given, hstack, let, matrix_of, nonzero, pos_on_circle, rec, recip, scalar, schur, sum_of, symbols,
-    vector, vstack, when,
+    Identity,
+    T,
+    Z,
+    Zero,
+    block,
+    coeff,
+    function,
+    given,
+    hstack,
+    let,
+    matrix_of,
+    nonzero,
+    pos_on_circle,
+    rec,
+    recip,
+    scalar,
+    schur,
+    sum_of,
+    symbols,
+    vector,
+    vstack,
+    when,
 )
 
 n, m, t, k, j, i, s = symbols("n m t k j i s")

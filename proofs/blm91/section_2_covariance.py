@@ -25,10 +25,9 @@ spectral density: y_t = (e_t + e_(t-1))/sqrt 2 has c_1 = 1/2, every T_t > 0,
 gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
 
 chi, gz, num, Q, S, R, Mk, b, x, y, p = symbols("chi gz num Q S R M b x y p")

@@ -26,10 +26,9 @@ If D > 0 on the circle and a(z) = Q_0 - Q*_0 is a Schur polynomial, then
 Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
 
 xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, bk, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y y_back F_m Q_m")

@@ -22,10 +22,9 @@ linear fractional map with fixed points p and 1/p: the quotient (alpha - p)/(alp
 1/p) is multiplied by p^2 at each step, so alpha_t tends to p.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
 
 AG = {a: vector(n), g: vector(n)}

@@ -16,7 +16,6 @@ with real part (doubled) d/(a a*), d = D/r = (a b* + a* b)/2. Where d > 0 and a 
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
 
 q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y u_next w_next h_m")

@@ -18,12 +18,10 @@ gamma; v(z) + v(1/z) = D/((z + a)(1/z + a)), and D has the two factorizations
 diamond are the positive real v, points of III and IV those with v(1/z) positive real.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
-
 
 kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
 PLANE = {al0: scalar(), ga0: scalar()}

@@ -81,7 +81,8 @@ P0 = sym("P0")
 
 def slices(length: Expr) -> dict:
     """Types of the wide matrices that hold ``length`` instants."""
-    return {PhiW: matrix(n, n * length), MW: matrix(p, n * length), GW: matrix(n, n * length), WW: matrix(p, p * length)}
+    return {PhiW: matrix(n, n * length), MW: matrix(p, n * length), GW: matrix(n, n * length),
+            WW: matrix(p, p * length)}
 
 
 def cut(wide: Expr, height: Expr, width: Expr, at: Expr) -> Expr:

@@ -41,7 +41,7 @@ from proofs.d71.notation import H, K, M, P, Phi, Q, V, gain, gram, joseph, n, p,
 x, xh, dy, h = symbols("x xh dy h")
 y, xt, x1, xh1 = symbols("y xt x1 xh1")
 L = sym("L")
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 
 SIZES = {"n": range(1, 4), "p": range(1, 3)}
 SMALL = {"n": range(1, 4), "p": range(1, 4)}
@@ -52,10 +52,12 @@ UPDATE = [let(K, gain()), let(Q, update())]
 claim("D71-E1.20", "what the filter does to the estimation error",
       (xt - x == (I - K*M)*(xh - x) + K*dy) & (xh1 - x1 == Phi*(xt - x) - h),
       sizes=["n", "p"],
-      over={x: vector(n), xh: vector(n), h: vector(n), dy: vector(p), Phi: matrix(n, n), M: matrix(p, n), K: matrix(n, p)},
+      over={x: vector(n), xh: vector(n), h: vector(n), dy: vector(p), Phi: matrix(n, n), M: matrix(p, n),
+            K: matrix(n, p)},
       where=[let(y, M*x + dy), let(x1, Phi*x + h), let(xt, xh + K*(y - M*xh)), let(xh1, Phi*xt)],
       by=[identity(**SIZES), instances(n=range(2, 4), p=range(2, 4))],
-      note="The two filter equations define the estimates; the content checked is the error recursion they give with y = Mx + dy.")
+      note="The two filter equations define the estimates; the content checked is the error recursion they give with "
+           "y = Mx + dy.")
 
 claim("D71-E1.22", "the gain leaves the least covariance",
       joseph(L) == update() + (L - K)*(M*P*T(M) + V)*T(L - K),
@@ -64,21 +66,25 @@ claim("D71-E1.22", "the gain leaves the least covariance",
       note="The gain is a definition; the content checked is its optimality: any other gain L adds a nonnegative term.")
 
 claim("D71-E1.24", "covariance of the error after the measurement",
-      hstack(I - K*M, K)*block([[P, Zero(n, p)], [Zero(p, n), V]])*T(hstack(I - K*M, K)) == P - P*T(M)*inv(M*P*T(M) + V)*M*P,
+      (hstack(I - K*M, K)*block([[P, Zero(n, p)], [Zero(p, n), V]])*T(hstack(I - K*M, K))
+       == P - P*T(M)*inv(M*P*T(M) + V)*M*P),
       sizes=["n", "p"], over=DATA, where=GAIN,
       by=[identity(**SIZES), instances(**SMALL)],
-      note="The error after the measurement is [I - KM, K] times the uncorrelated pair (prediction error, measurement error).")
+      note="The error after the measurement is [I - KM, K] times the uncorrelated pair (prediction error, measurement "
+           "error).")
 
 claim("D71-E1.25", "covariance of the prediction error",
       hstack(Phi, -I)*block([[Q, Zero(n, n)], [Zero(n, n), H]])*T(hstack(Phi, -I)) == Phi*Q*T(Phi) + H,
       sizes=["n"], over={Phi: matrix(n, n), Q: positive_semidefinite(n), H: positive_semidefinite(n)},
       by=[identity(n=range(1, 5)), instances(n=range(1, 5))],
-      note="The prediction error is [Phi, -I] times the uncorrelated pair (error after the measurement, process noise).")
+      note="The prediction error is [Phi, -I] times the uncorrelated pair (error after the measurement, process "
+           "noise).")
 
 ERRORS = hstack(Phi*(I - K*M), Phi*K, -I)
 
 claim("D71-E1.27", "the covariance equation",
-      ERRORS*block([[P, Zero(n, p), Zero(n, n)], [Zero(p, n), V, Zero(p, n)], [Zero(n, n), Zero(n, p), H]])*T(ERRORS) == step(),
+      ERRORS*block([[P, Zero(n, p), Zero(n, n)], [Zero(p, n), V, Zero(p, n)],
+                    [Zero(n, n), Zero(n, p), H]])*T(ERRORS) == step(),
       sizes=["n", "p"], over={**DATA, Phi: matrix(n, n), H: positive_semidefinite(n)}, where=GAIN,
       by=[identity(n=range(1, 4), p=(1,)), instances(**SMALL)],
       note="The left side is the covariance of the next prediction error, from the two error equations composed.")
@@ -88,7 +94,8 @@ claim("D71-E1.28a", "update with the gain on the left", Q == P - K*M*P,
 
 claim("D71-E1.28b", "update with the gain on the right", Q == P - P*T(M)*T(K),
       sizes=["n", "p"], over=DATA, where=UPDATE, by=[identity(**SIZES), instances(**SMALL)],
-      note="The primes on M and K are read into the scan as in the second line of (1.29); without them the sizes do not fit.")
+      note="The primes on M and K are read into the scan as in the second line of (1.29); without them the sizes do "
+           "not fit.")
 
 claim("D71-E1.28c", "symmetric form of the update", Q == joseph(K),
       sizes=["n", "p"], over=DATA, where=UPDATE, by=[identity(**SIZES), instances(**SMALL)])

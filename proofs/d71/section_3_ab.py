@@ -25,6 +25,7 @@ from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
+    Zero,
     defined,
     eq,
     forall,
@@ -49,28 +50,24 @@ from exactkf.language import (
     symmetric_matrix,
     vector,
     when,
-    Zero,
 )
 from proofs.d71.notation import (
-    across,
-    annihilating,
     COVARIANCE,
-    cut,
     GW,
-    MW,
     P0,
     TRANSITION,
     VARYING,
-    WW,
     H,
     K,
     M,
     N,
     P,
     Phi,
-    PhiW,
     Tr,
     V,
+    across,
+    annihilating,
+    cut,
     gain,
     gram,
     i,
@@ -83,7 +80,7 @@ from proofs.d71.notation import (
     varying_step,
 )
 
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 z, m, c = symbols("z m c")
 RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]
@@ -126,7 +123,8 @@ claim("D71-E3.1", "the covariance equation in symmetric form",
 claim("D71-T3.2", "nonnegative definiteness is kept",
       forall(k, 0, N, psd(P[k])),
       sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
-      by=[steps("D71-E3.1", facts=["A sum of nonnegative definite matrices and a congruence of one are nonnegative definite."],
+      by=[steps("D71-E3.1", facts=["A sum of nonnegative definite matrices and a congruence of one are nonnegative "
+                                   "definite."],
                 prose="The symmetric form is such a sum, so each step keeps P >= 0; repeat."),
           instances(**RUN)])
 
@@ -147,7 +145,8 @@ claim("D71-E3.2", "a null vector of the next covariance, one step back",
       where=[let(K, gain()), let(P1, Phi*(joseph(K))*T(Phi) + H)],
       given=[given("z'P_m z = 0", T(z)*P1*z == 0)],
       by=[steps("D71-E3.1", facts=[FACT, "A sum of nonnegative numbers vanishes only if each does."],
-                prose="Each of the three terms of the symmetric form is nonnegative on z, so each is zero; V > 0 then gives K'Phi'z = 0."),
+                prose="Each of the three terms of the symmetric form is nonnegative on z, so each is zero; V > 0 then "
+                      "gives K'Phi'z = 0."),
           instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
                     made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})],
       note="P_m is written in the symmetric form, so that the hypothesis is the displayed sum of three terms.")
@@ -163,11 +162,13 @@ w1, w0 = T(Phi1)*z, T(Phi0)*T(Phi1)*z
 claim("D71-S19", "a null vector carried back two steps",
       (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*z == Zp) & (P*T(Phi0)*z == Zn),
       sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
-      by=[example(n=2, p=1, P=[[1, 0], [0, 0]], z=[1, 0], Phi0=[[1, 0], [0, 1]], Phi1=[[0, 1], [1, 0]], M0=[[0, 0]], M1=[[0, 0]],
+      by=[example(n=2, p=1, P=[[1, 0], [0, 0]], z=[1, 0], Phi0=[[1, 0], [0, 1]], Phi1=[[0, 1], [1, 0]], M0=[[0, 0]],
+                  M1=[[0, 0]],
                   V0=[[1]], V1=[[1]], H0=[[0, 0], [0, 0]], H1=[[0, 0], [0, 0]]),
           instances(n=range(1, 4), p=range(1, 3))],
       repair=repair(
-          "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' is missing",
+          "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' "
+                    "is missing",
           (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
           sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
           by=[steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken twice."),
@@ -189,7 +190,8 @@ BACKWARDS = [
     steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken m times."),
     # with V_1 = 0 the second measurement makes P_2 zero whatever H_0 was
     example(n=1, p=1, m=2, P0=[[1]], z=[1], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]]),
-    instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK, using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)}),
+    instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK,
+              using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)}),
 ]
 NULL = given("P_m z = 0", P[m]*z == Zn)
 V_POSITIVE_TO_M = given("V_k > 0", forall(k, 0, m - 1, pd(V(k))))
@@ -210,9 +212,8 @@ REGULAR_AFTER = given("Phi_k is nonsingular from m on", forall(k, m, N - 1, inve
 AFTER_SIZES = {"n": (1, 2), "p": (1, 2), "m": (1, 2), "N": (1, 2, 4)}
 IN_TIME = standing("m <= N", m <= N)
 SINGULAR_PHI = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
-PHI_NOTE = ("Phi_k is any square matrix in (1.13). That it is nonsingular is remarked for processes sampled from continuous time, and assumed only later, "
-            "for section C.")
-EXACT = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 1]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 0]])  # V_1 = 0
+#: an exact measurement brings the covariance back to zero
+EXACT_MEASUREMENT = example(n=1, p=1, m=1, N=2, P0=[[1]], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]])
 NEEDS_PHI = "a singular Phi_k with k >= m can make P_{k+1} singular again; with Phi_m = 0 and H_m = 0 it is zero"
 
 claim("D71-S21", "once positive definite, always positive definite",
@@ -223,10 +224,13 @@ claim("D71-S21", "once positive definite, always positive definite",
       repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
                     sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
                     given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
-                    by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
-                              prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it positive."),
-                        SINGULAR_PHI, EXACT, instances(**AFTER_SIZES)]),
-      note=PHI_NOTE)
+                    by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of "
+                                                               "positive definite matrices are positive definite."],
+                              prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it "
+                                    "positive."),
+                        SINGULAR_PHI, EXACT_MEASUREMENT, instances(**AFTER_SIZES)]),
+      note="A nonsingular Phi is assumed from section C on, and in Chapter I for sampled continuous-time processes, "
+           "but not here.")
 
 claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
       forall(k, m, N, pd(P[k])),
@@ -237,10 +241,13 @@ claim("D71-T3.3", "a completely driven process makes the covariance positive def
                     sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
                     given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("completely driven at t_m", pd(Rd))],
                     by=[steps("D71-E3.1", "D71-E1.28d",
-                              facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite matrices are positive definite."],
-                              prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps the update of P_k > 0 positive."),
-                        SINGULAR_PHI, EXACT, instances(**AFTER_SIZES)]),
-      note=PHI_NOTE)
+                              facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite "
+                                           "matrices are positive definite."],
+                              prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps "
+                                    "the update of P_k > 0 positive."),
+                        SINGULAR_PHI, EXACT_MEASUREMENT, instances(**AFTER_SIZES)]),
+      note="A nonsingular Phi is assumed from section C on, and in Chapter I for sampled continuous-time processes, "
+           "but not here.")
 
 # --- ordering --------------------------------------------------------------------------------------------------------
 
@@ -251,14 +258,18 @@ claim("D71-T3.4", "the order of two solutions is kept",
       sizes=["n", "p", "N"], over={**slices(N), Pa0: positive_semidefinite(n), Pb0: positive_semidefinite(n)},
       where=[*VARYING, rec(Pa, k, Pa0, varying_step(Pa[k], k)), rec(Pb, k, Pb0, varying_step(Pb[k], k))],
       given=[standing("V_k > 0", forall(k, 0, N - 1, pd(V(k)))), given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
-      by=[steps("D71-E3.4", facts=["0 < A <= B implies B^{-1} <= A^{-1}.", "The nonnegative definite matrices are a closed cone."],
-                prose="Shifted by eps I the update is the inverse of a decreasing function of P, so the shifted steps are ordered; let eps go to 0 and repeat."),
+      by=[steps("D71-E3.4", facts=["0 < A <= B implies B^{-1} <= A^{-1}.", "The nonnegative definite matrices are a "
+                                                                           "closed cone."],
+                prose="Shifted by eps I the update is the inverse of a decreasing function of P, so the shifted steps "
+                      "are ordered; let eps go to 0 and repeat."),
           instances(**RUN, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})])
 
 claim("D71-E3.4", "one step from a shifted covariance",
       (step(P + e*I) == Phi*inv(inv(P + e*I) + gram())*T(Phi) + H)
       & (step(P + e*I) - step(P) == e*Phi*inv(I + (P + e*I)*gram())*inv(I + gram()*P)*T(Phi)),
       sizes=["n", "p"],
-      over={e: positive(), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p), H: positive_semidefinite(n)},
+      over={e: positive(), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
+            H: positive_semidefinite(n)},
       by=[identity(n=range(1, 3), p=range(1, 3)), instances(n=range(1, 4), p=range(1, 4))],
-      note="The second equation is the limit: the shifted step differs from the unshifted one by e times a matrix that stays bounded as e goes to 0.")
+      note="The second equation is the limit: the shifted step differs from the unshifted one by e times a matrix "
+           "that stays bounded as e goes to 0.")

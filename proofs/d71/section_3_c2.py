@@ -37,7 +37,6 @@ from exactkf.language import (
     function,
     given,
     hstack,
-    integer,
     inv,
     invertible,
     let,
@@ -47,7 +46,6 @@ from exactkf.language import (
     rank,
     rows,
     scalar,
-    standing,
     sym,
     symbols,
     top,
@@ -86,7 +84,8 @@ claim("D71-T3.5.a", "a solution gives an invariant subspace",
       (P == F*inv(Gam)) & (R*TT == TT*J),
       sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m)}, where=[BLOCKS, *RIGHT], given=[SOLVES],
       by=[combination([[], [(vstack(In, Zero(m, n)), "(3.10)", Gam)]], **NM), instances(**MORE, made_by=SOLVED)],
-      note="J = Gamma^{-1}(DP - C)Gamma for any nonsingular Gamma; by Jordan's theorem some Gamma makes it a Jordan matrix.")
+      note="J = Gamma^{-1}(DP - C)Gamma for any nonsingular Gamma; by Jordan's theorem some Gamma makes it a Jordan "
+           "matrix.")
 
 claim("D71-T3.5.b", "a solution gives a left invariant subspace",
       (P == -inv(Y)*Zm) & (SS*R == K*SS),
@@ -126,9 +125,10 @@ claim("D71-T3.6", "an invariant subspace with nonsingular lower part gives a sol
       given=[RIGHT_GIVEN, given("SR = KS", hstack(Y, Zm)*R == K*hstack(Y, Zm))],
       by=[combination([[(hstack(In, -P), "RT = TJ", inv(Gam))], [(inv(Y), "SR = KS", vstack(Q, Im))]], **NM),
           instances(**MORE, made_by={**MAKE_RIGHT, Zm: -Y*F*inv(Gam), K: Y*(B - F*inv(Gam)*D)*inv(Y)}),
-          instances(**MORE, made_by={B: inv(Y)*(K*Y - Zm*D), A: inv(Y)*(K*Zm + Zm*C), F: -inv(Y)*Zm*Gam, J: inv(Gam)*(D*F - C*Gam)})])
+          instances(**MORE, made_by={B: inv(Y)*(K*Y - Zm*D), A: inv(Y)*(K*Zm + Zm*C), F: -inv(Y)*Zm*Gam,
+                                     J: inv(Gam)*(D*F - C*Gam)})])
 
-# --- steps of the proof -------------------------------------------------------------------------------------------------
+# --- steps of the proof ----------------------------------------------------------------------------------------------
 
 claim("D71-E3.20", "J and F give P and DP - C back",
       (P == F*inv(Gam)) & (Gam*J*inv(Gam) == D*P - C),
@@ -173,9 +173,11 @@ claim("D71-E3.32", "inverse of the new basis",
 
 claim("D71-E3.33", "R in the new basis",
       Einv*R*E == block([[J, inv(Gam)*D*inv(Y)], [Zero(n, m), K]]),
-      sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m), Y: nonsingular(n)}, where=[BLOCKS, *RIGHT, *LEFT, *BASIS],
+      sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m), Y: nonsingular(n)},
+      where=[BLOCKS, *RIGHT, *LEFT, *BASIS],
       given=[SOLVES],
-      by=[combination([(vstack(Zero(m, n), Y), "(3.10)", hstack(Gam, Zero(m, n)))], **NM), instances(**MORE, made_by=SOLVED)])
+      by=[combination([(vstack(Zero(m, n), Y), "(3.10)", hstack(Gam, Zero(m, n)))], **NM),
+          instances(**MORE, made_by=SOLVED)])
 
 claim("D71-E3.34", "characteristic polynomials",
       eq(charpoly(R), charpoly(Einv*R*E), charpoly(J)*charpoly(K)),
@@ -187,11 +189,12 @@ claim("D71-E3.35", "from RT = TJ to the quadratic equation",
       (B*P + A == F*J*inv(Gam)) & (P*D*P - P*C == F*J*inv(Gam)) & ((B*P + A) - (P*D*P - P*C) == QUADRATIC)
       & (QUADRATIC == Zero(n, m)),
       sizes=["n", "m"], over=FROM_RIGHT, where=[BLOCKS, let(P, F*inv(Gam))], given=[RIGHT_GIVEN],
-      by=[combination([[(hstack(In, Zero(n, m)), "RT = TJ", inv(Gam))], [(hstack(Zero(n, n), P), "RT = TJ", inv(Gam))], [],
+      by=[combination([[(hstack(In, Zero(n, m)), "RT = TJ", inv(Gam))], [(hstack(Zero(n, n), P), "RT = TJ", inv(Gam))],
+                       [],
                        [(hstack(In, -P), "RT = TJ", inv(Gam))]], **NM),
           instances(**MORE, made_by=MAKE_RIGHT)])
 
-# --- Jordan structure ---------------------------------------------------------------------------------------------------
+# --- Jordan structure ------------------------------------------------------------------------------------------------
 
 U, W1, W2, cJ, cR, FITS = symbols("U W1 W2 cJ cR FITS")
 
@@ -203,18 +206,22 @@ def triangular(diagonal, above, size):
 
 claim("D71-T3.7", "the blocks of J fit into those of R",
       FITS,
-      sizes=["n", "m"], over={w: scalar(), F: matrix(n, m), Gam: nonsingular(m), J: matrix(m, m), R: matrix(n + m, n + m)},
+      sizes=["n", "m"], over={w: scalar(), F: matrix(n, m), Gam: nonsingular(m), J: matrix(m, m),
+                              R: matrix(n + m, n + m)},
       where=[function(cJ, [k], rank((J - w*Im)**(k - 1)) - rank((J - w*Im)**k)),
              function(cR, [k], rank((R - w*Identity(n + m))**(k - 1)) - rank((R - w*Identity(n + m))**k)),
              let(FITS, forall(k, 1, m, cJ(k) <= cR(k)))],
       given=[given("RT = TJ", R*vstack(F, Gam) == vstack(F, Gam)*J)],
       by=[steps("D71-E3.37", "D71-E3.40", facts=["Jordan's theorem."],
-                prose="With T = EX the columns of X are independent, which the shape of X forbids if some block of J exceeds its partner in R."),
+                prose="With T = EX the columns of X are independent, which the shape of X forbids if some block of J "
+                      "exceeds its partner in R."),
           instances(n=(1, 2, 3), m=(1, 2, 3), using={U: matrix(n, m), W1: matrix(m, m), W2: matrix(n, n)},
                     made_by={J: triangular(w, W1, m),
-                             R: block([[F, In], [Gam, Zero(m, n)]])*block([[J, T(U)], [Zero(n, m), triangular(w, W2, n)]])
+                             R: block([[F, In], [Gam, Zero(m, n)]])*block([[J, T(U)],
+                                                                           [Zero(n, m), triangular(w, W2, n)]])
                              * block([[Zero(m, n), inv(Gam)], [In, -F*inv(Gam)]])})],
-      note="cJ(k) and cR(k) count the Jordan blocks of size k or more at the eigenvalue w. That the j-th largest block of J is no larger "
+      note="cJ(k) and cR(k) count the Jordan blocks of size k or more at the eigenvalue w. That the j-th largest "
+           "block of J is no larger "
            "than the j-th largest of R, for every j, is the same as cJ(k) <= cR(k) for every k.")
 
 leading = matrix_of(i, j, m, m, U[i, j])
@@ -229,33 +236,42 @@ claim("D71-S29", "an eigenvalue of J that R does not have",
       ((R - mu*Iq)*TT*x == Zero(q, 1)) & (det(R - mu*Iq)*TT*x == Zero(q, 1)),
       sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), mu: scalar(), x: vector(m)},
       given=[given("RT = TJ", R*TT == TT*J), given("Jx = mu x", J*x == mu*x)],
-      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)], [(ADJUGATE, "RT = TJ", x), (ADJUGATE*TT, "Jx = mu x", 1)]],
+      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)],
+                       [(ADJUGATE, "RT = TJ", x), (ADJUGATE*TT, "Jx = mu x", 1)]],
                       q=(1, 2, 3), m=(1, 2, 3)),
-          instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m), s: scalar()},
+          instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m),
+                                               s: scalar()},
                     made_by={R: E*UPPER*inv(E),
                              TT: matrix_of(i, j, q, m, when(j == 1, 0, E[i, j - 1]))*inv(G),
-                             J: G*matrix_of(i, j, m, m, when(j == 1, when(i == 1, mu, 0), when(i == 1, W1[1, j], when(i <= j, U[i - 1, j - 1], 0))))
+                             J: G*matrix_of(i, j, m, m,
+                                            when(j == 1, when(i == 1, mu, 0),
+                                                 when(i == 1, W1[1, j], when(i <= j, U[i - 1, j - 1], 0))))
                              * inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))}),
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), s: scalar()},
                     made_by={mu: U[1, 1], R: E*UPPER*inv(E), TT: FIRST*inv(G), J: G*UPPER_LEADING*inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))})],
-      note="If mu is no eigenvalue of R the determinant is not zero and Tx = 0, which independent columns of T forbid; so every eigenvalue of J is one of R.")
+      note="If mu is no eigenvalue of R the determinant is not zero and Tx = 0, which independent columns of T "
+           "forbid; so every eigenvalue of J is one of R.")
 
 nullity = sym("nullity")
 
 claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
       ((R - w*Iq)*TT*X == Zero(q, s)) & (rank(TT*X) == s) & (s <= nullity),
       sizes=["q", "m", "s"],
-      over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), w: scalar(), X: matrix(m, s)}, where=[let(nullity, q - rank(R - w*Iq))],
+      over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), w: scalar(), X: matrix(m, s)},
+      where=[let(nullity, q - rank(R - w*Iq))],
       given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m),
              given("JX = wX", J*X == w*X), given("X has independent columns", rank(X) == s)],
       by=[steps("D71-S29", facts=["A matrix with independent columns maps independent vectors to independent ones."]),
-          example(q=2, m=2, s=1, R=[[1, 0], [0, 2]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 1]], w=1, X=[[1], [0]]),
-          instances(q=(2, 3), m=(2, 3), s=(1, 2), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
-                    made_by={R: E*matrix_of(i, j, q, q, when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(E),
+          example(q=2, m=2, s=1, R=[[1, 0], [0, 3]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 2]], X=[1, 0], w=1),
+          instances(q=(2, 3), m=(2, 3), s=(1, 2),
+                    using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
+                    made_by={R: E*matrix_of(i, j, q, q,
+                                            when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(E),
                              TT: FIRST*inv(G),
-                             J: G*matrix_of(i, j, m, m, when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(G),
+                             J: G*matrix_of(i, j, m, m,
+                                            when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(G),
                              X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))*Y})])
 
 r, pp, c, w1, w2, first_row, last_column = symbols("r pp c w1 w2 first_row last_column")
@@ -273,21 +289,26 @@ def toeplitz(entries, height, width):
 
 
 _LAST = 3  # N^3 = 0 up to size 3
-_BINOMIAL = {(a, b): v for a, b, v in [(0, 0, 1), (1, 0, 1), (0, 1, 1), (2, 0, 1), (1, 1, 2), (0, 2, 1), (2, 1, 3), (1, 2, 3), (2, 2, 6)]}
+_BINOMIAL = {(a, b): v for a, b, v in [(0, 0, 1), (1, 0, 1), (0, 1, 1), (2, 0, 1), (1, 1, 2), (0, 2, 1), (2, 1, 3),
+                                       (1, 2, 3), (2, 2, 6)]}
 
 claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
-      (X == matrix_of(i, j, r, pp, first_row(j - i + 1))) & (X == matrix_of(i, j, r, pp, last_column(i + pp - j))) & (Y == Zero(r, pp)),
+      (X == matrix_of(i, j, r, pp, first_row(j - i + 1))) & (X == matrix_of(i, j, r, pp, last_column(i + pp - j)))
+      & (Y == Zero(r, pp)),
       sizes=["r", "pp"], over={w: scalar(), w1: scalar(), w2: scalar(), X: matrix(r, pp), Y: matrix(r, pp)},
       where=[function(first_row, [k], when(k >= 1, X[1, k], 0)), function(last_column, [k], when(k <= r, X[k, pp], 0))],
       given=[given("one eigenvalue", jordan_block(w, r)*X == X*jordan_block(w, pp)),
              given("two eigenvalues", jordan_block(w1, r)*Y == Y*jordan_block(w2, pp)),
              given("which differ", w1 != w2)],
       by=[combination([[(power(T(Nr), a + 1), "one eigenvalue", power(Np, a)) for a in range(_LAST)],
-                       [(-power(Nr, a), "one eigenvalue", power(T(Np), a + 1)) if a else (-1, "one eigenvalue", T(Np)) for a in range(_LAST)],
-                       [((-1)**a*v/(w1 - w2)**(a + b + 1)*power(Nr, a), "two eigenvalues", power(Np, b)) for (a, b), v in _BINOMIAL.items()]],
+                       [(-power(Nr, a), "one eigenvalue", power(T(Np), a + 1)) if a else (-1, "one eigenvalue",
+                                                                                          T(Np)) for a in range(_LAST)],
+                       [((-1)**a*v/(w1 - w2)**(a + b + 1)*power(Nr, a), "two eigenvalues", power(Np, b)) for (a, b),
+                        v in _BINOMIAL.items()]],
                       r=(1, 2, 3), pp=(1, 2, 3)),
           instances(r=(1, 2, 3), pp=(1, 2, 3), using={c: vector(pp)}, made_by={X: toeplitz(c, r, pp), Y: Zero(r, pp)})],
-      note="X between blocks of one eigenvalue, Y between blocks of two. The first equation says upper triangular Toeplitz (zero rows below "
+      note="X between blocks of one eigenvalue, Y between blocks of two. The first equation says upper triangular "
+           "Toeplitz (zero rows below "
            "when r >= p), the second that it is pushed to the right (zero columns on the left when r <= p).")
 
 a, b, d, e, r3 = symbols("a b d e r3")
@@ -301,18 +322,24 @@ claim("D71-E3.40", "when X must have dependent columns",
       & (matrix_of(i, j, R2 + r3, 1, X[R1 + i, P1 + 1]) == Zero(R2 + r3, 1))
       & (matrix_of(i, j, R1 + R2 + r3, 1, X[1, P1 + 1]*X[i, 1] - X[1, 1]*X[i, P1 + 1]) == Zero(R1 + R2 + r3, 1)),
       sizes=["r3", "a", "b", "d", "e"],
-      over={C11: vector(LONG), C12: vector(SHORT), C21: vector(LONG), C22: vector(SHORT), C31: vector(LONG), C32: vector(SHORT)},
+      over={C11: vector(LONG), C12: vector(SHORT), C21: vector(LONG), C22: vector(SHORT), C31: vector(LONG),
+            C32: vector(SHORT)},
       where=[*SIZES_340,
-             let(X, block([[toeplitz(C11, R1, P1), toeplitz(C12, R1, P2)], [toeplitz(C21, R2, P1), toeplitz(C22, R2, P2)],
+             let(X, block([[toeplitz(C11, R1, P1), toeplitz(C12, R1, P2)],
+                           [toeplitz(C21, R2, P1), toeplitz(C22, R2, P2)],
                            [toeplitz(C31, r3, P1), toeplitz(C32, r3, P2)]]))],
-      by=[identity(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1)), instances(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1))],
-      note="Three blocks r1 >= r2 >= r3 of R and two p1 >= p2 > r2 of J, so that j = 2 is the first index with p_j > r_j, or j = 1 is. "
-           "The first columns of the two column sets vanish below the first block row, where only their first entries remain: they are dependent.")
+      by=[identity(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1)),
+          instances(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1))],
+      note="Three blocks r1 >= r2 >= r3 of R and two p1 >= p2 > r2 of J, so that j = 2 is the first index with p_j > "
+           "r_j, or j = 1 is. "
+           "The first columns of the two column sets vanish below the first block row, where only their first entries "
+           "remain: they are dependent.")
 
-# --- how many solutions -------------------------------------------------------------------------------------------------
+# --- how many solutions ----------------------------------------------------------------------------------------------
 
 F1, F2, G1, G2, J2, T1, T2 = symbols("F1 F2 G1 G2 J2 T1 T2")
-TWO = {**COEFFICIENTS, F1: matrix(n, m), F2: matrix(n, m), G1: nonsingular(m), G2: nonsingular(m), J1: matrix(m, m), J2: matrix(m, m)}
+TWO = {**COEFFICIENTS, F1: matrix(n, m), F2: matrix(n, m), G1: nonsingular(m), G2: nonsingular(m), J1: matrix(m, m),
+       J2: matrix(m, m)}
 TWO_GIVEN = [given("RT1 = T1 J1", R*T1 == T1*J1), given("RT2 = T2 J2", R*T2 == T2*J2)]
 TWO_LET = [BLOCKS, let(T1, vstack(F1, G1)), let(T2, vstack(F2, G2))]
 W, dd = symbols("W dd")
@@ -333,7 +360,8 @@ def diagonal_from(start):
 WHOLE = E*matrix_of(i, j, n + m, n + m, when(i == j, dd[i], 0))*inv(E)
 #: two solutions that differ, from different eigenvectors
 MAKE_DIFFERENT = {
-    B: spectral(WHOLE, n, n, 0, 0), A: spectral(WHOLE, n, m, 0, n), D: spectral(WHOLE, m, n, n, 0), C: -spectral(WHOLE, m, m, n, n),
+    B: spectral(WHOLE, n, n, 0, 0), A: spectral(WHOLE, n, m, 0, n), D: spectral(WHOLE, m, n, n, 0),
+    C: -spectral(WHOLE, m, m, n, n),
     F1: spectral(E, n, m, 0, 0), G1: spectral(E, m, m, n, 0), F2: spectral(E, n, m, 0, 1), G2: spectral(E, m, m, n, 1),
     J1: diagonal_from(0), J2: diagonal_from(1),
 }
@@ -344,15 +372,18 @@ claim("D71-T3.8.a", "column equivalent T give one P",
       given=[*TWO_GIVEN, given("column equivalent", T2 == T1*X)],
       by=[instances(**MORE, using={W: nonsingular(m)}, made_by={**MAKE_FIRST, X: W}),
           instances(**MORE, using={W: nonsingular(m)}, made_by={**MAKE_SECOND, X: W})],
-      note="The lower parts are nonsingular, as F Gamma^{-1} presupposes; without that T1 = T2 = 0 would go with any J1 and J2.")
+      note="The lower parts are nonsingular, as F Gamma^{-1} presupposes; without that T1 = T2 = 0 would go with any "
+           "J1 and J2.")
 
 claim("D71-T3.8.b", "matrices J that are not similar give different P",
       (T2 == T1*X) & (J1 == X*J2*inv(X)),
       sizes=["n", "m"], over=TWO, where=[*TWO_LET, let(X, inv(G1)*G2)],
       given=[*TWO_GIVEN, given("P1 = P2", F1*inv(G1) == F2*inv(G2))],
-      by=[instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_FIRST), instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_SECOND),
+      by=[instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_FIRST),
+          instances(**MORE, using={W: nonsingular(m)}, made_by=MAKE_SECOND),
           instances(**MORE, using={E: nonsingular(n + m), dd: vector(n + m)}, made_by=MAKE_DIFFERENT)],
-      note="In contrapositive form: if P1 = P2 then T1 and T2 are column equivalent, by X = Gamma_1^{-1} Gamma_2, and J1 and J2 are similar. "
+      note="In contrapositive form: if P1 = P2 then T1 and T2 are column equivalent, by X = Gamma_1^{-1} Gamma_2, and "
+           "J1 and J2 are similar. "
            "That column equivalence makes J1 and J2 similar is part (a).")
 
 bv = sym("bv")
@@ -365,13 +396,16 @@ claim("D71-S31", "one Jordan block for each eigenvalue: T is unique",
              given("R is nonderogatory", invertible(matrix_of(i, j, q, q, (R**(j - 1)*bv)[i])))],
       by=[example(q=2, m=1, R=[[1, 0], [0, 1]], J=[[1]], T1=[1, 0], T2=[0, 1], bv=[1, 1]),
           steps("D71-E3.37", "D71-E3.41", facts=["Jordan's theorem."],
-                prose="With T = EX each block of X is U times a Toeplitz matrix, so T has the column space of E diag(U)."),
-          instances(q=(1, 2, 3, 4), m=(1, 2), using={E: nonsingular(q), c: vector(q), w1: scalar(), w2: scalar(), mu: scalar(), w: scalar()},
+                prose="With T = EX each block of X is U times a Toeplitz matrix, so T has the column space of E "
+                      "diag(U)."),
+          instances(q=(1, 2, 3, 4), m=(1, 2),
+                    using={E: nonsingular(q), c: vector(q), w1: scalar(), w2: scalar(), mu: scalar(), w: scalar()},
                     made_by={R: E*(matrix_of(i, j, q, q, when(i == j, c[i], 0)) + superdiagonal(q))*inv(E),
                              J: matrix_of(i, j, m, m, when(i == j, c[i], 0)) + superdiagonal(m),
                              T1: FIRST*(w1*Im + w2*J), T2: FIRST*(mu*Im + w*J),
                              bv: E*matrix_of(i, j, q, 1, when(i == q, 1, 0))})],
-      note="T1 and T2 have the same column space. A matrix is nonderogatory exactly if some vector b makes b, Rb, R^2 b, ... a basis.")
+      note="T1 and T2 have the same column space. A matrix is nonderogatory exactly if some vector b makes b, Rb, R^2 "
+           "b, ... a basis.")
 
 Ud = vstack(Identity(pp), Zero(d, pp))
 
@@ -379,9 +413,11 @@ claim("D71-E3.41", "the block of X for one eigenvalue of a nonderogatory R",
       (X == Ud*top(X, pp)) & (det(top(X, pp)) == X[1, 1]**pp) & (jordan_block(w, pp + d)*Ud == Ud*jordan_block(w, pp)),
       sizes=["pp", "d"], over={w: scalar(), X: matrix(pp + d, pp)},
       given=[given("Omega X = XJ", jordan_block(w, pp + d)*X == X*jordan_block(w, pp))],
-      by=[identity(using={c: vector(pp)}, given_by={X: toeplitz(c, pp + d, pp)}, covered_by="D71-E3.37", pp=(1, 2, 3), d=(0, 1, 2)),
+      by=[identity(using={c: vector(pp)}, given_by={X: toeplitz(c, pp + d, pp)}, covered_by="D71-E3.37", pp=(1, 2, 3),
+                   d=(0, 1, 2)),
           instances(pp=(1, 2, 3), d=(0, 1, 2), using={c: vector(pp)}, made_by={X: toeplitz(c, pp + d, pp)})],
-      note="X = U times its upper part, which is nonsingular exactly if the diagonal entry a is not zero; U itself is a solution. "
+      note="X = U times its upper part, which is nonsingular exactly if the diagonal entry a is not zero; U itself is "
+           "a solution. "
            "With several eigenvalues X is block diagonal and each block is treated so.")
 
 Ua, Ub, Ga, Gb, Gm, al, be = symbols("Ua Ub Ga Gb Gm al be")
@@ -409,11 +445,17 @@ claim("D71-E3.44", "a derogatory R with a family of solutions",
       by=[example(NO_SOLUTION), instances(using={c: vector(3)}, made_by=MAKE_X)],
       repair=repair(
           "missing hypothesis",
-          "the lower part of T = EU may be singular for every value of the parameter, as for E = I, and then no solution belongs to this J; "
+          "the lower part of T = EU may be singular for every value of the parameter, as for E = I, and then no "
+          "solution belongs to this J; "
           "if it is nonsingular for one value, it is for all but at most one",
           MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
           given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
-          by=[example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
-      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two values of the parameter "
-           "at least one is to give a solution, so that infinitely many do; different values give different column spaces, hence different P. "
+          by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
+                    prose="The determinant of the lower part is a polynomial of degree at most one in the parameter, "
+                          "not zero by hypothesis; different spaces give different P."),
+              example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
+      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two "
+           "values of the parameter "
+           "at least one is to give a solution, so that infinitely many do; different values give different column "
+           "spaces, hence different P. "
            "For E = I and w = 0 the quadratic equation is A = 0 with A = [1, 0] and has no solution.")

@@ -37,7 +37,7 @@ from exactkf.language import (
 from proofs.d71.notation import H, M, P, Phi, V, gram, n, p, r_matrix, step, update
 
 A, B, C, D, S, Pe, Rp = symbols("A B C D S Pe Rp")
-I = Identity(n)  # noqa: E741
+I = Identity(n)
 PhiT = inv(T(Phi))
 
 SMALL = {"n": (1, 2), "p": (1, 2)}
@@ -57,7 +57,8 @@ claim("D71-E3.46", "an equilibrium is a constant solution",
       sizes=["n", "p"], over={Phi: nonsingular(n), M: matrix(p, n), V: positive_definite(p), P: matrix(n, n)},
       where=[let(H, P - Phi*(update())*T(Phi)), let(P1, step(P)), let(P2, step(P1))],
       by=[identity(n=(1, 2, 3), p=(1, 2)), instances(**MORE)],
-      note="The equation defines equilibria; the content checked is that the covariance equation stays at them. The equation is solved for H.")
+      note="The equation defines equilibria; the content checked is that the covariance equation stays at them. The "
+           "equation is solved for H.")
 
 claim("D71-E3.47", "the equilibrium equation with I + SP inverted",
       (P - H)*PhiT == Phi*P*inv(I + S*P),
@@ -78,7 +79,8 @@ claim("D71-E3.50", "its coefficients",
       eq(A + B*P + P*C - P*D*P, QUADRATIC, Phi*P - (P - H)*PhiT*(I + S*P)),
       sizes=["n", "p"], over=DATA, where=COEFFICIENTS,
       by=[identity(**SMALL), instances(**MORE)],
-      note="The coefficients are definitions; the content checked is that (3.10) with them is (3.49), and minus (3.48), for every P.")
+      note="The coefficients are definitions; the content checked is that (3.10) with them is (3.49), and minus "
+           "(3.48), for every P.")
 
 R_PRINTED = block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, PhiT]])
 
@@ -90,7 +92,8 @@ Zn = Zero(n, n)
 
 claim("D71-E3.52", "factors of R_p and its inverse",
       (R_PRINTED == block([[I, H], [Zn, I]])*block([[Phi, Zn], [Zn, PhiT]])*block([[I, Zn], [S, I]]))
-      & (R_PRINTED*block([[I, Zn], [-S, I]])*block([[inv(Phi), Zn], [Zn, T(Phi)]])*block([[I, -H], [Zn, I]]) == Identity(2*n)),
+      & (R_PRINTED*block([[I, Zn], [-S, I]])*block([[inv(Phi), Zn], [Zn, T(Phi)]])*block([[I, -H],
+                                                                                          [Zn, I]]) == Identity(2*n)),
       sizes=["n", "p"], over=SYSTEM, where=[GRAM], by=[identity(**SMALL), instances(**MORE)],
       note="R_p is nonsingular: the second equation shows its inverse.")
 
@@ -101,8 +104,10 @@ claim("D71-E3.53", "I + SP and the matrix DP - C",
 X = sym("X")
 
 claim("D71-S32", "clearing the inverse adds no solutions",
-      (X*(I + S*P) == I) & ((inv(V) - inv(V)*M*P*X*T(M)*inv(V))*(M*P*T(M) + V) == Identity(p)) & (P == Phi*P*X*T(Phi) + H) & (P == step()),
-      sizes=["n", "p"], over=DATA, where=[GRAM, let(X, I - S*inv(Phi)*(P - H)*PhiT)], given=[given("(3.49)", QUADRATIC == Zero(n, n))],
+      (X*(I + S*P) == I) & ((inv(V) - inv(V)*M*P*X*T(M)*inv(V))*(M*P*T(M) + V) == Identity(p))
+      & (P == Phi*P*X*T(Phi) + H) & (P == step()),
+      sizes=["n", "p"], over=DATA, where=[GRAM, let(X, I - S*inv(Phi)*(P - H)*PhiT)],
+      given=[given("(3.49)", QUADRATIC == Zero(n, n))],
       by=[combination([[(S*inv(Phi), "(3.49)", 1)],
                        [(-inv(V)*M*P*S*inv(Phi), "(3.49)", T(M))],
                        [(-(I + Phi*P*S*inv(Phi)), "(3.49)", inv(I + S*P)*T(Phi))],

@@ -149,3 +149,18 @@ def test_a_lemma_is_shown_first():
     replay(seal("T", "order", data, {"parts": found, "lemmas": lemmas}))
     with pytest.raises(Rejected):
         replay(seal("T", "order", data, {"parts": found[1:], "lemmas": []}))
+
+
+def test_the_middle_of_a_congruence_need_not_be_semidefinite():
+    """psd(A Q A') by hypothesis and A Q A' x = 0 do not give Q A' x = 0 for an indefinite Q."""
+    from exactkf.kernel.order import Leaf
+    from exactkf.language import Zero, vector
+
+    x = symbols("x")[0]
+    statement = Statement(sizes=["n"], over={"A": matrix(n, n), "Q": symmetric_matrix(n), "x": vector(n)},
+                          given=[standing("psd", psd(A * Q * T(A))), standing("null", A * Q * T(A) * x == Zero(n, 1))],
+                          says=Q * T(A) * x == Zero(n, 1)).to_json()
+    terms = [list(statement["given"][0][1][1])]
+    leaf = Leaf(statement, statement["says"], terms, (), "null")
+    vanishing = [p for k in range(len(leaf.goals)) for name, p in leaf.assumed(k).items() if name.startswith("null ")]
+    assert all(len(word) == 4 for p in vanishing for _, word in p)

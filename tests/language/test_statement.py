@@ -11,8 +11,26 @@ from hypothesis import strategies as st
 
 from exactkf import BadInput
 from exactkf.language import (
-    OPERATIONS, Expr, Statement, Z, always, block, forall, given, integer, let, matrix, prints, rational, rec, scalar, sequence, sum_of,
-    sym, symbols, to_expr,
+    OPERATIONS,
+    Expr,
+    Statement,
+    Z,
+    always,
+    block,
+    forall,
+    given,
+    integer,
+    let,
+    matrix,
+    prints,
+    rational,
+    rec,
+    scalar,
+    sequence,
+    sum_of,
+    sym,
+    symbols,
+    to_expr,
 )
 from exactkf.language.mutate import mutants, rewritings
 

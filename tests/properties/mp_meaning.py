@@ -328,7 +328,7 @@ def _stack(rows: list[list]) -> Table:
 
 def _diagonal(*xs: Any) -> Table:
     parts = [_table(x) for x in xs]
-    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)  # noqa: E731
+    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)
     return _stack([[p if i == j else zero(p.m, q.n) for j, q in enumerate(parts)] for i, p in enumerate(parts)])
 
 
