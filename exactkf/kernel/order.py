@@ -42,7 +42,10 @@ __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
     """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
     for case in _cases({**statement, "given": []}, [list(g) for g in statement["given"]]):
-        yield from _leaves(case, ["and", *lemmas, statement["says"]])
+        for lemma in lemmas:
+            yield from _leaves(case, lemma)
+            case = _assume(case, f"lemma {len(case['given'])}", lemma)
+        yield from _leaves(case, statement["says"])
 
 
 def _cases(statement: dict, rest: list) -> Iterator[dict]:

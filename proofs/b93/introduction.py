@@ -8,6 +8,12 @@ covariances are algebra. Centred variables are rows of coefficients times a stan
 Gaussian vector: U for a state, V for the observations. The conditional mean has the gain
 K = U V* inv(V V*) and the error covariance is U U* - K V U*, whatever was observed.
 
+One step: if the noises of time n are independent of X_{n-1} and of the past, the error
+of the prediction has covariance W = A P_{n-1} A* + S. With the conditional mean
+K1 V + K2 Y and its error e, P_n C* = -e N* = K2, and P_n = W - K2 C W, so that
+P_n (I + RW) = W, which is (5); the mean is K1 V + K2 Y = (I - K2 C) A K0 V + K2 Y, which
+is (6).
+
 For the system write the centred initial state as L xi + G w, where w collects all the
 noises, xi is standard and independent of w. Then LL* + GG* = P_0, and G is the
 covariance of X_0 with the noises: every joint law that the set-up allows has this form.
@@ -40,6 +46,7 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     pd,
+    positive_definite,
     positive_semidefinite,
     psd,
     standing,
@@ -86,9 +93,8 @@ MEANS = (
 )
 RICCATI = function(
     Phi, [k, X], (A(k) * X * T(A(k)) + S(k)) * inv(Identity(d) + R(k) * S(k) + R(k) * A(k) * X * T(A(k))))
-NO_COVARIANCE = {G: Zero(d, (p + q) * n)}
-INDEPENDENT = given("X_0 is independent of the noises", G == NO_COVARIANCE[G])
-UNSAID = "The set-up does not say that X_0 is independent of the noises, and the recursion needs it."
+UNSAID = ("The set-up does not say that X_0 is independent of the noises, as Hypothesis H (ii) of section 2 does, and the "
+          "recursion needs it.")
 SIZES = ["d", "p", "q", "n"]
 SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2), "n": (1, 2, 3)}
 
@@ -125,14 +131,14 @@ claim("B93-E4", "R and S are nonnegative, and the matrix to be inverted is I + R
       by=[order(), instances(d=(1, 2, 3, 6), p=(1, 2, 3), q=(1, 2, 3))],
       note="A definition; these are the two facts that it takes for granted.")
 
+P0, Den = symbols("P0 Den")
 POSTERIOR = inv(Identity(d) + H * R * H)
 claim("B93-S1", "the Riccati map is defined on P and keeps P and P0",
-      invertible(Identity(d) + R * S + R * A * P * T(A)) & psd(Phi(P)) & (pd(P) >> pd(Phi(P))),
-      sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), P: positive_semidefinite(d)},
-      where=[*ONE_STEP,
-             function(Phi, [X], (A * X * T(A) + S) * inv(Identity(d) + R * S + R * A * X * T(A)))],
-      by=[order([Identity(d) - R * H * POSTERIOR * H], [H * POSTERIOR * H], [inv(inv(A * P * T(A) + S) + R)],
+      invertible(Den(P)) & psd(Phi(P)) & pd(Phi(P0)), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), P: positive_semidefinite(d), P0: positive_definite(d)},
+      where=[*ONE_STEP, function(Den, [X], Identity(d) + R * S + R * A * X * T(A)),
+             function(Phi, [X], (A * X * T(A) + S) * inv(Den(X)))],
+      by=[order([Identity(d) - R * H * POSTERIOR * H], [H * POSTERIOR * H], [inv(inv(A * P0 * T(A) + S) + R)],
                 roots={H: A * P * T(A) + S}),
           instances(d=(1, 2, 3, 6), p=(1, 2, 3), q=(1, 2, 3))])
 
@@ -140,27 +146,59 @@ claim("B93-S1", "the Riccati map is defined on P and keeps P and P0",
 DEPENDENT = {"d": 1, "p": 1, "q": 1, "n": 1, "As": [["1"]], "Fs": [["1"]], "Cs": [["1"]], "L": [["0"]],
              "G": [["0", "1"]]}
 
-RECURSION = forall(k, 1, n, P(k) == Phi(k, P(k - 1)))
-claim("B93-E5", "the error covariance follows the Riccati map",
-      RECURSION, sizes=SIZES, over={**PARAMETERS, **JOINT}, where=[*SYSTEM, *GAUSSIAN, RICCATI], given=[REGULAR],
-      by=[example(DEPENDENT), instances(**SMALL)],
-      repair=repair(
-          "missing hypothesis", UNSAID, RECURSION, sizes=SIZES, over={**PARAMETERS, **JOINT},
-          where=[*SYSTEM, *GAUSSIAN, RICCATI], given=[REGULAR, INDEPENDENT],
-          by=[identity(given_by=NO_COVARIANCE, d=(1, 2), p=1, q=1, n=1),
-              instances(made_by=NO_COVARIANCE, **SMALL)]),
-      note="G is the covariance of X_0 with the noises; section 1 speaks of the independence of the pairs "
-           "(eps_n, eta_n) from each other only. P_n is the conditional covariance (3) itself.")
+# ---------------------------------------------------------------- one step, for every size
+# coefficients in a standard Gaussian vector of length w: U of X_{n-1}, V of the past observations, E and N of the noises
+K1, K2, X1, Y1, P1 = symbols("K1 K2 X1 Y1 P1")
+BEFORE, AFTER = symbols("e0 e1")
+STEP_SIZES = ["d", "p", "q", "r", "w"]
+STEP_OVER = {A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), U: matrix(d, w), V: matrix(r, w), E: matrix(p, w),
+             N: matrix(q, w), K1: matrix(d, r), K2: matrix(d, q), P0: positive_semidefinite(d), P1: positive_semidefinite(d)}
+STEP = (
+    *ONE_STEP, let(X1, A * U + F * E), let(Y1, C * X1 + N), let(K0, U * T(V) * inv(V * T(V))),
+    let(BEFORE, U - K0 * V), let(AFTER, X1 - K1 * V - K2 * Y1),
+)
+STEP_GIVEN = [
+    given("the noises are standard and independent of each other",
+          (E * T(E) == Identity(p)) & (N * T(N) == Identity(q)) & (E * T(N) == Zero(p, q))),
+    given("the noises are independent of X_{n-1} and the past observations",
+          (U * T(E) == Zero(d, p)) & (U * T(N) == Zero(d, q)) & (V * T(E) == Zero(r, p)) & (V * T(N) == Zero(r, q))),
+    given("K1 V + K2 Y is the conditional mean",
+          (AFTER * T(V) == Zero(d, r)) & (AFTER * T(Y1) == Zero(d, q))),
+    given("P0 is the error covariance before", P0 == BEFORE * T(BEFORE)),
+    given("P1 is the error covariance after", P1 == AFTER * T(AFTER)),
+]
+U0, V0 = symbols("U0 V0")
+_SEEN = vstack(V, C * (A * U + F * E) + N)
+_GAINS = (A * U + F * E) * T(_SEEN) * inv(_SEEN * T(_SEEN))
+STEP_MADE = instances(
+    d=(1, 2, 3), p=(1, 2), q=(1, 2), r=(1, 2), w=(5, 6), using={U0: matrix(d, w - p - q), V0: matrix(r, w - p - q)},
+    made_by={U: hstack(U0, Zero(d, p), Zero(d, q)), V: hstack(V0, Zero(r, p), Zero(r, q)),
+             E: hstack(Zero(p, w - p - q), Identity(p), Zero(p, q)), N: hstack(Zero(q, w - p - q), Zero(q, p), Identity(q)),
+             K1: matrix_of(i, j, d, r, _GAINS[i, j]), K2: matrix_of(i, j, d, q, _GAINS[i, j + r]),
+             P0: BEFORE * T(BEFORE), P1: AFTER * T(AFTER)})
+# a noise of variance four
+LOUD = example(d=1, p=1, q=1, r=1, w=4, A=[[1]], F=[[1]], C=[[1]], U=[[1, 0, 0, 0]], V=[[1, 1, 0, 0]], E=[[0, 0, 1, 0]],
+               N=[[0, 0, 0, 2]], K1=[["4/11"]], K2=[["3/11"]], P0=[["1/2"]], P1=[["12/11"]])
+ONE_PHI = function(Phi, [X], (A * X * T(A) + S) * inv(Identity(d) + R * S + R * A * X * T(A)))
+AS_ONE_STEP = ("In the correction U, V, E, N are the coefficients of X_{n-1}, of the past observations and of the noises of time n "
+               "in a standard Gaussian vector, so that it is the assertion for every n.")
 
-FILTER = forall(k, 1, n, Xhat(k) == (A(k) - P(k) * R(k) * A(k)) * Xhat(k - 1) + P(k) * T(C(k)) * y(k))
-RECORD = {**PARAMETERS, **JOINT, x0: vector(d), ys: vector(q * n)}
+claim("B93-E5", "the error covariance follows the Riccati map",
+      forall(k, 1, n, P(k) == Phi(k, P(k - 1))), sizes=SIZES, over={**PARAMETERS, **JOINT},
+      where=[*SYSTEM, *GAUSSIAN, RICCATI], given=[REGULAR],
+      by=[example(DEPENDENT), instances(**SMALL)],
+      repair=repair("missing hypothesis", UNSAID, P1 == Phi(P0), sizes=STEP_SIZES, over=STEP_OVER, where=[*STEP, ONE_PHI],
+                    given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE]),
+      note="G is the covariance of X_0 with the noises; section 1 speaks of the independence of the pairs "
+           f"(eps_n, eta_n) from each other only. P_n is the conditional covariance (3) itself. {AS_ONE_STEP}")
+
 claim("B93-E6", "the recursion of the filter",
-      FILTER, sizes=SIZES, over=RECORD, where=[*SYSTEM, *GAUSSIAN, *MEANS], given=[REGULAR],
+      forall(k, 1, n, Xhat(k) == (A(k) - P(k) * R(k) * A(k)) * Xhat(k - 1) + P(k) * T(C(k)) * y(k)), sizes=SIZES,
+      over={**PARAMETERS, **JOINT, x0: vector(d), ys: vector(q * n)}, where=[*SYSTEM, *GAUSSIAN, *MEANS], given=[REGULAR],
       by=[example({**DEPENDENT, "x0": ["0"], "ys": ["1"]}), instances(**SMALL)],
-      repair=repair(
-          "missing hypothesis", UNSAID, FILTER, sizes=SIZES, over=RECORD, where=[*SYSTEM, *GAUSSIAN, *MEANS],
-          given=[REGULAR, INDEPENDENT],
-          by=[identity(given_by=NO_COVARIANCE, d=(1, 2), p=1, q=1, n=1),
-              instances(made_by=NO_COVARIANCE, **SMALL)]),
+      repair=repair("missing hypothesis", UNSAID,
+                    K1 * V + K2 * Y1 == (A - P1 * R * A) * (K0 * V) + P1 * T(C) * Y1, sizes=STEP_SIZES,
+                    over={name: kind for name, kind in STEP_OVER.items() if name is not P0}, where=STEP,
+                    given=[h for h in STEP_GIVEN if h[0] != "P0 is the error covariance before"], by=[order(), LOUD, STEP_MADE]),
       note="P_n is the conditional covariance (3) itself, not the value of a recursion; ys is an arbitrary record of "
-           "observations.")
+           f"observations. {AS_ONE_STEP} The means follow the same recursion, because P C*C A - PRA = 0.")

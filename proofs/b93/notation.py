@@ -95,6 +95,11 @@ def piece(wide: Expr, rows: Expr, columns: Expr) -> Expr:
     return matrix_of(i, j, rows, columns, wide[i, j + (k - 1) * columns])
 
 
+def numbers(names: str, *entries: int, **more: int) -> dict:
+    """An instance by hand with d = 1: entries for the blocks in the order of their names."""
+    return {"d": 1, **{name: [[x]] for name, x in (*zip(names.split(), entries, strict=True), *more.items())}}
+
+
 class Factor:
     """P = inv(A)B and Q = C inv(A) of a member of H, as congruences of BA* and A*C."""
 

@@ -28,6 +28,31 @@ another one through ranks: they have the same solutions when each has the rank o
 together.
 """
 
+from proofs.b93.notation import (
+    FORM,
+    Factor,
+    J,
+    Product,
+    d,
+    hamiltonian,
+    i,
+    in_h,
+    in_h0,
+    in_h1,
+    in_h2,
+    j,
+    k,
+    member,
+    member_of_h,
+    n,
+    numbers,
+    p,
+    part,
+    piece,
+    q,
+    r,
+)
+
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
@@ -65,29 +90,6 @@ from exactkf.language import (
     vector,
     vstack,
     when,
-)
-from proofs.b93.notation import (
-    FORM,
-    Factor,
-    J,
-    Product,
-    d,
-    hamiltonian,
-    i,
-    in_h,
-    in_h0,
-    in_h1,
-    in_h2,
-    j,
-    k,
-    member,
-    member_of_h,
-    n,
-    p,
-    part,
-    piece,
-    q,
-    r,
 )
 
 A, B, C, D, M, N, F, P, Q, R, S, U, E, H, L, W, x = symbols("A B C D M N F P Q R S U E H L W x")
@@ -204,18 +206,26 @@ PAIR = {A1: nonsingular(d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d)
 SETTING = [FORM, FIRST, LAST, *PRODUCT]
 USING = {P1: positive_semidefinite(d), Q1: positive_semidefinite(d), P2: positive_semidefinite(d), Q2: positive_semidefinite(d)}
 MADE_PAIR = {**member(A1, B1, C1, D1, P1, Q1), **member(A2, B2, C2, D2, P2, Q2)}
-PAIRS = instances(d=UP_TO_6, using=USING, made_by=MADE_PAIR)
+PAIRS = instances(d=(1, 2, 3, 6), using=USING, made_by=MADE_PAIR)
 ONE, TWO = Factor(A1, B1, C1), Factor(A2, B2, C2)
 BOTH = Product(TWO, ONE, A3, H)
 ALL = ("Sp", "BA*", "A*C")
 PAIR_IN_H = [*member_of_h(M1, A1, B1, C1, *ALL), *member_of_h(M2, A2, B2, C2, *ALL)]
-# P2 = 1 and Q1 = -1: without the sign of A1*C1 the product has A3 = 0
-SIGN_NEEDED = example(d=1, A1=[[1]], B1=[[0]], C1=[[-1]], D1=[[1]], A2=[[1]], B2=[[1]], C2=[[0]], D2=[[1]])
-OTHER_SIGN_NEEDED = example(d=1, A1=[[1]], B1=[[0]], C1=[[1]], D1=[[1]], A2=[[1]], B2=[[-1]], C2=[[0]], D2=[[1]])
+
+
+def _pair(first: tuple, last: tuple, **more: int):
+    """An example with d = 1, mostly one that shows a hypothesis to be needed."""
+    return example(numbers("A1 B1 C1 D1 A2 B2 C2 D2", *first, *last, **more))
+
+
+ID, UP, DOWN = (1, 0, 0, 1), (1, 1, 0, 1), (1, 0, 1, 1)  # members of H
+NOT_UP, NOT_DOWN = (1, -1, 0, 1), (1, 0, -1, 1)  # symplectic, with BA* or A*C negative
+NEEDED = [_pair(NOT_UP, ID), _pair(NOT_DOWN, ID), _pair(ID, NOT_UP), _pair(ID, NOT_DOWN), _pair((1, 0, 1, -5), UP),
+          _pair(DOWN, (1, 0, 0, -1))]
 
 claim("B93-P1.1.1", "H is a semigroup",
       in_h(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=SETTING, given=PAIR_IN_H,
-      by=[order([], BOTH.inverse, BOTH.upper, BOTH.lower, roots=BOTH.roots), PAIRS])
+      by=[order([], BOTH.inverse, BOTH.upper, BOTH.lower, roots=BOTH.roots), *NEEDED, PAIRS])
 
 SIDES = (let(M3, M * N), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)),
          let(M4, N * M), let(A4, part(M4, 0, 0)), let(B4, part(M4, 0, 1)), let(C4, part(M4, 1, 0)))
@@ -224,26 +234,28 @@ K = symbols("K")[0]
 LEFT, RIGHT = Product(SELF, ONE, A3, H), Product(ONE, SELF, A4, K)
 
 
-def _ideal(ledger_id: str, title: str, test, signs: tuple, p_type: tuple, q_type: tuple) -> None:
+def _ideal(ledger_id: str, title: str, test, signs: tuple, p_type: tuple, q_type: tuple, in_it: tuple, *not_in_it: tuple) -> None:
     """M in H, N in the subset: MN and NM are in the subset."""
     claim(ledger_id, title, test(M3, A3, B3, C3) & test(M4, A4, B4, C4),
           sizes=["d"], over=WITH_N, where=[BLOCKS, let(N, block([[A1, B1], [C1, D1]])), *SIDES],
           given=[*member_of_h(M, A, B, C, *ALL), given("N in Sp", symplectic(N)), *signs],
           by=[order([], LEFT.inverse, LEFT.upper, LEFT.lower, [], RIGHT.inverse, RIGHT.upper, RIGHT.lower,
                     roots={**LEFT.roots, **RIGHT.roots}),
+              *(example(numbers("A B C D A1 B1 C1 D1", *x, *in_it)) for x in (NOT_UP, NOT_DOWN, (1, 0, 0, 2))),
+              *(example(numbers("A B C D A1 B1 C1 D1", *ID, *x)) for x in (*not_in_it, (1, 1, 1, 5))),
               instances(d=(1, 2, 3, 6), using={**MADE["using"], P1: p_type, Q1: q_type},
                         made_by={**member(A, B, C, D, P, Q), **member(A1, B1, C1, D1, P1, Q1)})])
 
 
 _ideal("B93-P1.1.2", "H1 is a two-sided ideal", in_h1,
        (given("N: BA* >= 0", psd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
-       positive_semidefinite(d), positive_definite(d))
+       positive_semidefinite(d), positive_definite(d), DOWN, ID, (1, -1, 1, 0))
 _ideal("B93-P1.1.3", "H2 is a two-sided ideal", in_h2,
        (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C >= 0", psd(T(A1) * C1))),
-       positive_definite(d), positive_semidefinite(d))
+       positive_definite(d), positive_semidefinite(d), UP, ID, (1, 1, -1, 0))
 _ideal("B93-P1.1.4", "H0 is a two-sided ideal", in_h0,
        (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
-       positive_definite(d), positive_definite(d))
+       positive_definite(d), positive_definite(d), (1, 1, 1, 2), UP, DOWN)
 
 NONNEGATIVE_PAIR = {P: positive_semidefinite(d), Q: positive_semidefinite(d)}
 claim("B93-L1.2", "I + PQ is invertible for nonnegative P and Q",
@@ -289,20 +301,20 @@ claim("B93-S17", "C1 inv(A1) and inv(A2)B2 are nonnegative",
       (Q1 == inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,
       where=[FIRST, LAST, let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2)],
       given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, "BA*")],
-      by=[order([], [ONE.Q], [TWO.P]),
+      by=[order([], [ONE.Q], [TWO.P]), _pair(NOT_DOWN, ID), _pair(ID, NOT_UP),
           instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), U: positive_semidefinite(d), W: positive_semidefinite(d)},
                     made_by={**member(A1, B1, C1, D1, P, Q), **member(A2, B2, C2, D2, U, W)})])
 
 NAMED = (let(Q1, C1 * inv(A1)), let(P2, inv(A2) * B2))
-PAIRS_PQ = instances(d=UP_TO_6, using={P: positive_semidefinite(d), Q: positive_semidefinite(d), U: positive_semidefinite(d), W: positive_semidefinite(d)},
+PAIRS_PQ = instances(d=(1, 2, 3, 6), using={P: positive_semidefinite(d), Q: positive_semidefinite(d), U: positive_semidefinite(d), W: positive_semidefinite(d)},
                      made_by={**member(A1, B1, C1, D1, P, Q), **member(A2, B2, C2, D2, U, W)})
 
 claim("B93-S18", "the first block of a product",
       eq(A3, A2 * A1 + B2 * C1, A2 * (Identity(d) + inv(A2) * B2 * C1 * inv(A1)) * A1, A2 * (Identity(d) + P2 * Q1) * A1)
       & invertible(A3),
       sizes=["d"], over=PAIR, where=[*SETTING, *NAMED],
-      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, "Sp", "BA*")],
-      by=[order([], BOTH.inverse, roots=BOTH.roots), SIGN_NEEDED, OTHER_SIGN_NEEDED, PAIRS_PQ])
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, "BA*")],
+      by=[order([], BOTH.inverse, roots=BOTH.roots), _pair(NOT_DOWN, UP), _pair(DOWN, NOT_UP), PAIRS_PQ])
 
 claim("B93-S19", "two relations for the computation of C3",
       eq(T(A2) * D2, T(C2) * B2 + Identity(d), T(C2) * A2 * P2 + Identity(d), T(A2) * C2 * P2 + Identity(d))
@@ -319,22 +331,23 @@ claim("B93-E8", "A3*C3 is a sum of three nonnegative matrices",
          T(A1) * (Identity(d) + Q1 * P2) * T(A2) * C2 * (A1 + P2 * C1) + T(A1) * C1 + T(C1) * P2 * C1,
          TERM + T(A1) * C1 + T(C1) * P2 * C1),
       sizes=["d"], over=PAIR, where=[*SETTING, *NAMED],
-      given=[*member_of_h(M1, A1, B1, C1, "Sp"), *member_of_h(M2, A2, B2, C2, "Sp")],
+      given=[*member_of_h(M1, A1, B1, C1), *member_of_h(M2, A2, B2, C2, "Sp")],
       by=[order(), PAIRS_PQ])
 
 claim("B93-S20", "the two blocks of a product that have to be nonnegative",
       psd(T(A3) * C3) & psd(A3 * T(B3)), sizes=["d"], over=PAIR, where=SETTING, given=PAIR_IN_H,
-      by=[order(BOTH.lower, BOTH.upper), PAIRS])
+      by=[order(BOTH.lower, BOTH.upper), *NEEDED, PAIRS])
 
 ONE_INVERTIBLE = given("one of the A*C is invertible", invertible(T(A2) * C2) | invertible(T(A1) * C1))
-HALF = instances(d=UP_TO_6, using={**USING, Q1: positive_definite(d)}, made_by=MADE_PAIR)
-OTHER_HALF = instances(d=UP_TO_6, using={**USING, Q2: positive_definite(d)}, made_by=MADE_PAIR)
+HALF = instances(d=(1, 2, 3, 6), using={**USING, Q1: positive_definite(d)}, made_by=MADE_PAIR)
+OTHER_HALF = instances(d=(1, 2, 3, 6), using={**USING, Q2: positive_definite(d)}, made_by=MADE_PAIR)
 SHOWN_TWICE = (BOTH.inverse, BOTH.lower)
 
 claim("B93-S21", "when A3*C3 is positive",
-      pd(T(A3) * C3), sizes=["d"], over=PAIR, where=SETTING, given=[*PAIR_IN_H, ONE_INVERTIBLE],
+      pd(T(A3) * C3), sizes=["d"], over=PAIR, where=SETTING,
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, *ALL), ONE_INVERTIBLE],
       by=[order(BOTH.inverse, BOTH.lower, BOTH.inverse, BOTH.lower, roots=BOTH.roots, lemmas=[invertible(A3)]),
-          HALF, OTHER_HALF])
+          *NEEDED[1:], _pair(ID, ID), _pair(DOWN, NOT_UP), HALF, OTHER_HALF])
 
 IN_H1 = (*[[], BOTH.inverse, BOTH.upper, BOTH.lower],) * 2
 claim("B93-S22", "the ideal that this gives",
@@ -342,7 +355,8 @@ claim("B93-S22", "the ideal that this gives",
       by=[example(d=1, A1=[[1]], B1=[[0]], C1=[[1]], D1=[[1]], A2=[[1]], B2=[[0]], C2=[[1]], D2=[[1]]), HALF],
       repair=repair("index", "A positive A*C is the definition of H1: the two ideals are exchanged.",
                     in_h1(M3, A3, B3, C3), sizes=["d"], over=PAIR, where=SETTING, given=[*PAIR_IN_H, ONE_INVERTIBLE],
-                    by=[order(*IN_H1, roots=BOTH.roots), HALF, OTHER_HALF]))
+                    by=[order(*IN_H1, roots=BOTH.roots), *NEEDED, _pair(ID, ID), _pair(DOWN, NOT_UP), _pair((1, -1, 1, 0), ID),
+                        HALF, OTHER_HALF]))
 
 # ---------------------------------------------------------------- n members of H, side by side in wide matrices
 As, Bs, Cs, Ds, Us, Vs, a, b = symbols("As Bs Cs Ds Us Vs a b")
@@ -380,7 +394,8 @@ def _members(rank_: int) -> dict:
                         Ds: _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
 
 
-MANY = (instances(d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(1, 2), **_members(2)))
+MANY = (instances(60, d=2, n=(2, 3), **_members(1)), instances(12, d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)),
+        instances(6, d=(2, 3), n=(1, 2), **_members(2)))
 TWO_OR_MORE = (instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(2, 3), **_members(2)))
 OBSERVABILITY = sum_of(k, 1, n, T(Alpha(k - 1)) * (T(Ak(k)) * Ck(k)) * Alpha(k - 1))
 CONTROLLABILITY = sum_of(k, 1, n, Beta(k) * (Bk(k) * T(Ak(k))) * T(Beta(k)))
@@ -412,19 +427,20 @@ def _null_vector(matrix_) -> object:
     return matrix_of(i, j, d, 1, kernel_basis(matrix_)[i, 1])
 
 
-XI3, XI1, XI2 = T(A3) * C3, T(A1) * C1, T(A2) * C2
 claim("B93-S23", "the null vectors of A*C of a product of two",
-      iff(XI3 * x == Zero(d, 1), (XI1 * x == Zero(d, 1)) & (XI2 * A1 * x == Zero(d, 1))), sizes=["d"],
-      over={**PAIR, x: vector(d)}, where=SETTING, given=PAIR_IN_H,
+      iff(Xi(M3) * x == Zero(d, 1), (Xi(M1) * x == Zero(d, 1)) & (Xi(M2) * A1 * x == Zero(d, 1))), sizes=["d"],
+      over={**PAIR, x: vector(d)}, where=[*SETTING, XI],
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, *ALL)],
       by=[order(BOTH.lower, BOTH.lower, [inv(A1), inv(A2)]),
-          instances(d=(1, 2, 3, 6), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI3)}),
-          instances(d=(1, 2, 3, 6), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI1)}),
-          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(XI2 * A1)}),
+          _pair(NOT_DOWN, UP, x=1), _pair(DOWN, NOT_UP, x=1), _pair(DOWN, NOT_DOWN, x=1), _pair(DOWN, (1, 0, 0, 0), x=1),
+          instances(d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A3) * C3)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A1) * C1)}),
+          instances(8, d=(1, 2, 3), using=USING, made_by={**MADE_PAIR, x: _null_vector(T(A2) * C2 * A1)}),
           instances(8, d=(1, 2, 3), using=USING, made_by=MADE_PAIR)])
 
 claim("B93-S24", "a null vector of a sum of nonnegative matrices is one of each",
-      ((P + Q) * x == Zero(d, 1)) >> ((P * x == Zero(d, 1)) & (Q * x == Zero(d, 1))), sizes=["d"],
-      over={**NONNEGATIVE_PAIR, x: vector(d)},
+      (P * x == Zero(d, 1)) & (Q * x == Zero(d, 1)), sizes=["d"], over={**NONNEGATIVE_PAIR, x: vector(d)},
+      given=[given("(P + Q)x = 0", (P + Q) * x == Zero(d, 1))],
       by=[order([P, Q], [P, Q]), instances(d=UP_TO_6, made_by={x: _null_vector(P + Q)}), instances(8, d=(1, 2, 3))])
 
 claim("B93-S25", "a null vector of M*PM is one of PM",
@@ -438,20 +454,23 @@ claim("B93-S25", "a null vector of M*PM is one of PM",
 claim("B93-E11", "A*C of a product as a sum of nonnegative matrices",
       (Xi(M3) == TERM + T(A1) * C1 + T(C1) * P2 * C1) & psd(TERM) & psd(T(A1) * C1) & psd(T(C1) * P2 * C1),
       sizes=["d"], over=PAIR, where=[FIRST, LAST, let(M3, M2 * M1), XI, *NAMED],
-      given=[*member_of_h(M1, A1, B1, C1, "Sp", "A*C"), *member_of_h(M2, A2, B2, C2, *ALL)],
-      by=[order([], [T(SQUEEZED) * TWO.AC * SQUEEZED], [], BOTH.lower[2:]), PAIRS_PQ])
+      given=[*member_of_h(M1, A1, B1, C1, "A*C"), *member_of_h(M2, A2, B2, C2, *ALL)],
+      by=[_pair(NOT_DOWN, ID), _pair(DOWN, NOT_UP), _pair(ID, NOT_DOWN), _pair(DOWN, (1, 0, 0, -1)),
+          order([], [T(SQUEEZED) * TWO.AC * SQUEEZED], [], BOTH.lower[2:]), PAIRS_PQ])
 
 TAILS = function(Tail, [k], when(k == n, Mk(n), Tail(k + 1) * Mk(k)))
+V1, V2, XN = symbols("V1 V2 XN")
 claim("B93-S26", "the null vectors of A*C of a product of n",
-      eq(rank(Xi(Chain(n))), rank(vstack(Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))),
-         rank(vstack(Xi(Chain(n)), Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))))
-      & eq(rank(Xi(Chain(n))), rank(Stack(n)), rank(vstack(Xi(Chain(n)), Stack(n)))),
-      sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, TAILS, STACK], given=[ALL_IN_H],
+      eq(rank(XN), rank(V1), rank(vstack(XN, V1))) & eq(rank(XN), rank(V2), rank(vstack(XN, V2))),
+      sizes=["d", "n"], over=WIDE,
+      where=[*SEQUENCE, TAILS, STACK, let(XN, Xi(Chain(n))), let(V1, vstack(Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))),
+             let(V2, Stack(n))],
+      given=[ALL_IN_H],
       by=[steps("B93-S23", "B93-P1.1.1", prose="S23 for M_1 and the product of the others, and so on."), *TWO_OR_MORE],
       note=f"{RANKS} Tail(2) is M_n ... M_2, for n at least two.")
 
 claim("B93-S27", "one symmetric matrix for all the conditions",
-      eq(rank(Stack(n)), rank(OBSERVABILITY), rank(vstack(Stack(n), OBSERVABILITY))),
-      sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, STACK], given=[ALL_IN_H],
+      rank(Stack(n)) == rank(OBSERVABILITY), sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, STACK], given=[ALL_IN_H],
       by=[steps("B93-S24", "B93-S25", prose="A sum of the nonnegative matrices X*PX vanishes at x exactly when each PXx does."),
-          *MANY], note=RANKS)
+          *MANY],
+      note="What satisfies all the conditions is a null vector of the sum, so that there are no others exactly when the ranks agree.")

@@ -17,8 +17,28 @@ the eigenvalues of P inv(Q), up to replacing all of them by their reciprocals;
 congruence leaves them alone and inversion inverts them.
 """
 
+from proofs.b93.introduction import (
+    DEPENDENT,
+    GAUSSIAN,
+    JOINT,
+    LOUD,
+    P0,
+    P1,
+    PARAMETERS,
+    REGULAR,
+    SIZES,
+    SMALL,
+    STEP,
+    STEP_GIVEN,
+    STEP_MADE,
+    STEP_OVER,
+    STEP_SIZES,
+)
+from proofs.b93.introduction import SYSTEM as EVOLUTION
+from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
+
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order
+from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -44,25 +64,13 @@ from exactkf.language import (
     symbols,
     symplectic,
 )
-from proofs.b93.introduction import (
-    DEPENDENT,
-    GAUSSIAN,
-    INDEPENDENT,
-    JOINT,
-    NO_COVARIANCE,
-    PARAMETERS,
-    REGULAR,
-    SIZES,
-    SMALL,
-)
-from proofs.b93.introduction import SYSTEM as EVOLUTION
-from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, p, part, q
 
-A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi = symbols("A B C D M N P Q R S F W H X Y Phi")
-TT, S0, P0, Q0 = symbols("T S0 P0 Q0")
+A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi, Den = symbols("A B C D M N P Q R S F W H X Y Phi Den")
+TT, T0, S0, Q0, W0 = symbols("T T0 S0 Q0 W0")
 A1, B1, C1, D1 = symbols("A1 B1 C1 D1")
 BLOCKS = let(M, block([[A, B], [C, D]]))
-ACTION = function(Phi, [X, Y], (part(X, 0, 0) * Y + part(X, 0, 1)) * inv(part(X, 1, 0) * Y + part(X, 1, 1)))
+ACTION = (function(Den, [X, Y], part(X, 1, 0) * Y + part(X, 1, 1)),
+          function(Phi, [X, Y], (part(X, 0, 0) * Y + part(X, 0, 1)) * inv(Den(X, Y))))
 OVER = {A: nonsingular(d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d)}
 POSITIVE, NONNEGATIVE = {TT: positive_definite(d)}, {TT: positive_semidefinite(d)}
 UP_TO_6 = (1, 2, 3, 4, 6)
@@ -75,18 +83,31 @@ SELF = Factor(A, B, C)
 SHIFTED = A * TT * T(A) + B * T(A)
 MIDDLE = inv(Identity(d) + H * SELF.Q * H)
 INVERSE = T(A) * (Identity(d) - SELF.Q * H * MIDDLE * H)
-VALUE, POSITIVE_VALUE = H * MIDDLE * H, inv(inv(SHIFTED) + SELF.Q)
+VALUE = H * MIDDLE * H
+
+
+def _positive_value(X):
+    """inv(inv(W) + Q) for a positive W."""
+    return inv(inv(A * X * T(A) + B * T(A)) + SELF.Q)
+
+
+
+def _one(M_, T_, **more):
+    """An example with d = 1 that shows a hypothesis to be needed."""
+    return example(numbers("A B C D T", *M_, T_, **more))
+
 
 claim("B93-E12", "the action is defined on P0 and keeps it",
-      invertible(C * TT + D) & pd(Phi(M, TT)), sizes=["d"], over={**OVER, **POSITIVE}, where=[BLOCKS, ACTION], given=IN_H,
-      by=[order([INVERSE], [POSITIVE_VALUE], roots={H: SHIFTED}), MADE],
+      invertible(Den(M, TT)) & pd(Phi(M, TT)), sizes=["d"], over={**OVER, **POSITIVE}, where=[BLOCKS, *ACTION], given=IN_H,
+      by=[order([INVERSE], [_positive_value(TT)], roots={H: SHIFTED}),
+          *(_one(*x) for x in (((1, -2, 0, 1), 1), ((1, 0, -1, 1), 2), ((1, 0, 0, -1), 1))), MADE],
       note="A definition; that its value is defined and positive is asserted with it.")
 
 BOTH_BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d),
                A1: matrix(d, d), B1: matrix(d, d), C1: matrix(d, d), D1: matrix(d, d), TT: matrix(d, d)}
 claim("B93-E13", "a product acts as the composition",
       Phi(M * N, TT) == Phi(M, Phi(N, TT)), sizes=["d"], over=BOTH_BLOCKS,
-      where=[BLOCKS, let(N, block([[A1, B1], [C1, D1]])), ACTION],
+      where=[BLOCKS, let(N, block([[A1, B1], [C1, D1]])), *ACTION],
       by=[identity(d=(1,)), instances(d=(1, 2, 3, 6))],
       note="Stated for all matrices for which both sides are defined; by Proposition 1.5 they are, for members of H "
            "and positive T.")
@@ -97,19 +118,19 @@ claim("B93-S28", "the Riccati map is the action of the Hamiltonian matrix",
          Phi(M, P)),
       sizes=["d", "p", "q"],
       over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), P: positive_semidefinite(d)},
-      where=[let(R, T(C) * C), let(S, F * T(F)), let(M, hamiltonian(A, S, R)), ACTION],
+      where=[let(R, T(C) * C), let(S, F * T(F)), let(M, hamiltonian(A, S, R)), *ACTION],
       by=[identity(d=(1, 2), p=1, q=1), instances(d=UP_TO_6, p=(1, 2, 3), q=(1, 2, 3))])
 
-RICCATI = forall(k, 1, n, P(k) == Phi(hamiltonian(A(k), S(k), R(k)), P(k - 1)))
-EQUATION = {"sizes": SIZES, "over": {**PARAMETERS, **JOINT}, "where": [*EVOLUTION, *GAUSSIAN, ACTION]}
 claim("B93-E14", "the discrete Riccati equation",
-      RICCATI, **EQUATION, given=[REGULAR], by=[example(DEPENDENT), instances(**SMALL)],
+      forall(k, 1, n, P(k) == Phi(hamiltonian(A(k), S(k), R(k)), P(k - 1))), sizes=SIZES, over={**PARAMETERS, **JOINT},
+      where=[*EVOLUTION, *GAUSSIAN, *ACTION], given=[REGULAR], by=[example(DEPENDENT), instances(**SMALL)],
       repair=repair(
           "missing hypothesis",
-          "Like (5), from which it is deduced, it needs that X_0 is independent of the noises, which the set-up does "
+          "Like (5), from which it is deduced, it needs that X_0 is independent of the noises, which the set-up of section 1 does "
           "not say.",
-          RICCATI, **EQUATION, given=[REGULAR, INDEPENDENT],
-          by=[identity(given_by=NO_COVARIANCE, d=(1, 2), p=1, q=1, n=1), instances(made_by=NO_COVARIANCE, **SMALL)]))
+          P1 == Phi(hamiltonian(A, S, R), P0), sizes=STEP_SIZES, over={**STEP_OVER, A: nonsingular(d)},
+          where=[*STEP, *ACTION], given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE]),
+      note="Stated like (5).")
 
 claim("B93-S31", "the distance is invariant under congruence and under inversion",
       cospectral(A * P * T(A) * inv(A * Q * T(A)), P * inv(Q)) & cospectral(inv(P) * inv(inv(Q)), inv(P * inv(Q))),
@@ -120,14 +141,15 @@ claim("B93-S31", "the distance is invariant under congruence and under inversion
            "reciprocals.")
 
 claim("B93-P1.5.1", "members of H act on P and on P0",
-      invertible(C * TT + D) & psd(Phi(M, TT)) & (pd(TT) >> pd(Phi(M, TT))), sizes=["d"], over={**OVER, **NONNEGATIVE},
-      where=[BLOCKS, ACTION], given=IN_H,
-      by=[order([INVERSE], [VALUE], [POSITIVE_VALUE], roots={H: SHIFTED}), MADE])
+      invertible(Den(M, TT)) & psd(Phi(M, TT)) & pd(Phi(M, T0)), sizes=["d"],
+      over={**OVER, **NONNEGATIVE, T0: positive_definite(d)}, where=[BLOCKS, *ACTION], given=IN_H,
+      by=[order([INVERSE], [VALUE], [_positive_value(T0)], roots={H: SHIFTED}), 
+          *(_one(*x, T0=1) for x in (((1, -1, 0, 1), 0), ((1, 0, -1, 1), 2), ((1, 0, 0, -1), 1))), MADE])
 
 claim("B93-P1.5.2", "members of H2 act from P into P0",
-      pd(Phi(M, TT)), sizes=["d"], over={**OVER, **NONNEGATIVE}, where=[BLOCKS, ACTION],
+      pd(Phi(M, TT)), sizes=["d"], over={**OVER, **NONNEGATIVE}, where=[BLOCKS, *ACTION],
       given=[given("M in Sp", symplectic(M)), given("M: BA* > 0", pd(B * T(A))), given("M: A*C >= 0", psd(T(A) * C))],
-      by=[order([POSITIVE_VALUE]),
+      by=[order([_positive_value(TT)]), _one((1, 1, -1, 0), 2),
           instances(d=UP_TO_6, using={P0: positive_definite(d), Q0: positive_semidefinite(d)},
                     made_by=member(A, B, C, D, P0, Q0))])
 
@@ -144,10 +166,11 @@ claim("B93-S32", "the denominator of the action",
 claim("B93-S33", "the action in terms of W and Q",
       eq((A * TT + B) * inv(C * TT + D), (A * TT + A * P) * T(A) * inv(Q * W + Identity(d)),
          W * inv(Q * W + Identity(d)))
-      & (invertible(W) >> (W * inv(Q * W + Identity(d)) == inv(inv(W) + Q))), sizes=["d"],
-      over={**OVER, **NONNEGATIVE}, where=[*NAMED, SHIFT], given=member_of_h(M, A, B, C, "Sp"),
+      & (W0 * inv(Q * W0 + Identity(d)) == inv(inv(W0) + Q)), sizes=["d"],
+      over={**OVER, **NONNEGATIVE, T0: positive_semidefinite(d)},
+      where=[*NAMED, SHIFT, let(W0, A * (T0 + P) * T(A))], given=member_of_h(M, A, B, C, "Sp"),
       by=[order(), MADE],
-      note="W stands for the S of the text.")
+      note="W stands for the S of the text, and W0 is a second one, which has an inverse.")
 
 claim("B93-S37", "exchanging the two matrices inverts the eigenvalues",
       coeff(charpoly((TT + P) * inv(S0 + P)), 0) * charpoly((S0 + P) * inv(TT + P))
@@ -166,6 +189,6 @@ claim("B93-S38", "every member of H is a product of three simple ones",
 
 claim("B93-E17", "the action as a chain of shifts, inversions and a congruence",
       Phi(M, TT) == inv(inv(A * (TT + P) * T(A)) + Q), sizes=["d"], over={**OVER, **POSITIVE},
-      where=[*NAMED, ACTION], given=member_of_h(M, A, B, C, "Sp"),
+      where=[*NAMED, *ACTION], given=member_of_h(M, A, B, C, "Sp"),
       by=[order(), MADE],
       note="From the right: a shift by P, the congruence with A, an inversion, a shift by Q, an inversion.")

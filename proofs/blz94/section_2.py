@@ -269,9 +269,9 @@ _PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(
 _ALONG = [*FAST, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))]
 claim("BLZ94-S6", "a_t(z) and b_t(z) are stable",
       always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG,
-      by=[example(n=1, abar=[2], gbar=[1]), instances(n=(1, 2))],
-      repair=repair("missing hypothesis", "The sentence has no hypothesis; only for positive real v are a_t and b_t "
-                                          "stable (a_0 = z + 2 is not).",
+      by=[example(n=1, abar=[2], gbar=["1/2"]), instances(n=(1, 2))],
+      repair=repair("missing hypothesis", "The sentence has no hypothesis. For positive real v all a_t and b_t are "
+                                          "stable; a_0 = z + 2 and, from g = 1/2, a_1 = z + 5 are not.",
                     always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)},
                     where=_ALONG, given=_PR,
                     by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of "

@@ -195,8 +195,10 @@ claim("BLZ94-S9", "for each t, sequences c with nonsingular T_1, ..., T_t corres
                              "on T_1, ..., T_{t-1}.",
                     iff(prod(k, 1, n, det(Toeplitz[k])) != 0, prod(k, 0, n - 1, 1 - gamma[k] ** 2) != 0),
                     sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ],
-                    by=[steps("BLZ94-P3.1", "BLZ94-E3.10", prose="r_k vanishes exactly when one of gamma_0, ..., "
-                                                                 "gamma_{k-1} has modulus one."),
+                    by=[steps("BLZ94-P3.1", "BLZ94-E3.10", prose=
+                              "r_k vanishes exactly when one of gamma_0, ..., gamma_{k-1} has modulus one. Where none "
+                              "does, (3.10) can be solved for gamma_k and gives (3.6) back, so that every c of the one "
+                              "set belongs to one gamma of the other."),
                         instances(40, n=(1, 2, 3))]))
 
 claim("BLZ94-S10", "the Schur parameters go on as long as none has had modulus one",
@@ -224,7 +226,6 @@ claim("BLZ94-S12", "the three matrices are nonsingular: their determinants are o
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX],
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
 
-_CPHI = sum_of(j, 0, k - 1, c[k - j] * co(phi, t, j))  # c_k + c_{k-1} phi_{t1} + ... + c_1 phi_{t,k-1}
 claim("BLZ94-E3.15a", "coefficients of psi_t in terms of those of phi_t",
       forall(t, 1, n, forall(k, 1, t, co(psi, t, k) == 2 * c[k] + sum_of(j, 1, k - 1, 2 * c[k - j] * co(phi, t, j))
                              + co(phi, t, k))),
@@ -255,8 +256,7 @@ claim("BLZ94-E3.19", "normal equations, with the matrix of the display",
       where=[*CORRELATIONS, let(M, matrix_of(i, j, n, n, c[abs(i - j)])), let(x, _COLUMN)],
       by=[example(n=1, gamma=["1/2"]), instances(n=(1, 2, 3))],
       note="The display has first row (1, c_1, ..., c_{t-1}), last row (c_{t-1}, ..., 1) and a vector of t + 1 "
-           "entries: the product does not exist. Its last row but one, (c_{t-2}, c_{t-3}, ..., c_1), lacks the entry "
-           "1.",
+           "entries: the product does not exist. All its rows and columns end at index t - 1.",
       repair=repair("index", "The matrix has to be T_t, of size t + 1 with first row (1, c_1, ..., c_t); the one "
                              "displayed is T_{t-1}.",
                     (size_of(T(Toeplitz[n])) == size_of(x)) & (Toeplitz[n] * x
@@ -356,7 +356,7 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
              function(alpha, [k], coeff(a, n - k) - co(phi, n, k)
                       - sum_of(j, 1, k - 1, alpha[j] * coeff(phi[n - j], n - k)))],
       given=[_MATCH, standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 6)),
+      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 7)),
           instances(n=(1, 2, 3), made_by={b: Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(a, n - k) + 2 * sum_of(
               j, 1, k, c[j] * coeff(a, n - k + j))))})],
       note="alpha is solved from a; det Phi = 1 says that it is the only one. The polynomials are needed for k = 0, "
@@ -403,8 +403,10 @@ claim("BLZ94-E3.9", "every positive real v of degree n is given by exactly one a
       given=[given("v has degree n", coprime(a, b)),
              standing("v is analytic on |z| >= 1", schur(a)),
              standing("v(z) + v(1/z) > 0 on |z| = 1", pos_on_circle(symmetric_part(a, b)))],
-      by=[steps("BLZ94-T3.2", prose="Two vectors alpha give the same quotient if and only if their difference is in "
-                                    "the null space of M."),
+      by=[steps("BLZ94-T3.2", prose=
+                "Two vectors alpha give the same quotient if and only if their difference is in the null space of M. "
+                "For such a difference a times a combination of psi_0, ..., psi_{n-1} is b times the same combination "
+                "of the phi_k; the degrees are less than n and a, b are coprime, so both combinations are zero."),
           instances(n=(1, 2, 3), made_by={a: substitute(u, 4 * Z) / to_expr(4) ** n,
                                           b: substitute(x, 4 * Z) / to_expr(4) ** n},
                     using={u: monic(n), x: monic(n)})],

@@ -158,10 +158,12 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
              function(tau, [k], coeff(u, n - k) - coeff(f[n], n - k)
                       - sum_of(j, 1, k - 1, tau[j] * coeff(f[n - j], n - k)))],
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
-             standing("(u, v) lies in V", prod(k, 0, n - 2, 1 - theta[k] ** 2) != 0)],
+             standing("(u, v) lies in V", prod(k, 1, n - 1, det(matrix_of(
+                 i, j, k + 1, k + 1, when(i == j, 1, laurent(v / (2 * u), abs(i - j)))))) != 0)],
       by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
-           "the (tau, theta) found from it. gamma_{n-1} = 1 and -1 are allowed.")
+           "the (tau, theta) found from it. That the first lies in V_c and the second in U_gamma is said where these "
+           "sets are defined. gamma_{n-1} = 1 and -1 are allowed.")
 
 # ---------------------------------------------------------------------- the algorithm in the new coordinates
 claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",

@@ -24,7 +24,7 @@ that (A.14) does not feel because U'RWR = 0.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances
+from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
@@ -128,8 +128,15 @@ claim("NWL92-EA.5", "block (2,2) of ZGZ = Z",
 
 claim("NWL92-EA.6", "RWH = 0",
       R * W * H == Zero(p, n),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE, IMPLIED_RANK],
+      by=[steps("NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+                prose="(A.4) multiplied by H'W on the left is H'WRWH = 0 by (A.5); so RWH = 0, column by column."),
+          inverses()],
       note="R >= 0 is needed, the rank of H is not.")
+
+LEFT_INVERSE_PROOF = steps(
+    "NWL92-EA.4", "NWL92-EA.5", facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
+    prose="RWH = 0 as for (A.6); then (A.4) is HU'H = H, and (H'H)^-1 H' on the left leaves U'H = I.")
 
 SMALL_TWICE = {**SMALL, W2: SMALL[W], U2: SMALL[U], T2: SMALL[Tb]}
 claim("NWL92-EA.7", "D = R + RWR does not depend on the (1)-inverse and is the D of (A.8), (A.9)",
@@ -170,13 +177,13 @@ claim("NWL92-EA.10", "T through the D of (A.7), hence unique",
 
 claim("NWL92-EA.11", "U' is a left inverse of H",
       eq(T(U) * H, inv(HH) * HH, Identity(n)),
-      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[in_coordinates(), inverses()],
+      sizes=["p", "n"], over=SETTING, where=PAIR, given=[ONE_INVERSE], by=[LEFT_INVERSE_PROOF, inverses()],
       note="Full column rank enters as the denominator det H'H.")
 
 claim("NWL92-EA.12", "the mean of the estimate is x",
       T(lower(p, n)) * Zd * vstack(H, Zero(n, n)) * x == x,
       sizes=["p", "n"], over={**SETTING, x: matrix(n, 1)}, where=PAIR, given=[ONE_INVERSE, FULL_COLUMN_RANK],
-      by=[in_coordinates(), inverses()],
+      by=[LEFT_INVERSE_PROOF, inverses()],
       note="The mean of y is Hx, and the estimate is linear in y.")
 
 claim("NWL92-EA.13", "error covariance of the ML estimate as a block of G diag(R, 0) G",

@@ -143,8 +143,10 @@ def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
 S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
 NORMAL_FORM = (
     "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where "
-    "I has size rank [R H] - n; there the symmetric (1)-inverses have W = [0, K'; K, M], U = [I; L], T = -P, where "
-    "diag(I, 0) annihilates K and L and M is a symmetric (1)-inverse of diag(I, 0)")
+    "I has size rank [R H] - n; there the kernel of Z is spanned by the unit vectors of the zero block, diag(0, I, 0) in "
+    "place of W, [I; 0] in place of U and -P in place of T are one symmetric (1)-inverse, and the general form of "
+    "NWL92-E2.20 gives the others: W = [0, K'; K, M], U = [I; L], T = -P, where diag(I, 0) annihilates K and L and M is "
+    "a symmetric (1)-inverse of diag(I, 0)")
 
 ROTATED = "; with an orthogonal change of w, a square root V of R becomes S^-1 [0, V1; I, 0; 0, 0]"
 

@@ -434,7 +434,15 @@ claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
       given=[*SPLIT_GIVEN, is_inverse(Gb, Zb, "x1, x2 and z from a and b"),
              is_inverse(Gs, Zs, "x1 and z from the estimate and b"),
              given("K has full column rank", rank(K) == m)],
-      by=[together(SPLIT_MADE, some_inverse(Gb, Zb, Yb, p + q + n + g + m), some_inverse(Gs, Zs, Ys, n + q + n + m),
+      by=[steps("NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
+                "NWL92-E2.40", "NWL92-S17", "NWL92-E2.41",
+                facts=["stationary points of (2.6) are minima (NWL92-E2.21)",
+                       "the identity (2.32) for the first estimate (NWL92-EA.15)"],
+                prose=("Lemma 2.3 with (x1, x2) for x puts both estimates in place of a. The estimate of x2 is a "
+                       "measurement of x2, which enters nothing else, with H3 = I, and Lemma 2.4 drops it. The "
+                       "estimates agree for all data, so the gains agree on the range of the data and the error "
+                       "covariances are equal.")),
+          together(SPLIT_MADE, some_inverse(Gb, Zb, Yb, p + q + n + g + m), some_inverse(Gs, Zs, Ys, n + q + n + m),
                    p=(2, 3), q=(1, 2), n=1, g=(1, 2), m=1)],
       note="Estimates of x1 and z stacked, and their joint error covariance.")
 
