@@ -149,7 +149,9 @@ claim("BLM91-R3.6.1", "points of the diamond are the positive real functions",
 claim("BLM91-R3.6.2", "the hyperbola of a point of the diamond carries two fixed points",
       real_roots(quad, -far, far) == 2, over={al0: nonzero(), ga0: scalar()},
       where=[let(kap, 2 * al0 / (1 + al0**2 - ga0**2)), let(quad, kap * Z**2 - 2 * Z + kap), let(far, 1 + 2 / abs(kap))], given=[IN],
-      by=[instances(40, using={x: nonzero(), y: scalar()}, made_by={al0: x / (1 + abs(x) + abs(y)), ga0: y / (1 + abs(x) + abs(y))}), example(alpha0="9/10", gamma0="1/20"), example(alpha0="-1/100", gamma0="49/50")],
+      by=[steps(facts=["a quadratic polynomial with positive discriminant has two real roots"],
+                prose="1 + alpha^2 - gamma^2 - 2|alpha| = (1 - |alpha|)^2 - gamma^2 > 0 in the diamond, so 0 < kappa^2 < 1; the roots have product 1 and sum 2/kappa"),
+          instances(40, using={x: nonzero(), y: scalar()}, made_by={al0: x / (1 + abs(x) + abs(y)), ga0: y / (1 + abs(x) + abs(y))}), example(alpha0="9/10", gamma0="1/20"), example(alpha0="-1/100", gamma0="49/50")],
       note="(alpha, 0) is a fixed point of (3.10) for every alpha, and lies on the hyperbola when kappa alpha^2 - 2 alpha + kappa = 0; the roots are less than 2/|kappa| in modulus.")
 BACKWARD = (rec(bal, t, al0, (bal[t] ** 2 - bga[t] ** 2) / bal[t]), rec(bga, t, ga0, -bga[t] / bal[t]))
 BACK = pp ** (2 * m) * (bal[m] - pp) * (pp * al0 - 1) == (al0 - pp) * (pp * bal[m] - 1)

@@ -77,14 +77,20 @@ claim("BLM91-S92", "a prime between [p/4] and 2[p/4]", (r < last) & prime(last),
       by=[steps(facts=["Bertrand's postulate: there is a prime between r and 2r for every r > 1"], prose="r = [p/4] >= 2 for p >= 10"),
           instances(60), example(r=2), example(r=3)], note="The largest prime below 2r is larger than r.")
 claim("BLM91-S93", "p = 4r: the prime does not divide p", forall(q, lo, hi, prime(q) >> ~divides(q, p)), over={r: integer(3, 25)},
-      where=[let(p, 4 * r), *PRIME, *BETWEEN], by=[instances(60), example(r=3)], note="p >= 10 makes r >= 3.")
+      where=[let(p, 4 * r), *PRIME, *BETWEEN],
+      by=[steps(facts=["a prime that divides a product divides a factor"], prose="it would divide 4 or r, and it is larger than r >= 3"), instances(60), example(r=3)], note="p >= 10 makes r >= 3.")
 claim("BLM91-S94", "p = 4r + 2: the prime does not divide p", forall(q, lo, hi, prime(q) >> ~divides(q, p)), over={r: integer(2, 25)},
-      where=[let(p, 4 * r + 2), *PRIME, *BETWEEN], by=[instances(60), example(r=4)])
+      where=[let(p, 4 * r + 2), *PRIME, *BETWEEN],
+      by=[steps(facts=["a prime that divides a product divides a factor"], prose="it would divide 2r + 1, being larger than 2, with a quotient strictly between "
+                "1 and 2, as r < q < 2r"), instances(60), example(r=4)])
 BAD = function(bad, [q], prime(q) & divides(q, p))
 claim("BLM91-S95", "p = 4r + 1: a neighbour of the prime serves", forall(q, lo, hi, bad(q) >> good(q)), over={r: integer(3, 25)},
       where=[let(p, 4 * r + 1), *PRIME, *COPRIME, *BETWEEN, BAD,
              function(good, [q], (p == 3 * q) & inside(q + 1) & inside(q - 1) & (coprime_(p, q + 1) | coprime_(p, q - 1)))],
-      by=[instances(60), example(r=5), example(r=8), example(r=14)],
+      by=[steps(facts=["of three consecutive integers one is divisible by 3"],
+                prose="(4r + 1)/q lies between 2 and 4, so p = 3q; then q - r and 2r - q are (r + 1)/3 and (2r - 1)/3, more than 1 for r >= 3; q is not 3, so not "
+                      "both neighbours are multiples of 3, and q divides neither"),
+          instances(60), example(r=5), example(r=8), example(r=14)],
       note="bad(q): q is prime and divides p; good(q): p = 3q, both q + 1 and q - 1 satisfy (5.11), one of them is coprime to p.")
 ONE = (inside(q + 1) & coprime_(p, q + 1)) | (inside(q - 1) & coprime_(p, q - 1))
 claim("BLM91-S96", "p = 4r + 3: a neighbour of the prime serves", forall(q, lo, hi, bad(q) >> good(q)), over={r: integer(2, 25)},
