@@ -44,6 +44,7 @@ __all__ = ["STRENGTHS", "mutate_claim", "verify_claim", "verify_statement"]
 #: strongest first
 STRENGTHS = ("proved", "proved-sizes", "steps", "instances", "enclosed")
 
+_WITNESSES = 3  # instances kept beside a proof
 _TRIES = 150  # instances looked at in search of a counterexample
 _PATIENCE = 20.0  # seconds after which the search stops once it has what the certificate needs
 
@@ -167,7 +168,7 @@ def _search(id: str, data: dict, by: Sequence[Evidence], seed: int, found: Findi
         certificate = seal(id, "instances", data, {"instances": kept[:wanted], "seed": seed, "searched": len(kept)})
         if _accept(certificate, found):
             found.strength = "instances"
-            found.evidence.append(f"{min(len(kept), wanted)} exact instances in the certificate, {len(kept)} searched (seed {seed})")
+            found.evidence.append(f"{min(len(kept), wanted)} exact instances replayed, {len(kept)} searched (seed {seed})")
 
 
 def _draw_from(sampler: Sampler, id: str, data: dict, wanted: int, kept: list[dict], found: Findings) -> str:
@@ -234,19 +235,30 @@ def _accept(certificate: dict, found: Findings) -> bool:
 
 def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """Try the proofs asked for, in order, until one is accepted; then the weaker kinds."""
+    if data["sizes"]:  # every size at once is the strongest there is
+        _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
+        if found.strength != "proved":
+            _ordered(id, data, next((e.hints for e in by if e.kind == "order"), {}), found)
     for e in by:
-        if e.kind in PROOFS:
+        if e.kind in PROOFS and found.strength != "proved":
             for certificate in candidates(id, data, e):
                 if _accept(certificate, found):
                     _credit(data, e, found)
                     break
-    if found.strength != "proved" and data["sizes"]:
-        _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
-    if found.strength != "proved" and data["sizes"]:
-        _ordered(id, data, next((e.hints for e in by if e.kind == "order"), {}), found)
+    if found.strength in ("proved", "proved-sizes"):
+        _keep_witnesses(id, data, found)
     for e in by:
         if e.kind == "steps":
             _steps(e, found)
+
+
+def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
+    """Beside a proof a few instances do: they show that the hypotheses can be met."""
+    for k, certificate in enumerate(found.certificates):
+        if certificate["kind"] == "instances":
+            few = certificate["evidence"]["instances"][:_WITNESSES]
+            found.certificates[k] = seal(id, "instances", data, {**certificate["evidence"], "instances": few})
+            replay(found.certificates[k])
 
 
 def _ordered(id: str, data: dict, hints: Mapping[str, Any], found: Findings) -> None:
