@@ -28,8 +28,6 @@ invertible. With H a symmetric root of W, its inverse is I - RH inv(I + HRH) H, 
 Phi(P) = H inv(I + HRH) H is nonnegative; for positive W it is inv(inv(W) + R).
 """
 
-from proofs.b93.notation import d, i, j, k, n, p, piece, q, r
-
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, instances, order
 from exactkf.language import (
@@ -58,6 +56,7 @@ from exactkf.language import (
     vstack,
     when,
 )
+from proofs.b93.notation import d, i, j, k, n, p, piece, q, r
 
 As, Fs, Cs, L, G, x0, ys, eps = symbols("As Fs Cs L G x0 ys eps")
 A, F, C, S, R, P, Phi, X, Psi = symbols("A F C S R P Phi X Psi")
