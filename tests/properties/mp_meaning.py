@@ -4,14 +4,14 @@
 `evaluate` gives the truth of the conclusion of a statement on an instance,
 `admissible` whether its types and hypotheses hold there. Nothing of the exact
 evaluator is used. Scalars are mpmath numbers; inverses and determinants come
-from LU decompositions, ranks from singular values, definiteness from
+from elimination with full pivoting, ranks from singular values, definiteness from
 eigenvalues, root counts from computed roots, similarity from dimensions of
 spaces of intertwining matrices.
 
 A number is zero if it is below 10^-(digits/2) times the size of what it came
-from, not zero if it is well above; between the two the answer is in doubt and
-everything is done again with twice the digits. The value is None where a term
-has no value (or where doubt remains): such an instance says nothing.
+from, not zero if it is well above; between the two the answer is in doubt. Where a
+term has no value, or doubt remains, everything is done again with twice the
+digits, and if that stays so the result is None: the instance says nothing.
 """
 
 from __future__ import annotations
@@ -54,10 +54,8 @@ def _decide(statement: Mapping[str, Any], instance: Mapping[str, Any], question:
             with mp.workdps(digits):
                 try:
                     return question(_World(statement, instance))
-                except NoValue:
-                    return None
-                except (Doubt, mp.NoConvergence):
-                    continue
+                except (NoValue, Doubt, mp.NoConvergence):
+                    continue  # a zero may be a small number: look again with more digits
         return None
     finally:
         sys.setrecursionlimit(deep)
@@ -208,6 +206,12 @@ def _table(x: Any) -> Table:
     return x if isinstance(x, Table) else Table([[x]])
 
 
+def _entry(t: Table, i: int, j: int = 1) -> Any:
+    if not (1 <= i <= t.m and 1 <= j <= t.n):
+        raise NoValue("no such entry")
+    return t.rows[i - 1][j - 1]
+
+
 def _square(x: Any) -> Table:
     t = _table(x)
     if t.m != t.n:
@@ -258,8 +262,34 @@ def _sum(terms: Any) -> Any:
     return out
 
 
+def _eliminated(t: Table, more: Table | None = None) -> tuple[Any, list[list]]:
+    """Determinant, and the solution X of tX = more: Gauss-Jordan with full pivoting, every pivot judged against the largest entry."""
+    n, k = t.m, more.n if more else 0
+    rows = [[mpf(x) for x in r] + ([mpf(x) for x in more.rows[i]] if more else []) for i, r in enumerate(t.rows)]
+    order, det, size = list(range(n)), mpf(1), max(t.size(), 1)
+    for c in range(n):
+        i, j = max(((i, j) for i in range(c, n) for j in range(c, n)), key=lambda ij: abs(rows[ij[0]][ij[1]]))
+        if _vanishes(rows[i][j], size):
+            return mpf(0), []
+        if i != c:
+            rows[c], rows[i], det = rows[i], rows[c], -det
+        if j != c:
+            for r in rows:
+                r[c], r[j] = r[j], r[c]
+            order[c], order[j], det = order[j], order[c], -det
+        det *= rows[c][c]
+        rows[c] = [x / rows[c][c] for x in rows[c]]
+        for i, r in enumerate(rows):
+            if i != c and r[c]:
+                rows[i] = [x - r[c] * y for x, y in zip(r, rows[c], strict=True)]
+    solution = [[mpf(0)] * k for _ in range(n)]
+    for c, place in enumerate(order):
+        solution[place] = rows[c][n:]
+    return det, solution
+
+
 def _singular(t: Table) -> bool:
-    return _rank(t) < t.m
+    return t.m > 0 and not _eliminated(t)[0]
 
 
 def _rank(x: Any) -> int:
@@ -274,7 +304,7 @@ def _rank(x: Any) -> int:
 def _det(x: Any) -> Any:
     t = _square(x)
     if t.numeric():
-        return mpf(1) if not t.m else mpf(0) if _singular(t) else mp.det(t.mp())
+        return _eliminated(t)[0]
     return _sum(_mul(_mul((-1) ** j, e), _det(_minor(t, 0, j))) for j, e in enumerate(t.rows[0]))
 
 
@@ -287,9 +317,10 @@ def _inverse(x: Any) -> Table:
     if not t.m:
         return t
     if t.numeric():
-        if _singular(t):
+        det, found = _eliminated(t, _unit(t.m))
+        if not det:
             raise NoValue("singular")
-        return Table(mp.inverse(t.mp()).tolist())
+        return Table(found, t.n)
     det = _det(t)
     return Table([[_div(_mul((-1) ** (i + j), _det(_minor(t, j, i))), det) for j in range(t.n)] for i in range(t.m)])
 
@@ -328,7 +359,7 @@ def _stack(rows: list[list]) -> Table:
 
 def _diagonal(*xs: Any) -> Table:
     parts = [_table(x) for x in xs]
-    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)
+    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)  # noqa: E731
     return _stack([[p if i == j else zero(p.m, q.n) for j, q in enumerate(parts)] for i, p in enumerate(parts)])
 
 
@@ -339,7 +370,7 @@ def _charpoly(x: Any) -> Poly:
         raise NoValue("polynomial entries")
     n, step = t.m, 1 + t.size()
     points = [step * k for k in range(n + 1)]
-    values = [mp.det((_plus(_times(p, _unit(n)), _minus(t))).mp()) if n else mpf(1) for p in points]
+    values = [_det(_plus(_times(p, _unit(n)), _minus(t))) for p in points]
     vandermonde = mp.matrix([[p**k for k in range(n + 1)] for p in points])
     found = mp.lu_solve(vandermonde, mp.matrix(values))
     return Poly({k: found[k] for k in range(n + 1)})
@@ -709,11 +740,7 @@ class _World:
                 return Table([[_number(self.value(args[-1], {**local, names[0]: i, names[1]: j})) for j in range(1, _count(n) + 1)]
                               for i in range(1, _count(m) + 1)], n)
             case "entry":
-                t = self.value(args[0], local)
-                i, j = self.index(args[1], local), self.index(args[2], local) if len(args) > 2 else 1
-                if not isinstance(t, Table) or not (1 <= i <= t.m and 1 <= j <= t.n):
-                    raise NoValue("no such entry")
-                return t.rows[i - 1][j - 1]
+                return _entry(_table(self.value(args[0], local)), *(self.index(a, local) for a in args[1:]))
             case "block" | "rows":
                 return _stack([[self.value(x, local) for x in r] for r in args])
             case "rat":
@@ -755,16 +782,17 @@ class _World:
         return all(_rounds(e, p) for r, s in zip(x.rows, table, strict=True) for e, p in zip(r, s, strict=True))
 
     def at(self, name: str, args: Any, local: Mapping[str, Any]) -> Any:
+        """Value of a function, entry of a sequence, of a matrix or of a column."""
         definition = self.where.get(name) if name not in self.names and name not in local else None
         if definition is not None and (definition[0] == "rec" or definition[2]):
             return self.defined(name, tuple(self.value(a, local) for a in args))
         row = self.value(["sym", name], local)
+        where = [self.index(a, local) for a in args]
         if isinstance(row, Table):
-            return self.value(["entry", ["sym", name], *args], local)
-        k = self.index(args[0], local)
-        if not isinstance(row, dict) or k not in row:
+            return _entry(row, *where)
+        if not isinstance(row, dict) or where[0] not in row:
             raise NoValue("outside the sequence")
-        return row[k]
+        return row[where[0]]
 
     def defined(self, name: str, args: tuple) -> Any:
         """Value of a definition."""
