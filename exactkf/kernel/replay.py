@@ -113,7 +113,24 @@ def _counterexample(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -
     fault = admissible(statement, world)
     _need(not fault, f"counterexample: {fault}")
     _need(world.value(statement["says"]) is False, "counterexample: the conclusion holds there")
+    _need(not any(_assumes_always(f) for _, f, _ in statement["given"]) and not _denies_always(statement["says"]),
+          "counterexample: 'always' is assumed or denied, and an instance shows it up to a horizon only")
     return []
+
+
+def _assumes_always(tree: Any) -> bool:
+    return isinstance(tree, list) and (tree[:1] == ["always"] or any(_assumes_always(x) for x in tree))
+
+
+def _denies_always(tree: Any) -> bool:
+    """An 'always' stands under a negation, in a premise or in an equivalence."""
+    if not isinstance(tree, list):
+        return False
+    if tree[0] in ("not", "<=>"):
+        return _assumes_always(tree)
+    if tree[0] == "=>":
+        return _assumes_always(tree[1]) or _denies_always(tree[2])
+    return any(_denies_always(x) for x in tree[1:])
 
 
 def _integers(statement: Mapping[str, Any], sizes: Mapping[str, int]) -> Iterator[dict[str, int]]:

@@ -13,6 +13,7 @@ monomials is a sum of ints.
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 from math import gcd
 from typing import Any
 
@@ -84,26 +85,46 @@ def _exact_quotient(p: Poly, q: Poly) -> Poly | None:
 _PRIME = (1 << 61) - 1
 
 
+@lru_cache(maxsize=1 << 18)
+def _reduced_monomial(key: int, main: int) -> tuple[int, int]:
+    """Exponent of the main variable, and the value of the rest modulo the prime at a fixed point."""
+    mask = (1 << _BITS) - 1
+    exponent, value, place = (key >> main) & mask, 1, 3
+    key &= ~(mask << main)
+    while key:
+        if key & mask:
+            value = value * pow(1000003 * place + 97, key & mask, _PRIME) % _PRIME
+        key >>= _BITS
+        place += 1
+    return exponent, value
+
+
+def _univariate(p: Poly, main: int) -> list[int]:
+    out: dict[int, int] = {}
+    for key, c in p.items():
+        e, value = _reduced_monomial(key, main)
+        out[e] = (out.get(e, 0) + c * value) % _PRIME
+    return [out.get(e, 0) for e in range(max(out, default=0) + 1)]
+
+
+def _divides(small: int, big: int) -> bool:
+    """Divisibility of packed monomials."""
+    mask = (1 << _BITS) - 1
+    while small:
+        if (small & mask) > (big & mask):
+            return False
+        small >>= _BITS
+        big >>= _BITS
+    return True
+
+
 def _may_divide(q: Poly, p: Poly, width: int) -> bool:
-    """False only if q does not divide p: both are reduced to one variable modulo a prime."""
+    """False only if q does not divide p: by the first and last terms, then in one variable modulo a prime."""
+    if not (_divides(max(q), max(p)) and _divides(min(q), min(p))):
+        return False
     mask = (1 << _BITS) - 1
     main = next(s for s in range(0, width * _BITS, _BITS) if any((k >> s) & mask for k in q))
-
-    def univariate(poly: Poly) -> list[int]:
-        out: dict[int, int] = {}
-        for k, v in poly.items():
-            e, acc, s, i = (k >> main) & mask, v, 0, 3
-            k &= ~(mask << main)
-            while k:
-                if k & mask:
-                    acc = acc * pow(1000003 * i + 97, k & mask, _PRIME) % _PRIME
-                k >>= _BITS
-                i += 1
-                s += _BITS
-            out[e] = (out.get(e, 0) + acc) % _PRIME
-        return [out.get(e, 0) for e in range(max(out, default=0) + 1)]
-
-    a, b = univariate(p), univariate(q)
+    a, b = _univariate(p, main), _univariate(q, main)
     while b and b[-1] == 0:
         b.pop()
     if len(b) < 2:

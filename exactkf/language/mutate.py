@@ -43,6 +43,7 @@ class Mutant:
 _TERM_RELATIONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _WEAKER = {"<": "<=", ">": ">=", "pd": "psd", "pos_circle": "nonneg_circle"}
 _INDEX_ARGUMENTS = {"at": (2, 3, 4), "entry": (2, 3), "coeff": (2,), "laurent": (2,), "rev": (2,), "sum": (2, 3), "prod": (2, 3)}
+_BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}
 _NOT_TERMS = {"rat", "sym", "z", "prints"}
 
 
@@ -229,18 +230,20 @@ def _renamed(statement: dict) -> dict:
     """Every variable and definition gets another name."""
     names = {n: f"{n}_renamed" for n, _ in statement["over"]} | {d[1]: f"{d[1]}_renamed" for d in statement["where"]}
 
-    def rename(tree: Any) -> Any:
+    def rename(tree: Any, bound: tuple = ()) -> Any:
         if isinstance(tree, (int, str)):
             return tree
-        if tree and tree[0] in ("sym", "at") and tree[1] in names:
-            return [tree[0], names[tree[1]], *(rename(x) for x in tree[2:])]
-        return [rename(x) for x in tree]
+        if tree and isinstance(tree[0], str) and tree[0] in ("sym", "at") and tree[1] in names and tree[1] not in bound:
+            return [tree[0], names[tree[1]], *(rename(x, bound) for x in tree[2:])]
+        if tree and isinstance(tree[0], str) and tree[0] in _BINDERS:
+            bound = (*bound, *tree[1:1 + _BINDERS[tree[0]]])
+        return [rename(x, bound) for x in tree]
 
     where = []
     for d in statement["where"]:
         if d[0] == "let":
-            where.append(["let", names[d[1]], d[2], rename(d[3])])
+            where.append(["let", names[d[1]], d[2], rename(d[3], tuple(d[2]))])
         else:
-            where.append(["rec", names[d[1]], d[2], d[3], rename(d[4]), rename(d[5])])
+            where.append(["rec", names[d[1]], d[2], d[3], rename(d[4]), rename(d[5], (d[2],))])
     return {**statement, "over": [[names[n], rename(t)] for n, t in statement["over"]], "where": where,
             "given": [[label, rename(f), kind] for label, f, kind in statement["given"]], "says": rename(statement["says"])}

@@ -188,9 +188,21 @@ def _check(statement: Statement) -> None:
             _check_tree(definition[5], known | {definition[2]})
         else:
             raise BadInput(f"definition {definition!r} is neither let nor rec")
-    for _, formula, _kind in statement.given:
+    for label, formula, _kind in statement.given:
         _check_tree(formula, known)
+        _check_always(formula, False, f"hypothesis {label!r}")
     _check_tree(statement.says, known)
+    _check_always(statement.says, True, "the conclusion")
+
+
+def _check_always(tree: Any, positive: bool, where: str) -> None:
+    """A statement for all t is seen up to a horizon only: it may be concluded, never assumed or denied."""
+    if not isinstance(tree, tuple):
+        return
+    if tree and tree[0] == "always" and not positive:
+        raise BadInput(f"{where} assumes or denies an 'always'; use forall with a bound, or conclude it")
+    for k, part in enumerate(tree[1:], 1):
+        _check_always(part, positive and tree[0] in ("and", "or", "forall", "exists", "always", "=>") and not (tree[0] == "=>" and k == 1), where)
 
 
 _BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}

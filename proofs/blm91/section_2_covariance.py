@@ -104,7 +104,7 @@ MA_NOTE = ("Read on moving averages y_t = sum sigma_j e_(t-j) with E y_t^2 = 1: 
            "c_k z^k over all k, and T_t is positive definite for every t, being a Gram matrix of shifted copies of a nonzero vector; "
            "so the right side, tested for t <= m, holds for all t.")
 WEAK = ("positive Toeplitz matrices give only a nonnegative spectral density: c = 1, 1/2, 0, 0, ... has T_t > 0 for every t "
-        "and a zero at z = -1; necessary as printed, sufficient only with >= in the Popov condition")
+        "and a zero at z = -1; necessary as printed, while T_t > 0 for all t gives no more than >= in the Popov condition")
 claim("BLM91-S14", "positive realness is positive definiteness of all Toeplitz matrices",
       iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
       by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],

@@ -166,8 +166,9 @@ claim("BLM91-S22", "the filter matrix is stable, with characteristic polynomial 
       (charpoly(Fm) == Qm) & schur(Fm), sizes=["n", "m"], over=AG,
       where=[*FORM, *FAST, *POLY, *DATA, let(Fm, F - fk[m] * T(h)), let(Qm, 1 / r[m] * Qp(m))],
       given=REAL,
-      by=[steps("BLM91-E2.25", "BLM91-E2.26", "BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem"],
+      by=[steps("BLM91-E2.25", "BLM91-E2.26", "BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"],
                 prose="on the circle |Q*_t| < |Q_t| while r_t > 0, so the zeros inside are as many for Q_t as for Q_t - s Q*_t, |s| <= 1; "
-                      "Q_0 - Q*_0 = a(z) starts, and Q_(t+1) = Q_t - gamma_t z Q*_t continues; |gamma_t| < 1 because z^n Q_t(1/z) has no zero in the closed disc"),
+                      "Q_0 - Q*_0 = a(z) starts, and Q_(t+1) = Q_t - gamma_t z Q*_t continues; |gamma_t| < 1, so r_(t+1) > 0, because z^n Q_t(1/z) has no zero in the closed disc "
+                      "and z^n Q*_t(1/z)/(z^n Q_t(1/z)) = gamma_t z + .. is less than 1 in modulus there"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
       note="m is the time t.")

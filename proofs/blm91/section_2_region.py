@@ -44,8 +44,8 @@ claim("BLM91-E2.31", "the Popov condition is handed on",
       note="The Popov condition of b/(2a) is written without denominators, as positivity of |a|^2 + g a* + g* a; m is the time t.")
 claim("BLM91-S24", "each step gives data of another stochastic system",
       schur(den) & pos_on_circle(pop), sizes=["n", "m"], over=AG, where=[*POLY, *DATA, *ALONG], given=REAL,
-      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem"],
-                prose="|Q*_t| < |Q_t| on the circle while r_t > 0, so Q_t - Q*_t has as many zeros in the disc as Q_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
+      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"],
+                prose="r_t > 0 as for the stability of the filter matrix, hence |Q*_t| < |Q_t| on the circle, so Q_t - Q*_t has as many zeros in the disc as Q_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
       note="a := q_t - q*_t and g := q*_t are positive real; den is r_t times a(z), m is the time t.")
 
@@ -57,7 +57,7 @@ claim("BLM91-S23", "convergence to the steady-state filter",
       (last < rational("1/1000")) & (abs(low - d) < rational("1/1000")), sizes=["n"], over={a: vector(n), g: vector(n), x: vector(n)},
       where=[*POLY, *DATA, INVARIANT, let(sg, polynomial_of(x)), let(d, coeff(D, 0) / coeff(sg * recip(sg), 0)),
              let(last, trace(T(q[20] - x) * (q[20] - x)) + trace(T(qs[20]) * qs[20])), let(low, r[20])],
-      given=[standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
+      given=[standing("few states", n <= 2), standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
              standing("data well inside", d >= rational("1/4"))],
       by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=["r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
                 prose="r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t then tend to zero one after "
@@ -66,7 +66,7 @@ claim("BLM91-S23", "convergence to the steady-state filter",
                     made_by={x: w / (2 * (1 + SW)), a: (MA - J * MA) / (1 - MA[1]), g: (J * MA - MA[1] * MA) / (1 - MA[1] ** 2)}),
           example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
       note="The limit has no finite test. On the instances, whose spectral factor z^n + x_1 z^(n-1) + .. is known and whose rate is bounded by the "
-           "standing hypotheses, the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
+           "standing hypotheses (n <= 2 among them), the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
 
 # ---------------------------------------------------------------------- shape of the positive real region
 binom = sym("binomial")
@@ -101,7 +101,7 @@ claim("BLM91-E2.32a", "positivity in closed form",
           instances(60), example(a=0, g="1/2"), example(a=0, g="-1/2"), example(a=3, g=1), example(a=-2, g=0), example(a=0, g=1), example(a=1, g=-1)],
       note="For all real a and g, stable or not.")
 claim("BLM91-E2.32b", "the stability condition for n = 1", iff(schur(F), abs(a) < 1), over={a: scalar()}, where=[let(F, rows([[-a]]))],
-      by=[instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
+      by=[steps(facts=["a matrix of size one has its entry as eigenvalue"], prose="|-a| = |a|"), instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
 claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
       (q[0][1] == al0) & (qs[0][1] == ga0) & (al0 - ga0 == a[1]), over={a: vector(1), g: vector(1)},
       where=[let(n, 1), *stripped(g + a, g), let(al0, a[1] + g[1]), let(ga0, g[1])], by=[identity(), instances()],
@@ -109,7 +109,9 @@ claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
 claim("BLM91-F1", "the positive real region is the diamond",
       iff(((1 - abs(al0)) ** 2 > ga0**2) & schur(az), abs(al0) + abs(ga0) < 1), over={al0: scalar(), ga0: scalar()},
       where=[let(a, al0 - ga0), let(az, Z + a)],
-      by=[instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
+      by=[steps(facts=["triangle inequality"],
+                prose="(1 - |alpha|)^2 > gamma^2 says |alpha| + |gamma| < 1 or |alpha| > 1 + |gamma|; |alpha - gamma| is less than 1 in the first case and more in the second"),
+          instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
 claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
       over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1], ga1)], by=[induction(), instances()])
 

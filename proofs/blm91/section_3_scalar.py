@@ -18,16 +18,14 @@ gamma; v(z) + v(1/z) = D/((z + a)(1/z + a)), and D has the two factorizations
 diamond are the positive real v, points of III and IV those with v(1/z) positive real.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
 from exactkf.language import *
-
 from proofs.blm91.notation import *
-
 
 kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
 PLANE = {al0: scalar(), ga0: scalar()}
-eps = sym("ratio")
+eps, parts, na, ng = symbols("ratio parts alpha_next gamma_next")
 RT = rec(r, t, 1, (1 - ga[t] ** 2) * r[t])
 
 
@@ -42,13 +40,13 @@ CROSSES = [example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1), example(al
 
 # ---------------------------------------------------------------------- the map
 claim("BLM91-E3.10", "the algorithm for n = 1, referred to as (3.25)",
-      forall(t, 0, m, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])) & exists(k, 1, 15, k == 25), sizes=["m"],
+      forall(t, 0, m, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])) & exists(k, 1, 17, k == 25), sizes=["m"],
       over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)],
       by=[example(m=1, a=["1/2"], g=["1/2"]), instances(m=(1, 2))],
-      repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.15); the system is (2.25)",
+      repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.17); the system is (2.25)",
                     always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
                     over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)], by=[induction(), instances()]),
-      note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 15 of the displays of Section III.")
+      note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 17 of the displays of Section III.")
 claim("BLM91-E3.11", "the invariant for n = 1",
       always(t, r[t] * ((Z + al[t]) * (recip(Z) + al[t]) - ga[t] ** 2) == (Z + al0) * (recip(Z) + al0) - ga0**2), over=PLANE, where=[*ORBIT, RT],
       by=[induction(), instances()])
@@ -127,14 +125,16 @@ LINES = {al0: (pp * y**2 - 1 / pp) / (y**2 - 1), ga0: y * (pp - 1 / pp) / (y**2 
 TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=ORBIT)
 ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0="-1/2", gamma0="1/2", p=-1), example(m=2, alpha0=4, gamma0=3, p=1),
         example(m=1, alpha0=-4, gamma0=-3, p=-1), example(m=2, alpha0=3, gamma0=0, p="1/3")]
-claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, 0, k == 1), **TO, given=[ROOT],
+#: how many numbered parts Theorem 3.2 has (Theorem 3.3 has three)
+PARTS = let(parts, 0)
+claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, parts, k == 1), sizes=["m"], over=TO["over"], where=[*ORBIT, PARTS], given=[ROOT],
       by=[example(m=3, alpha0="1/2", gamma0="1/2", p=1), instances(m=(1, 2))],
       repair=repair("cross-reference", "Theorem 3.2 has no part 1) and says nothing of convergence; necessity is Theorem 3.3, 1)", AWAY, **TO, given=[ROOT],
                     by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
                         instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO]),
       note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1, that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. "
            "Where the orbit exists, the equation shows that alpha_t - p tends to zero: for |p| < 1 because p^(2t) does (unless alpha_0 is the other fixed point 1/p), for p = 1, -1 "
-           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). The last conjunct says that 1 is the number of a part of Theorem 3.2, which has none. m is the time.")
+           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). The last conjunct says that 1 is among the numbers of the parts of the theorem cited; Theorem 3.2 has no numbered part. m is the time.")
 
 # ---------------------------------------------------------------------- Remark 3.6
 VA = (let(a, al0 - ga0), let(b, al0 + ga0), let(vz, rational("1/2") * (Z + b) / (Z + a)), let(D0, d_of(al0, ga0)))
@@ -149,7 +149,9 @@ claim("BLM91-R3.6.1", "points of the diamond are the positive real functions",
 claim("BLM91-R3.6.2", "the hyperbola of a point of the diamond carries two fixed points",
       real_roots(quad, -far, far) == 2, over={al0: nonzero(), ga0: scalar()},
       where=[let(kap, 2 * al0 / (1 + al0**2 - ga0**2)), let(quad, kap * Z**2 - 2 * Z + kap), let(far, 1 + 2 / abs(kap))], given=[IN],
-      by=[instances(40, using={x: nonzero(), y: scalar()}, made_by={al0: x / (1 + abs(x) + abs(y)), ga0: y / (1 + abs(x) + abs(y))}), example(alpha0="9/10", gamma0="1/20"), example(alpha0="-1/100", gamma0="49/50")],
+      by=[steps(facts=["a quadratic polynomial with positive discriminant has two real roots"],
+                prose="1 + alpha^2 - gamma^2 - 2|alpha| = (1 - |alpha|)^2 - gamma^2 > 0 in the diamond, so 0 < kappa^2 < 1; the roots have product 1 and sum 2/kappa"),
+          instances(40, using={x: nonzero(), y: scalar()}, made_by={al0: x / (1 + abs(x) + abs(y)), ga0: y / (1 + abs(x) + abs(y))}), example(alpha0="9/10", gamma0="1/20"), example(alpha0="-1/100", gamma0="49/50")],
       note="(alpha, 0) is a fixed point of (3.10) for every alpha, and lies on the hyperbola when kappa alpha^2 - 2 alpha + kappa = 0; the roots are less than 2/|kappa| in modulus.")
 BACKWARD = (rec(bal, t, al0, (bal[t] ** 2 - bga[t] ** 2) / bal[t]), rec(bga, t, ga0, -bga[t] / bal[t]))
 BACK = pp ** (2 * m) * (bal[m] - pp) * (pp * al0 - 1) == (al0 - pp) * (pp * bal[m] - 1)
@@ -181,9 +183,18 @@ claim("BLM91-E3.14b", "the spectral density by alpha_-, and two stable spectral 
       by=[steps("BLM91-E3.14a", "BLM91-R3.6.5", prose="|a| < 1 in the diamond, and alpha_0, alpha_+, alpha_- have one sign there, so that the factors are real and stable"),
           instances(40, **INSIDE)],
       note="p = alpha_+, 1/p = alpha_-. Stable: z + a is a Schur polynomial; the factors are real because alpha_0/alpha_+ > 0, hence alpha_0/alpha_- > 0.")
-claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor",
-      (vstack(al[1], ga[1]) == Zero(2, 1)) & ~defined(far) & (D0 == 1 - ga0**2), over={ga0: scalar()},
-      where=[*NIL, let(al0, 0), let(far, (al0**2 - ga0**2) / al0), let(D0, d_of(al0, ga0))], by=[instances()], note="Escape in backward time: the inverse map is not defined at alpha = 0.")
+# a point (x, y) and its image
+IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(na, x / (1 - y**2)), let(ng, -x * y / (1 - y**2)))
+HIT = (na == 0) & (ng == ga0)
+NIL_SAYS = (vstack(al[1], ga[1]) == Zero(2, 1)) & (D0 == 1 - ga0**2)
+claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
+      by=[example(gamma0=0, x=0, y="1/2"), instances()],
+      repair=repair("boundary case", "(0, gamma_0) has no preimage for gamma_0 not 0; the origin does not escape in backward time, being an equilibrium and the image of every (0, y)",
+                    NIL_SAYS & iff(HIT, (x == 0) & (ga0 == 0)), over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
+                    by=[steps("BLM91-S36", prose="x/(1 - y^2) = 0 leaves x = 0, and then the image is the origin"),
+                        instances(), example(gamma0=0, x=0, y="1/2"), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=0, x=1, y=0),
+                        example(gamma0="-2/3", x=1, y="1/2")]),
+      note="Escape in backward time is read as: no point (x, y) is mapped to (0, gamma_0).")
 denb = sym("den")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),
@@ -204,9 +215,11 @@ claim("BLM91-R3.6.8", "the point of the diamond that represents v(1/z)", SAME, o
 claim("BLM91-R3.6.9", "that point is in the diamond and on the same hyperbola",
       (dia < 1) & ((1 + ah**2 - gh**2) / ah == (1 + al0**2 - ga0**2) / al0), over=PLANE,
       where=[*ADJ, let(gh, ga0 / (a * b)), let(dia, abs(ah) + abs(gh))], given=[given("III or IV", abs(al0) > 1 + abs(ga0))],
-      by=[instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})])
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="with ab = alpha^2 - gamma^2 the sum of the moduli is 1/(|alpha| - |gamma|) < 1, and both quotients are (ab + 1)/alpha"),
+          instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})])
 claim("BLM91-R3.6.10", "ab >= 1 in III and IV", (a * b == al0**2 - ga0**2) & (far >= 1), over=PLANE, where=[*VA, let(far, a * b)],
-      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[instances(40, using={x: nonneg(), y: scalar()}, made_by={ga0: y, al0: x + 1 + abs(y)}), *CROSSES[3:4]])
+      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[steps(facts=["squaring keeps the order of nonnegative numbers"], prose="alpha^2 - gamma^2 >= (1 + |gamma|)^2 - gamma^2 = 1 + 2|gamma|"),
+          instances(40, using={x: nonneg(), y: scalar()}, made_by={ga0: y, al0: x + 1 + abs(y)}), *CROSSES[3:4]])
 claim("BLM91-R3.6.11", "the spectral density in III and IV, and antistable factors",
       (vz + recip(vz) == al0 / pp * (Z + pp) * (recip(Z) + pp) / ((Z + a) * (recip(Z) + a)))
       & (vz + recip(vz) == al0 / (1 / pp) * (Z + 1 / pp) * (recip(Z) + 1 / pp) / ((Z + a) * (recip(Z) + a))) & (far > 1),
@@ -220,5 +233,7 @@ claim("BLM91-R3.6.12", "region II is visited at most once",
       (dia <= 1) & (far > 0), sizes=["m"], over={al0: nonzero(), ga0: scalar()},
       where=[*ORBIT, let(dia, abs(al[m + 1]) + abs(ga[m + 1])), let(far, 1 + abs(al[m + 1]) - abs(ga[m + 1]))],
       given=[given("in II", abs(ga0) >= 1 + abs(al0))],
-      by=[instances(40, m=(0, 1, 2), using={x: nonneg(), y: nonzero()}, made_by={al0: y, ga0: 1 + abs(y) + x})],
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="the next point has |alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1 and |gamma'| - |alpha'| = |alpha|/(|gamma| + 1) < 1; later points: in the "
+                "closed diamond the sum of the moduli becomes |alpha|/(1 - |gamma|) <= 1, |gamma| < 1 as alpha is not 0"),
+          instances(40, m=(0, 1, 2), using={x: nonneg(), y: nonzero()}, made_by={al0: y, ga0: 1 + abs(y) + x})],
       note="From a point of II (with alpha_0 not 0, as kappa is not 0) every later point is in I and none in II; m + 1 is the time.")

@@ -69,21 +69,28 @@ claim("BLM91-L5.1", "coprime fractions, both parts",
 BETWEEN = (let(lo, r + 1), let(hi, 2 * r - 1), function(inside, [x], (r < x) & (x < 2 * r)))
 claim("BLM91-E5.11", "q between [p/4] and 2[p/4] serves",
       forall(q, lo, hi, (rational("1/4") < q / p) & (q / p < rational("1/2"))), over={r: integer(1, 100), s: integer(0, 3)},
-      where=[let(p, 4 * r + s), *BETWEEN], by=[instances(80), example(r=3, s=3), example(r=2, s=3)],
+      where=[let(p, 4 * r + s), *BETWEEN],
+      by=[steps(facts=["an integer above r is at least r + 1"], prose="4q >= 4r + 4 > p and 2q <= 4r - 2 < p"), instances(80), example(r=3, s=3), example(r=2, s=3)],
       note="Shown is 1/4 < q/p < 1/2, that is (5.9) with pi/4 for its printed lower bound 1/4, which is the stronger inequality; also for p < 10.")
 claim("BLM91-S92", "a prime between [p/4] and 2[p/4]", (r < last) & prime(last), over={r: integer(2, 40)},
       where=[*PRIME, function(down, [x], when(prime(x), x, down(x - 1))), let(last, down(2 * r - 1))],
       by=[steps(facts=["Bertrand's postulate: there is a prime between r and 2r for every r > 1"], prose="r = [p/4] >= 2 for p >= 10"),
           instances(60), example(r=2), example(r=3)], note="The largest prime below 2r is larger than r.")
 claim("BLM91-S93", "p = 4r: the prime does not divide p", forall(q, lo, hi, prime(q) >> ~divides(q, p)), over={r: integer(3, 25)},
-      where=[let(p, 4 * r), *PRIME, *BETWEEN], by=[instances(60), example(r=3)], note="p >= 10 makes r >= 3.")
+      where=[let(p, 4 * r), *PRIME, *BETWEEN],
+      by=[steps(facts=["a prime that divides a product divides a factor"], prose="it would divide 4 or r, and it is larger than r >= 3"), instances(60), example(r=3)], note="p >= 10 makes r >= 3.")
 claim("BLM91-S94", "p = 4r + 2: the prime does not divide p", forall(q, lo, hi, prime(q) >> ~divides(q, p)), over={r: integer(2, 25)},
-      where=[let(p, 4 * r + 2), *PRIME, *BETWEEN], by=[instances(60), example(r=4)])
+      where=[let(p, 4 * r + 2), *PRIME, *BETWEEN],
+      by=[steps(facts=["a prime that divides a product divides a factor"], prose="it would divide 2r + 1, being larger than 2, with a quotient strictly between "
+                "1 and 2, as r < q < 2r"), instances(60), example(r=4)])
 BAD = function(bad, [q], prime(q) & divides(q, p))
 claim("BLM91-S95", "p = 4r + 1: a neighbour of the prime serves", forall(q, lo, hi, bad(q) >> good(q)), over={r: integer(3, 25)},
       where=[let(p, 4 * r + 1), *PRIME, *COPRIME, *BETWEEN, BAD,
              function(good, [q], (p == 3 * q) & inside(q + 1) & inside(q - 1) & (coprime_(p, q + 1) | coprime_(p, q - 1)))],
-      by=[instances(60), example(r=5), example(r=8), example(r=14)],
+      by=[steps(facts=["of three consecutive integers one is divisible by 3"],
+                prose="(4r + 1)/q lies between 2 and 4, so p = 3q; then q - r and 2r - q are (r + 1)/3 and (2r - 1)/3, more than 1 for r >= 3; q is not 3, so not "
+                      "both neighbours are multiples of 3, and q divides neither"),
+          instances(60), example(r=5), example(r=8), example(r=14)],
       note="bad(q): q is prime and divides p; good(q): p = 3q, both q + 1 and q - 1 satisfy (5.11), one of them is coprime to p.")
 ONE = (inside(q + 1) & coprime_(p, q + 1)) | (inside(q - 1) & coprime_(p, q - 1))
 claim("BLM91-S96", "p = 4r + 3: a neighbour of the prime serves", forall(q, lo, hi, bad(q) >> good(q)), over={r: integer(2, 25)},

@@ -247,7 +247,7 @@ claim("BLZ94-SA5", "the coupled recursion for pi_t and rho_t*, and (4.12)",
       _TWO & forall(t, 1, n - 1, pi[t + 1] == (1 + Z) * pi[t] + (gamma[t] * gamma[t - 1] - 1) * Z * pi[t - 1]), **_TO,
       by=[example(n=3, gamma=["1/2", "1/2", 0]), instances(n=(1, 2, 3))],
       note="The coupled recursion is right; (4.12), which is said to follow from it, does not.",
-      repair=repair("other", "Eliminating rho_t* from the coupled recursion gives a three-term recursion with the "
+      repair=repair("factor", "Eliminating rho_t* from the coupled recursion gives a three-term recursion with the "
                              "ratio of gamma_t to gamma_{t-1}, not (4.12).",
                     _TWO & forall(t, 1, n - 1, gamma[t - 1] * pi[t + 1] == (gamma[t - 1] * Z + gamma[t]) * pi[t]
                                   + gamma[t] * (gamma[t - 1] ** 2 - 1) * Z * pi[t - 1]), **_TO,

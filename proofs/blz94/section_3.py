@@ -35,6 +35,7 @@ from exactkf.language import (
     defined,
     det,
     eq,
+    exists,
     forall,
     function,
     given,
@@ -119,18 +120,18 @@ BACK = (rec(w, t, 1, Z * w[t] - eta[t] * ws[t]), rec(ws, t, 1, ws[t] - eta[t] * 
 
 # ---------------------------------------------------------------------- positive real functions and Toeplitz matrices
 claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positive definite",
-      iff(always(m, pd(Toeplitz[m])), pos_on_circle(v + recip(v))), sizes=["n"], over={q: polynomial(n)},
+      always(m, pd(Toeplitz[m])) & pos_on_circle(v + recip(v)), sizes=["n"], over={q: polynomial(n)},
       where=[function(c, [k], coeff(q * recip(q), k) / coeff(q * recip(q), 0)), *TOEPLITZ,
              let(v, HALF + sum_of(k, 1, n, c[k] * Z ** (-k)))],
       by=[example(n=1, q=[1, 1]), instances(n=(1, 2, 3))],
       note="Stated for the functions v whose c_k are the normalized autocorrelations of the coefficients of a "
            "polynomial q. They are analytic for |z| >= 1, and every T_t is the Gram matrix of t + 1 shifts of q, "
-           "hence positive definite for all t. With q = 1 + z, that is c_1 = 1/2 and all other c_k = 0, v(-1) + v(-1) "
+           "hence positive definite for all t, so that the equivalence demands v(z) + v(1/z) > 0. With q = 1 + z, that is c_1 = 1/2 and all other c_k = 0, v(-1) + v(-1) "
            "= 0.",
       repair=repair("boundary case", "Definite T_t for all t do not exclude zeros of v(z) + v(1/z) (or poles of v) on "
                                      "the unit circle; without such zeros, and with a, b in lowest terms, the "
                                      "equivalence holds.",
-                    (R >> always(m, pd(Toeplitz[m]))) & iff(always(m, psd(Toeplitz[m])), R),
+                    (R >> always(m, pd(Toeplitz[m]))) & (~R >> exists(m, 0, 24, ~psd(Toeplitz[m]))),
                     sizes=["n"], over={a: monic(n), b: monic(n)},
                     where=[let(R, schur(a) & pos_on_circle(D)), let(v, b / (2 * a)), let(D, symmetric_part(a, b)),
                            function(c, [k], laurent(v, k)), *TOEPLITZ],

@@ -129,7 +129,7 @@ claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that i
       forall(k, 1, n, substitute(c[k], 1) == laurent(monic_of(b) / (2 * monic_of(a)), k))
       & forall(i, 1, n - 1, coeff(det(Toeplitz[i]), 0) == 1), sizes=["n"], over={a: vector(n), b: vector(n)},
       where=[function(c, [k], HALF * (Z * b[k] - Z * a[k]) - sum_of(j, 1, k - 1, c[j] * (Z * a[k - j]))), *TOEPLITZ],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3))],
+      by=[identity(n=range(1, 7), fact="the zero set of a polynomial in one variable that is not zero is finite"), instances(n=(2, 3))],
       note="c_k and det T_i are polynomials in (a, b); here they are followed along the line from (0, 0), at z = 0, "
            "to (a, b), at z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points "
            "arbitrarily near to z = 1.")
@@ -175,7 +175,8 @@ claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parame
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
-      by=[steps("BLZ94-L4.2", prose="The first Schur parameter of v_t is its coefficient of 1/z, which is g_1(t)."),
+      by=[steps("BLZ94-L4.2", prose="By t deletions gamma_t is the first Schur parameter of v_t, its coefficient of "
+                                    "1/z, that is g_1(t). Lemma 4.2, with m to 3, reaches t = 4."),
           instances(n=(1, 2, 3, 4))])
 
 _A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),

@@ -264,6 +264,6 @@ claim("D71-S28", "what happens to a slightly negative value",
           instances(made_by={h: e*(m**2*e + v - phi**2*v)/(m**2*e + v), p: e/(1 + q)}, using={q: positive()})],
       note="Slightly negative means above the pole -v/m^2 or, where the value is to return, above the negative "
            "equilibrium e, which exists "
-           "exactly if h > 0 or phi^2 < 1. The first part is read for observable processes, as the remark before it; "
-           "with m = 0, h = 0 and "
-           "phi^2 = 1 the value would not move at all.")
+           "exactly if h > 0 or phi^2 < 1. The first part is read for observable processes: what follows it "
+           "speaks of the other cases with a stable nonnegative equilibrium. With m = 0, h = 0 and phi^2 = 1 the value "
+           "would not move at all.")

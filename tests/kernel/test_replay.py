@@ -180,6 +180,36 @@ def test_induction_does_not_use_what_is_false_later():
     rejected("induction", {"cases": [{}]}, **parts)
 
 
+def test_induction_follows_the_index_through_functions():
+    """An argument beside the index may be calculated with; the argument that is the index may not, however it gets there."""
+    f, h = symbols("f h")
+    where = [rec(s, t, x, 2 * s[t]), function(f, [t, k], when(k == 0, s[t], f(t, k - 1) + s[t]))]
+    parts = {"over": {"x": scalar()}, "where": where, "says": always(t, f(t, 3) == 4 * s[t])}
+    replay(certificate("induction", {"cases": [{}]}, **parts))
+    hidden = {"where": [rec(s, t, 0, s[t] + 1), function(h, [k], 1 * k), function(f, [k, t], h(t) + 0 * k)], "says": always(t, s[t] == f(7, t))}
+    rejected("induction", {"cases": [{}], "cofactors": [[[1, 0, 1]]]}, **hidden)
+
+
+def test_induction_with_more_than_the_conclusion():
+    """What is carried along needs its own base and step."""
+    u = sym("u")
+    where = [rec(s, t, 1, s[t] + u[t]), rec(u, t, 1, s[t] + u[t])]
+    parts = {"where": where, "says": always(t, s[t] + u[t] == 2 * s[t])}
+    also = (s[t] == u[t]).tree
+    replay(certificate("induction", {"cases": [{}], "also": [also], "cofactors": [[], []]}, **parts))
+    false_base = (s[t] == 2 * u[t]).tree
+    assert "base" in rejected("induction", {"cases": [{}], "also": [false_base], "cofactors": [[], []]}, **parts)
+    no_step = (s[t] == 1).tree
+    assert "step" in rejected("induction", {"cases": [{}], "also": [no_step], "cofactors": [[], []]}, **parts)
+
+
+def test_a_definition_without_end_has_no_value():
+    """It calls itself below its start: the instance lies outside the statement, and nothing crashes."""
+    f = sym("f")
+    parts = {"where": [function(f, [k], when(k == 0, 0, f(k - 1)))], "says": f(-1) == 0}
+    rejected("evaluation", {"cases": [{}]}, **parts)
+
+
 # ---------------------------------------------------------------------- instances
 def test_an_instance_outside_the_hypotheses_is_rejected():
     """A counterexample must satisfy types and hypotheses."""

@@ -22,7 +22,7 @@ from exactkf.record import Record
 from tests.properties.mp_meaning import evaluate
 
 CLAIMS = load()
-RECORD = Record.load().entries
+RECORD = Record.read().entries
 
 
 def _tested():
