@@ -28,31 +28,6 @@ another one through ranks: they have the same solutions when each has the rank o
 together.
 """
 
-from proofs.b93.notation import (
-    FORM,
-    Factor,
-    J,
-    Product,
-    d,
-    hamiltonian,
-    i,
-    in_h,
-    in_h0,
-    in_h1,
-    in_h2,
-    j,
-    k,
-    member,
-    member_of_h,
-    n,
-    numbers,
-    p,
-    part,
-    piece,
-    q,
-    r,
-)
-
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
@@ -90,6 +65,30 @@ from exactkf.language import (
     vector,
     vstack,
     when,
+)
+from proofs.b93.notation import (
+    FORM,
+    Factor,
+    J,
+    Product,
+    d,
+    hamiltonian,
+    i,
+    in_h,
+    in_h0,
+    in_h1,
+    in_h2,
+    j,
+    k,
+    member,
+    member_of_h,
+    n,
+    numbers,
+    p,
+    part,
+    piece,
+    q,
+    r,
 )
 
 A, B, C, D, M, N, F, P, Q, R, S, U, E, H, L, W, x = symbols("A B C D M N F P Q R S U E H L W x")

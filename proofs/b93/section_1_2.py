@@ -17,28 +17,8 @@ the eigenvalues of P inv(Q), up to replacing all of them by their reciprocals;
 congruence leaves them alone and inversion inverts them.
 """
 
-from proofs.b93.introduction import (
-    DEPENDENT,
-    GAUSSIAN,
-    JOINT,
-    LOUD,
-    P0,
-    P1,
-    PARAMETERS,
-    REGULAR,
-    SIZES,
-    SMALL,
-    STEP,
-    STEP_GIVEN,
-    STEP_MADE,
-    STEP_OVER,
-    STEP_SIZES,
-)
-from proofs.b93.introduction import SYSTEM as EVOLUTION
-from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
-
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -64,6 +44,25 @@ from exactkf.language import (
     symbols,
     symplectic,
 )
+from proofs.b93.introduction import (
+    DEPENDENT,
+    GAUSSIAN,
+    JOINT,
+    LOUD,
+    P0,
+    P1,
+    PARAMETERS,
+    REGULAR,
+    SIZES,
+    SMALL,
+    STEP,
+    STEP_GIVEN,
+    STEP_MADE,
+    STEP_OVER,
+    STEP_SIZES,
+)
+from proofs.b93.introduction import SYSTEM as EVOLUTION
+from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
 
 A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi, Den = symbols("A B C D M N P Q R S F W H X Y Phi Den")
 TT, T0, S0, Q0, W0 = symbols("T T0 S0 Q0 W0")
