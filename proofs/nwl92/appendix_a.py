@@ -30,7 +30,6 @@ from exactkf.language import (
     T,
     Zero,
     block,
-    diag,
     eq,
     iff,
     inv,
@@ -44,8 +43,8 @@ from exactkf.language import (
 )
 from proofs.nwl92.notation import (
     BLOCKS,
-    GRAM,
     G2,
+    GRAM,
     IMPLIED_GRAM,
     ONE_INVERSE,
     OTHER,

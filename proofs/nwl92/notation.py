@@ -15,14 +15,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from exactkf.evidence import Evidence, identity, instances, order
+from exactkf.evidence import Evidence, instances, order
 from exactkf.language import (
     Expr,
     Identity,
     T,
     Zero,
     block,
-    diag,
     given,
     integer,
     inv,
@@ -169,21 +168,9 @@ def inverse_in_coordinates(names: tuple[Expr, Expr, Expr], free: tuple[Expr, Exp
             names[1]: T(S) * vstack(Identity(n), E0 * L), names[2]: -P}
 
 
-#: R, H, W, U, T in terms of S, P, the rank rho and free matrices; a second (1)-inverse
-COORDINATES = {
-    F: inv(S), E1: ones(p - n, p - n), E0: Identity(p - n) - E1, R: F * diag(P, E1) * T(F), H: F * upper(n, p - n),
-    **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n),
-}
-COORDINATES_2 = inverse_in_coordinates((W2, U2, T2), (Y5, Y6, Y7), n)
+#: parameters of the normal form
 PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n),
               Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
-PARAMETERS_2 = {Y5: matrix(p - n, n), Y6: matrix(p - n, p - n), Y7: matrix(p - n, n)}
-def in_coordinates(*, second: bool = False, made: dict | None = None, using: dict | None = None,
-                   **sizes: Any) -> Evidence:
-    """The conclusion as an identity in all R >= 0, H of full column rank and all their symmetric (1)-inverses."""
-    return identity(given_by={**COORDINATES, **(COORDINATES_2 if second else {}), **(made or {})},
-                    using={**PARAMETERS, **(PARAMETERS_2 if second else {}), **(using or {})}, fact=NORMAL_FORM,
-                    **(sizes or {"p": (2, 3), "n": (1, 2)}))
 
 
 # ------------------------------------------------------------------ every size at once

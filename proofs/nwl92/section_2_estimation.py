@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import combination, example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -313,9 +313,11 @@ def null_vectors(more=None):
 
 
 LOW = {R: sym("b") * T(sym("b"))}
+#: x'R = [1, 0] = -y'H'; R is not nonnegative, otherwise both would be zero
+NOT_NONNEGATIVE = {"p": 2, "n": 1, R: [[0, 1], [1, 0]], H: [[1], [0]], x: [0, 1], y: [-1]}
 claim("NWL92-E2.12", "first block of the null vector equation",
       T(x) * R + T(y) * T(H) == Zero(1, p), sizes=["p", "n"], over=NULL_VECTORS, where=[TWO_BLOCK], given=[NULL],
-      by=[combination([(1, "(2.11)", upper(p, n))], p=(1, 2, 3), n=(1, 2)), null_vectors(), null_vectors(LOW)])
+      by=[combination([(1, "(2.11)", upper(p, n))], p=(1, 2, 3), n=(1, 2)), example(NOT_NONNEGATIVE), null_vectors(), null_vectors(LOW)])
 
 claim("NWL92-E2.13", "second block of the null vector equation",
       T(x) * H == Zero(1, n), sizes=["p", "n"], over=NULL_VECTORS, where=[TWO_BLOCK], given=[NULL],
@@ -343,9 +345,11 @@ u = sym("u")
 claim("NWL92-S5", "end of the proof of Lemma 2.1",
       (T(x) * R == Zero(1, p)) & (u == Zero(p, 1)) & (y == Zero(n, 1)),
       sizes=["p", "n"], over={R: positive_semidefinite(p), H: matrix(p, n), x: vector(p), u: vector(p), y: vector(n)},
-      given=[given("x'Rx = 0", T(x) * R * x == 0), given("u'[R H] = 0", T(u) * RH == Zero(1, p + n)), FULL_ROW_RANK,
-             given("y'H' = 0", T(y) * T(H) == Zero(1, p)), FULL_COLUMN_RANK],
-      by=[instances(made_by={"K": kernel_basis(R), x: sym("K") * T(sym("K")) * h, "M": kernel_basis(H),
+      given=[given("x'Rx = 0", T(x) * R * x == 0), given("u'[R H] = 0", T(u) * RH == Zero(1, p + n)),
+             given("[R H] has full row rank", invertible(R * R + H * T(H))), given("y'H' = 0", T(y) * T(H) == Zero(1, p)), GRAM],
+      by=[order([], [], [T(x) * R * x], [inv(R * R + H * T(H))], [inv(HH)],
+                lemmas=[T(x) * R * x * Identity(1) == Zero(1, 1), inv(HH) * T(H) * (H * y) == Zero(n, 1)]),
+          instances(made_by={"K": kernel_basis(R), x: sym("K") * T(sym("K")) * h, "M": kernel_basis(H),
                              y: sym("M") * T(sym("M")) * c,
                              "N": kernel_basis(T(RH)), u: sym("N") * T(sym("N")) * h},
                     using={h: vector(p), c: vector(n)}, p=(1, 2, 3), n=(1, 2))],

@@ -26,7 +26,7 @@ probability one.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, identity, instances, steps
+from exactkf.evidence import combination, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -39,6 +39,7 @@ from exactkf.language import (
     iff,
     integer,
     inv,
+    invertible,
     kernel_basis,
     let,
     loewner,
@@ -58,7 +59,6 @@ from proofs.nwl92.notation import (
     FULL_COLUMN_RANK,
     GRAM,
     NORMAL_FORM,
-    PARAMETERS,
     Y3,
     Y4,
     F,
@@ -355,12 +355,13 @@ claim("NWL92-E2.40", "stationarity conditions for x1 and x2",
 
 claim("NWL92-S17", "the multiplier of y2 is zero",
       l2 == Zero(k, 1), sizes=["k", "m"], over={H3: matrix(k, m), l2: vector(k)},
-      given=[given("H3'lam2 = 0", T(H3) * l2 == Zero(m, 1)), FULL_ROW_RANK],
-      by=[combination([(inv(H3 * T(H3)) * H3, "H3'lam2 = 0", 1)], k=(1, 2), m=(2, 3)),
+      given=[given("H3'lam2 = 0", T(H3) * l2 == Zero(m, 1)), given("H3 has full row rank", invertible(H3 * T(H3)))],
+      by=[order([], [inv(H3 * T(H3))], lemmas=[inv(H3 * T(H3)) * H3 * (T(H3) * l2) == Zero(k, 1)]),
+          combination([(inv(H3 * T(H3)) * H3, "H3'lam2 = 0", 1)], k=(1, 2), m=(2, 3)),
           instances(made_by={N: kernel_basis(T(H3)), l2: N * T(N) * h}, using={h: vector(k)}, k=(1, 2, 3),
                     m=(1, 2, 3))],
-      note=("That rows and columns 2 and 4 of (2.40) can then be deleted is NWL92-E2.41. Full row rank of H3 is the "
-            "denominator det H3H3'."))
+      note=("That rows and columns 2 and 4 of (2.40) can then be deleted is NWL92-E2.41. Full row rank of H3 is "
+            "said through H3H3'."))
 
 claim("NWL92-E2.41", "what remains are the conditions for x1 from y1 alone",
       block([[R11, H1], [T(H1), Zero(n, n)]]) * vstack(l1, x1) == vstack(y1, Zero(n, 1)),
