@@ -149,12 +149,14 @@ class Leaf:
         else:
             for tree in terms:
                 reader.read(tree)
-        self.goals = [(p, b.rows[i], b.cols[j]) for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+        self.goals = [(p, b.rows[i], b.cols[j])
+                      for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
         taken = {*reader.kinds, *reader.lets, *reader.sizes, *reader.statement["sizes"]}
-        if name in taken or not name.isidentifier() or not definiteness(reader, tree) or not exists(reader, tree, self.known):
+        fits = name.isidentifier() and name not in taken
+        if not fits or not definiteness(reader, tree) or not exists(reader, tree, self.known):
             raise Unknown("a root that need not exist")
         square = reader.read(tree)
         reader.kinds[name] = ["psd"]
@@ -212,10 +214,16 @@ def exists(reader: Reader, tree: Any, known: list) -> bool:
         return True
     if tree and tree[0] in ("/", "^"):
         return False
+    if tree and tree[0] == "at":
+        before = len(reader.inverses)
+        reader.read(tree)
+        return len(reader.inverses) == before
     if tree and tree[0] == "inv":
         term = reader.read(tree[1])
         found = term.grid[0][0] if isinstance(term, Blocks) and len(term.rows) == len(term.cols) == 1 else None
-        if found is None or not (any(found in (p, reader.transpose_poly(p)) for p, _ in known) or _nonsingular(reader, tree[1])):
+        if found is None:
+            return False
+        if not any(found in (p, reader.transpose_poly(p)) for p, _ in known) and not _nonsingular(reader, tree[1]):
             return False
     if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
         return exists(reader, reader.lets[tree[1]][3], known)
@@ -302,14 +310,16 @@ def _nonsingular(reader: Reader, tree: Any) -> bool:
         return all(_nonsingular(reader, x) for x in tree[1:])
     if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
         return True
-    if tree[0] == "sym" and tree[1] not in reader.kinds and reader.lets.get(tree[1], ("",))[0] == "let" and not reader.lets[tree[1]][2]:
-        return _nonsingular(reader, reader.lets[tree[1]][3]) or _invertible_by_hypothesis(reader, tree)
+    if tree[0] == "sym" and tree[1] not in reader.kinds:
+        body = reader.lets.get(tree[1], ("", "", (), None))
+        if body[0] == "let" and not body[2]:
+            return _nonsingular(reader, body[3]) or _invertible_by_hypothesis(reader, tree)
     return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
 
 
 def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
     said = [f[1] for _, f, _kind in reader.statement["given"] if f[0] == "invertible"]
-    return any(tree == x for x in said) or any(_transposed(reader, tree, x) or _transposed(reader, ["T", tree], x) for x in said)
+    return tree in said or any(_transposed(reader, t, x) for x in said for t in (tree, ["T", tree]))
 
 
 def _by_hypothesis(reader: Reader, tree: Any) -> int:

@@ -74,6 +74,7 @@ NOT_LEAVES = {
     "null vectors of a product": ({**VECTOR, "given": [standing("null", P * Q * x == 0)], "says": Q * x == 0}, [[P * Q]], {}),
     "I - PQ": ({**SQUARES, "says": invertible(I(n) - P * Q)}, [[I(n) + S * inv(I(n) - S * Q * S) * S * Q]], {S: P}),
     "semidefinite through its inverse": ({**SQUARES, "says": pd(P)}, [[inv(inv(P))]], {}),
+    "an inverse that is hidden in a function": ({**PAIR, "where": [function(K, [B], inv(B))], "says": invertible(A)}, [[K(A)]], {}),
     "an inverse that is assumed": ({**PAIR, "says": invertible(A)}, [[inv(A)]], {}),
     "one-sided and not square": ({"sizes": ["n", "p"], "over": {"M": matrix(p, n), "X": matrix(n, p)}, "given": [standing("one", X * M == I(n))],
                                   "says": invertible(X)}, [[M]], {}),

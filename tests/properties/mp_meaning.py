@@ -28,11 +28,11 @@ _DIGITS = (60, 120, 240)
 _DEEPEST = 200
 
 
-class NoValue(Exception):
+class NoValueError(Exception):
     """A term without a value, such as a quotient by zero."""
 
 
-class Doubt(Exception):
+class DoubtError(Exception):
     """Neither clearly zero nor clearly not zero at this precision."""
 
 
@@ -46,7 +46,9 @@ def admissible(statement: Mapping[str, Any], instance: Mapping[str, Any]) -> boo
     return _decide(statement, instance, lambda w: w.typed() and all(w.truth(g[1], {}) for g in statement["given"]))
 
 
-def _decide(statement: Mapping[str, Any], instance: Mapping[str, Any], question: Callable[[_World], bool]) -> bool | None:
+def _decide(
+    statement: Mapping[str, Any], instance: Mapping[str, Any], question: Callable[[_World], bool]
+) -> bool | None:
     deep = sys.getrecursionlimit()
     sys.setrecursionlimit(max(deep, 20000))
     try:
@@ -54,7 +56,7 @@ def _decide(statement: Mapping[str, Any], instance: Mapping[str, Any], question:
             with mp.workdps(digits):
                 try:
                     return question(_World(statement, instance))
-                except (NoValue, Doubt, mp.NoConvergence):
+                except (NoValueError, DoubtError, mp.NoConvergence):
                     continue  # a zero may be a small number: look again with more digits
         return None
     finally:
@@ -69,7 +71,7 @@ def _vanishes(x: Any, scale: Any = 1) -> bool:
         return True
     if x >= scale * mpf(10) ** (-mp.dps // 4):
         return False
-    raise Doubt
+    raise DoubtError
 
 
 def _sign(x: Any, scale: Any = 1) -> int:
@@ -86,7 +88,7 @@ class Poly:
     def dense(self) -> list:
         """Coefficients from z^0 up."""
         if any(k < 0 for k in self.c):
-            raise NoValue("negative powers")
+            raise NoValueError("negative powers")
         return [self.c.get(k, mpf(0)) for k in range(max(self.c, default=-1) + 1)]
 
     def mirrored(self) -> Poly:
@@ -114,7 +116,7 @@ class Quotient:
 
     def __init__(self, num: Poly, den: Poly) -> None:
         if not den.c:
-            raise NoValue("division by zero")
+            raise NoValueError("division by zero")
         if len(den.c) == 1:
             (k, x), = den.c.items()
             num, den = Poly({i - k: y / x for i, y in num.c.items()}, num.size / abs(x)), Poly({0: mpf(1)})
@@ -124,7 +126,7 @@ class Quotient:
 def _poly(x: Any) -> Poly:
     if isinstance(x, Quotient):
         if max(x.den.c) or min(x.den.c):
-            raise NoValue("not a polynomial")
+            raise NoValueError("not a polynomial")
         return x.num
     return x if isinstance(x, Poly) else Poly({0: mpf(x)})
 
@@ -156,7 +158,7 @@ def _div(x: Any, y: Any) -> Any:
         a, b = _quotient(x), _quotient(y)
         return Quotient(a.num * b.den, a.den * b.num)
     if _vanishes(y):
-        raise NoValue("division by zero")
+        raise NoValueError("division by zero")
     return mpf(x) / y
 
 
@@ -198,7 +200,7 @@ class Table:
 
     def mp(self) -> Any:
         if not self.numeric():
-            raise NoValue("polynomial entries")
+            raise NoValueError("polynomial entries")
         return mp.matrix([[mpf(x) for x in r] for r in self.rows])
 
 
@@ -208,14 +210,14 @@ def _table(x: Any) -> Table:
 
 def _entry(t: Table, i: int, j: int = 1) -> Any:
     if not (1 <= i <= t.m and 1 <= j <= t.n):
-        raise NoValue("no such entry")
+        raise NoValueError("no such entry")
     return t.rows[i - 1][j - 1]
 
 
 def _square(x: Any) -> Table:
     t = _table(x)
     if t.m != t.n:
-        raise NoValue("not square")
+        raise NoValueError("not square")
     return t
 
 
@@ -223,10 +225,10 @@ def _number(x: Any) -> Any:
     """A scalar, also from a 1 x 1 matrix."""
     if isinstance(x, Table):
         if not x.single:
-            raise NoValue("a matrix for a scalar")
+            raise NoValueError("a matrix for a scalar")
         x = x.rows[0][0]
     if isinstance(x, bool):
-        raise NoValue("a formula for a term")
+        raise NoValueError("a formula for a term")
     return x
 
 
@@ -235,7 +237,7 @@ def _plus(x: Any, y: Any) -> Any:
         return _add(x, y)
     a, b = _table(x), _table(y)
     if (a.m, a.n) != (b.m, b.n):
-        raise NoValue("sizes")
+        raise NoValueError("sizes")
     return Table([[_add(p, q) for p, q in zip(r, s, strict=True)] for r, s in zip(a.rows, b.rows, strict=True)], a.n)
 
 
@@ -246,9 +248,9 @@ def _minus(x: Any) -> Any:
 def _times(x: Any, y: Any) -> Any:
     if isinstance(x, Table) and isinstance(y, Table):
         if x.n == y.m:
-            return Table([[_sum(_mul(x.rows[i][k], y.rows[k][j]) for k in range(x.n)) for j in range(y.n)] for i in range(x.m)], y.n)
+            return Table([[_sum(map(_mul, r, column)) for column in y.turned().rows] for r in x.rows], y.n)
         if not (x.single or y.single):
-            raise NoValue("sizes")
+            raise NoValueError("sizes")
         x, y = (x.rows[0][0], y) if x.single else (x, y.rows[0][0])
     if isinstance(x, Table):
         return x.each(lambda e: _mul(e, y))
@@ -263,7 +265,7 @@ def _sum(terms: Any) -> Any:
 
 
 def _eliminated(t: Table, more: Table | None = None) -> tuple[Any, list[list]]:
-    """Determinant, and the solution X of tX = more: Gauss-Jordan with full pivoting, every pivot judged against the largest entry."""
+    """Determinant, and the solution X of tX = more: full pivoting, every pivot judged against the largest entry."""
     n, k = t.m, more.n if more else 0
     rows = [[mpf(x) for x in r] + ([mpf(x) for x in more.rows[i]] if more else []) for i, r in enumerate(t.rows)]
     order, det, size = list(range(n)), mpf(1), max(t.size(), 1)
@@ -319,7 +321,7 @@ def _inverse(x: Any) -> Table:
     if t.numeric():
         det, found = _eliminated(t, _unit(t.m))
         if not det:
-            raise NoValue("singular")
+            raise NoValueError("singular")
         return Table(found, t.n)
     det = _det(t)
     return Table([[_div(_mul((-1) ** (i + j), _det(_minor(t, j, i))), det) for j in range(t.n)] for i in range(t.m)])
@@ -327,7 +329,7 @@ def _inverse(x: Any) -> Table:
 
 def _power(x: Any, k: Any) -> Any:
     if not isinstance(k, int):
-        raise NoValue("exponent")
+        raise NoValueError("exponent")
     if isinstance(x, Table):
         x = _square(x)
         out: Any = _unit(x.m)
@@ -346,20 +348,20 @@ def _unit(n: int) -> Table:
 
 def _count(n: int) -> int:
     if n < 0:
-        raise NoValue("negative size")
+        raise NoValueError("negative size")
     return n
 
 
 def _stack(rows: list[list]) -> Table:
     parts = [[_table(x) for x in r] for r in rows]
     if any(p.m != r[0].m for r in parts for p in r) or len({sum(p.n for p in r) for r in parts}) > 1:
-        raise NoValue("sizes of blocks")
+        raise NoValueError("sizes of blocks")
     return Table([[x for p in r for x in p.rows[i]] for r in parts for i in range(r[0].m)], sum(p.n for p in parts[0]))
 
 
 def _diagonal(*xs: Any) -> Table:
     parts = [_table(x) for x in xs]
-    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)  # noqa: E731
+    zero = lambda m, n: Table([[0] * n for _ in range(m)], n)
     return _stack([[p if i == j else zero(p.m, q.n) for j, q in enumerate(parts)] for i, p in enumerate(parts)])
 
 
@@ -367,7 +369,7 @@ def _charpoly(x: Any) -> Poly:
     """From values det(xI - M) at n + 1 points by interpolation."""
     t = _square(x)
     if not t.numeric():
-        raise NoValue("polynomial entries")
+        raise NoValueError("polynomial entries")
     n, step = t.m, 1 + t.size()
     points = [step * k for k in range(n + 1)]
     values = [_det(_plus(_times(p, _unit(n)), _minus(t))) for p in points]
@@ -394,12 +396,12 @@ def _is_definite(x: Any, least: int) -> bool:
 
 def _equal(x: Any, y: Any) -> bool:
     if isinstance(x, bool) or isinstance(y, bool):
-        raise NoValue("a formula for a term")
+        raise NoValueError("a formula for a term")
     if not isinstance(x, Table) and not isinstance(y, Table):
         return _same(x, y)
     a, b = _table(x), _table(y)
     if (a.m, a.n) != (b.m, b.n):
-        return False
+        raise NoValueError("sizes")
     scale = max(a.size(), b.size()) if a.numeric() and b.numeric() else 0
     return all(_same(p, q, scale) for p, q in zip(a.entries(), b.entries(), strict=True))
 
@@ -432,7 +434,7 @@ def _is_similar(x: Any, y: Any) -> bool:
 def _roots(p: Poly) -> list:
     c = p.dense()
     if not c:
-        raise NoValue("roots of zero")
+        raise NoValueError("roots of zero")
     low = next(k for k, x in enumerate(c) if x)  # roots at zero are taken out: they are the commonest multiple ones
     c = c[low:][::-1]
     found = [mp.mpc(0)] * low
@@ -440,7 +442,8 @@ def _roots(p: Poly) -> list:
         try:
             found += mp.polyroots(c, maxsteps=400, extraprec=4 * mp.prec)
         except mp.NoConvergence:
-            companion = Table([[int(j == i - 1) for j in range(len(c) - 2)] + [-c[len(c) - 1 - i] / c[0]] for i in range(len(c) - 1)])
+            n = len(c) - 1
+            companion = Table([[int(j == i - 1) for j in range(n - 1)] + [-c[n - i] / c[0]] for i in range(n)])
             found += list(mp.eig(companion.mp(), left=False, right=False))
     return found
 
@@ -452,7 +455,7 @@ def _close(x: Any, degree: int) -> bool:
         return True
     if x > min(mpf(10) ** (-digits / 2), mpf(10) ** -4):
         return False
-    raise Doubt
+    raise DoubtError
 
 
 def _moduli(p: Any) -> list[int]:
@@ -482,10 +485,10 @@ def _count_real(p: Any, low: Any, high: Any) -> int:
 
 
 def _least_on_circle(d: Any) -> tuple[Any, Any]:
-    """Least value of a symmetric pseudo-polynomial on |z| = 1, and its size: q(cos) over the extrema of q on [-1, 1]."""
+    """Least value of a symmetric pseudo-polynomial on |z| = 1, with its size: that of q(cos), at the extrema of q."""
     d = _poly(d)
     if not _same(d, d.mirrored()):
-        raise NoValue("not real on the circle")
+        raise NoValueError("not real on the circle")
     top = max(d.c, default=0)
     q = Poly({0: mpf(0)})
     before, now = Poly({0: mpf(1)}), Poly({1: mpf(1)})
@@ -504,7 +507,7 @@ def _are_coprime(p: Any, q: Any) -> bool:
     if not a or not b:
         return len(a) + len(b) == 1
     m, n = len(a) - 1, len(b) - 1
-    rows = [[0] * i + a[::-1] + [0] * (n - 1 - i) for i in range(n)] + [[0] * i + b[::-1] + [0] * (m - 1 - i) for i in range(m)]
+    rows = [[0] * i + c[::-1] + [0] * (k - 1 - i) for c, k in ((a, n), (b, m)) for i in range(k)]
     return _rank(Table(rows, m + n)) == m + n
 
 
@@ -552,7 +555,7 @@ def _rounds(x: Any, printed: str) -> bool:
 def _root(x: Any) -> Any:
     x = _number(x)
     if _sign(x) < 0:
-        raise NoValue("root of a negative number")
+        raise NoValueError("root of a negative number")
     return mp.sqrt(abs(x))
 
 
@@ -573,25 +576,31 @@ def _compare(x: Any, y: Any) -> int:
 
 
 def _chain(test: Callable[[Any, Any], bool]) -> Callable:
-    return lambda *xs: all([test(x, y) for x, y in zip(xs, xs[1:], strict=False)])
+    return lambda *xs: all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
 
 
 _PLAIN: dict[str, Callable] = {
-    "rat": lambda p, q: mpf(p) / q, "z": lambda: Poly({1: mpf(1)}), "neg": _minus, "-": lambda x, y: _plus(x, _minus(y)),
+    "rat": lambda p, q: mpf(p) / q, "z": lambda: Poly({1: mpf(1)}),
+    "neg": _minus, "-": lambda x, y: _plus(x, _minus(y)),
     "/": _over, "^": _power, "sqrt": _root, "abs": lambda x: abs(_number(x)), "diag": _diagonal,
-    "I": _unit, "O": lambda m, n: Table([[0] * _count(n) for _ in range(_count(m))], n), "T": lambda x: _table(x).turned(),
-    "inv": _inverse, "det": _det, "tr": lambda x: _sum(_square(x).rows[i][i] for i in range(_square(x).m)), "rank": _rank,
+    "I": _unit, "O": lambda m, n: Table([[0] * _count(n) for _ in range(_count(m))], n),
+    "T": lambda x: _table(x).turned(),
+    "inv": _inverse, "det": _det, "rank": _rank,
+    "tr": lambda x: _sum(_square(x).rows[i][i] for i in range(_square(x).m)),
     "charpoly": _charpoly, "kernel": _null_space, "nrows": lambda x: _table(x).m, "ncols": lambda x: _table(x).n,
     "coeff": lambda p, k: _poly(_number(p)).c.get(k, mpf(0)), "deg": lambda p: max(_poly(_number(p)).c, default=-1),
-    "rev": lambda p, n: _poly(_number(p)).mirrored().shifted(n), "recip": _mirror, "subst": _substitute, "laurent": _at_infinity,
+    "rev": lambda p, n: _poly(_number(p)).mirrored().shifted(n), "recip": _mirror, "subst": _substitute,
+    "laurent": _at_infinity,
     "roots_in": lambda p: _moduli(_number(p)).count(-1), "roots_on": lambda p: _moduli(_number(p)).count(0),
-    "roots_out": lambda p: _moduli(_number(p)).count(1), "real_roots": lambda p, lo, hi: _count_real(_number(p), lo, hi),
+    "roots_out": lambda p: _moduli(_number(p)).count(1),
+    "real_roots": lambda p, lo, hi: _count_real(_number(p), lo, hi),
     "=": _chain(_equal), "!=": _chain(lambda x, y: not _equal(x, y)), "<": _chain(lambda x, y: _compare(x, y) < 0),
     "<=": _chain(lambda x, y: _compare(x, y) <= 0), ">": _chain(lambda x, y: _compare(x, y) > 0),
     ">=": _chain(lambda x, y: _compare(x, y) >= 0), "loewner": lambda x, y: _is_definite(_plus(x, _minus(y)), 0),
     "psd": lambda x: _is_definite(x, 0), "pd": lambda x: _is_definite(x, 1), "symmetric": _is_symmetric,
     "invertible": lambda x: _table(x).m == _table(x).n and not _singular(_table(x)), "symplectic": _is_symplectic,
-    "similar": _is_similar, "cospectral": lambda x, y: _equal(_charpoly(x), _charpoly(y)), "coprime": lambda p, q: _are_coprime(_number(p), _number(q)),
+    "similar": _is_similar, "cospectral": lambda x, y: _equal(_charpoly(x), _charpoly(y)),
+    "coprime": lambda p, q: _are_coprime(_number(p), _number(q)),
     "schur": _is_schur, "pos_circle": lambda d: _sign(*_least_on_circle(_number(d))) > 0,
     "nonneg_circle": lambda d: _sign(*_least_on_circle(_number(d))) >= 0,
 }
@@ -652,7 +661,8 @@ class _World:
 
     def typed(self) -> bool:
         """The values have the types of their variables."""
-        return all(self._fits(kind[0], self.names[name], [self.index(a, {}) for a in kind[1:]]) for name, kind in self.statement["over"])
+        return all(self._fits(kind[0], self.names[name], [self.index(a, {}) for a in kind[1:]])
+                   for name, kind in self.statement["over"])
 
     @staticmethod
     def _fits(kind: str, v: Any, args: list[int]) -> bool:
@@ -685,12 +695,12 @@ class _World:
             return k
         if isinstance(k, mpf) and _vanishes(k - mp.nint(k), k):
             return int(mp.nint(k))
-        raise NoValue("an index that is no integer")
+        raise NoValueError("an index that is no integer")
 
     def truth(self, tree: Any, local: Mapping[str, Any]) -> bool:
         found = self.value(tree, local)
         if not isinstance(found, bool):
-            raise NoValue("a term for a formula")
+            raise NoValueError("a term for a formula")
         return found
 
     def value(self, tree: Any, local: Mapping[str, Any]) -> Any:
@@ -700,7 +710,8 @@ class _World:
         op, args = tree[0], tree[1:]
         match op:
             case "sym":
-                return local[args[0]] if args[0] in local else self.names[args[0]] if args[0] in self.names else self.defined(args[0], ())
+                known = local if args[0] in local else self.names
+                return known[args[0]] if args[0] in known else self.defined(args[0], ())
             case "at":
                 return self.at(args[0], args[1:], local)
             case "and":
@@ -729,7 +740,7 @@ class _World:
                 try:
                     self.value(args[0], local)
                     return True
-                except NoValue:
+                except NoValueError:
                     return False
             case "prints":
                 return self.printed(self.value(args[0], local), args[1])
@@ -737,8 +748,9 @@ class _World:
                 m = self.index(args[-3] if op == "mat" else args[1], local)
                 n = self.index(args[-2], local) if op == "mat" else 1
                 names = args[:2] if op == "mat" else (args[0], "")
-                return Table([[_number(self.value(args[-1], {**local, names[0]: i, names[1]: j})) for j in range(1, _count(n) + 1)]
-                              for i in range(1, _count(m) + 1)], n)
+                places = [[{**local, names[0]: i, names[1]: j} for j in range(1, _count(n) + 1)]
+                          for i in range(1, _count(m) + 1)]
+                return Table([[_number(self.value(args[-1], place)) for place in r] for r in places], n)
             case "entry":
                 return _entry(_table(self.value(args[0], local)), *(self.index(a, local) for a in args[1:]))
             case "block" | "rows":
@@ -748,7 +760,7 @@ class _World:
         try:
             return _PLAIN[op](*(self.value(x, local) for x in args))
         except ZeroDivisionError as error:
-            raise NoValue("division by zero") from error
+            raise NoValueError("division by zero") from error
 
     @staticmethod
     def fold(f: Callable, terms: list) -> Any:
@@ -767,7 +779,7 @@ class _World:
             try:
                 if not self.truth(args[1], {**local, args[0]: t}):
                     return False
-            except NoValue:
+            except NoValueError:
                 if t <= min(1, self.horizon):
                     raise
                 return True
@@ -778,7 +790,7 @@ class _World:
             return _rounds(x, table)
         x = _table(x)
         if [len(r) for r in table] != [x.n] * x.m:
-            raise NoValue("a table of another shape")
+            raise NoValueError("a table of another shape")
         return all(_rounds(e, p) for r, s in zip(x.rows, table, strict=True) for e, p in zip(r, s, strict=True))
 
     def at(self, name: str, args: Any, local: Mapping[str, Any]) -> Any:
@@ -791,7 +803,7 @@ class _World:
         if isinstance(row, Table):
             return _entry(row, *where)
         if not isinstance(row, dict) or where[0] not in row:
-            raise NoValue("outside the sequence")
+            raise NoValueError("outside the sequence")
         return row[where[0]]
 
     def defined(self, name: str, args: tuple) -> Any:
@@ -800,7 +812,7 @@ class _World:
         if key in self.memory:
             return self.memory[key]
         if self.depth > _DEEPEST:
-            raise NoValue("a definition that does not end")
+            raise NoValueError("a definition that does not end")
         self.depth += 1
         try:
             found = self._unfolded(self.where[name], args)
@@ -813,10 +825,10 @@ class _World:
     def _unfolded(self, definition: Any, args: tuple) -> Any:
         if definition[0] == "let":
             if len(definition[2]) != len(args):
-                raise NoValue("wrong number of arguments")
+                raise NoValueError("wrong number of arguments")
             return self.value(definition[3], dict(zip(definition[2], args, strict=True)))
         _, _, index, start, initial, step = definition
         (k,) = args
         if not isinstance(k, int) or k < start:
-            raise NoValue("before the start of the recursion")
+            raise NoValueError("before the start of the recursion")
         return self.value(initial[k - start], {}) if k < start + len(initial) else self.value(step, {index: k - 1})
