@@ -29,6 +29,7 @@ of a matrix that is nonsingular by its form (`exists`).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
@@ -41,9 +42,10 @@ __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 # ---------------------------------------------------------------------- taking a conclusion apart
 def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
     """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
-    for case in _cases({**statement, "given": []}, [list(g) for g in statement["given"]]):
+    own = [statement["says"], *(formula for _, formula, _ in statement["given"])]
+    for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
-            yield from _leaves(case, lemma)
+            yield from _leaves({**case, "lemma": True}, lemma)
             case = _assume(case, f"lemma {len(case['given'])}", lemma)
         yield from _leaves(case, statement["says"])
 
@@ -115,6 +117,11 @@ class Leaf:
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: str = "") -> None:
         self.reader = reader = Reader(statement)
         op, found, wanted, self.first = formula[0], [], 0, 0
+        for tree in statement["own"]:
+            _register_inverses(reader, tree)
+        self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
+        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in formula[1:]):
+            raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
             if not isinstance(found[0], Blocks) or len(found[0].rows) != 1 or found[0].rows != found[0].cols:
@@ -125,7 +132,6 @@ class Leaf:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
         relations(reader)
-        self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
         self.extra: dict[str, Poly] = {}
         for name, tree in roots:
             self._root(name, tree)
@@ -206,6 +212,19 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
             return  # the whole is semidefinite by hypothesis, its middle need not be
         rest = [*factors, *outer]
         yield rest[0] if len(rest) == 1 else ["*", *rest]
+
+
+def _register_inverses(reader: Reader, tree: Any) -> None:
+    """Let the reader meet every inverse that a tree of the statement writes down."""
+    if not isinstance(tree, (list, tuple)) or not tree:
+        return
+    if tree[0] in ("inv", "/", "^"):
+        with suppress(Unknown, Undefined, TypeError):
+            reader.read(tree)
+    if tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets and not reader.lets[tree[1]][2]:
+        _register_inverses(reader, reader.lets[tree[1]][3])
+    for part in tree[1:]:
+        _register_inverses(reader, part)
 
 
 def exists(reader: Reader, tree: Any, known: list) -> bool:
@@ -304,6 +323,8 @@ def _nonsingular(reader: Reader, tree: Any) -> bool:
     """Nonsingular by its form: by type or hypothesis, definite, an inverse, a transpose or product of such matrices."""
     if not isinstance(tree, (list, tuple)):
         return False
+    if _invertible_by_hypothesis(reader, tree):
+        return True
     if tree[0] == "T":
         return _nonsingular(reader, tree[1])
     if tree[0] == "*":

@@ -393,7 +393,16 @@ def _members(rank_: int) -> dict:
                         Ds: _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
 
 
-MANY = (instances(60, d=2, n=(2, 3), **_members(1)), instances(12, d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)),
+#: A*C of rank one each, whose sum tells a lost transpose from none; and the same pair transposed and exchanged
+LOPSIDED = (example(d=2, n=2, As=[[1, 0, 1, 0], [0, 1, 1, 1]], Bs=[[0] * 4] * 2, Cs=[[1, 0, 0, -1], [0, 0, 0, 1]],
+                    Ds=[[1, 0, 1, -1], [0, 1, 0, 1]]),
+            example(d=2, n=2, As=[[1, 1, 1, 0], [0, 1, 0, 1]], Bs=[[0, 0, 1, 0], [-1, 1, 0, 0]], Cs=[[0] * 4] * 2,
+                    Ds=[[1, 0, 1, 0], [-1, 1, 0, 1]]),
+            example(d=2, n=2, As=[[1, 1, 1, 0], [0, 1, 0, 1]], Bs=[[0] * 4] * 2, Cs=[[1, 0, 1, 0], [-1, 0, 0, 0]],
+                    Ds=[[1, 0, 1, 0], [-1, 1, 0, 1]]),
+            example(d=2, n=2, As=[[1, 0, 1, 0], [0, 1, 1, 1]], Bs=[[1, 0, 1, -1], [0, 0, 0, 0]], Cs=[[0] * 4] * 2,
+                    Ds=[[1, 0, 1, -1], [0, 1, 0, 1]]))
+MANY = (*LOPSIDED, instances(60, d=2, n=(2, 3), **_members(1)), instances(12, d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)),
         instances(6, d=(2, 3), n=(1, 2), **_members(2)))
 TWO_OR_MORE = (instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(2, 3), **_members(2)))
 OBSERVABILITY = sum_of(k, 1, n, T(Alpha(k - 1)) * (T(Ak(k)) * Ck(k)) * Alpha(k - 1))

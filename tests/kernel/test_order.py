@@ -16,6 +16,7 @@ from exactkf.language import (
     T,
     Zero,
     iff,
+    function,
     inv,
     invertible,
     let,
@@ -154,14 +155,31 @@ def test_a_lemma_is_shown_first():
 
 def test_the_middle_of_a_congruence_need_not_be_semidefinite():
     """psd(A Q A') by hypothesis and A Q A' x = 0 do not give Q A' x = 0 for an indefinite Q."""
-    from exactkf.kernel.order import Leaf
-    from exactkf.language import Zero, vector
+    from exactkf.kernel.order import Leaf, leaves
+    from exactkf.language import vector
 
     x = symbols("x")[0]
     statement = Statement(sizes=["n"], over={"A": matrix(n, n), "Q": symmetric_matrix(n), "x": vector(n)},
                           given=[standing("psd", psd(A * Q * T(A))), standing("null", A * Q * T(A) * x == Zero(n, 1))],
                           says=Q * T(A) * x == Zero(n, 1)).to_json()
     terms = [list(statement["given"][0][1][1])]
-    leaf = Leaf(statement, statement["says"], terms, (), "null")
+    (case, formula), = leaves(statement)
+    leaf = Leaf(case, formula, terms, (), "null")
     vanishing = [p for k in range(len(leaf.goals)) for name, p in leaf.assumed(k).items() if name.startswith("null ")]
     assert all(len(word) == 4 for p in vanishing for _, word in p)
+
+
+def test_a_lemma_may_not_bring_in_an_inverse_that_need_not_exist():
+    """inv(A) in a lemma alone is not granted by the statement; with A nonsingular it is."""
+    from exactkf.kernel.numbers import Unknown
+    from exactkf.kernel.order import Leaf, leaves
+
+    lemma = (inv(A) * A * Q == Q).tree
+    for kind, granted in ((matrix(n, n), False), (nonsingular(n), True)):
+        statement = Statement(sizes=["n"], over={"A": kind, "Q": matrix(n, n)}, says=A * Q == A * Q).to_json()
+        case, formula = next(iter(leaves(statement, [lemma])))
+        if granted:
+            Leaf(case, formula, [])
+        else:
+            with pytest.raises(Unknown, match="lemma"):
+                Leaf(case, formula, [])
