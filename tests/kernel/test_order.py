@@ -15,6 +15,7 @@ from exactkf.language import (
     Statement,
     T,
     Zero,
+    function,
     iff,
     inv,
     invertible,
