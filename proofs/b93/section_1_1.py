@@ -393,9 +393,36 @@ def _members(rank_: int) -> dict:
                         Ds: _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
 
 
-MANY = (instances(60, d=2, n=(2, 3), **_members(1)), instances(12, d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)),
-        instances(6, d=(2, 3), n=(1, 2), **_members(2)))
-TWO_OR_MORE = (instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(2, 3), **_members(2)))
+def _by_hand(*members: tuple) -> object:
+    """Members of H with d = 2: each is a matrix A of determinant one or minus one, u and v with P = uu* and Q = vv*."""
+    blocks = []
+    for ((e, f), (g, h)), u, v in members:
+        number = e * h - f * g
+        A_k, inverse = [[e, f], [g, h]], [[number * h, -number * f], [-number * g, number * e]]
+        P_k, Q_k = [[a * b for b in u] for a in u], [[a * b for b in v] for a in v]
+        B_k, C_k = _times(A_k, P_k), _times(Q_k, A_k)
+        QAP = _times(Q_k, B_k)
+        blocks.append((A_k, B_k, C_k, [[inverse[b][a] + QAP[a][b] for b in (0, 1)] for a in (0, 1)]))
+    wide = [[[x for block_ in blocks for x in block_[which][row]] for row in (0, 1)] for which in range(4)]
+    return example(dict(zip(("As", "Bs", "Cs", "Ds"), wide, strict=True)), d=2, n=len(members))
+
+
+def _times(X, Y) -> list:
+    return [[sum(x * y for x, y in zip(row, column, strict=True)) for column in zip(*Y, strict=True)] for row in X]
+
+
+# products on the border of H1 and H2, which tell the orders of factors and the indices apart
+BORDER = (
+    _by_hand(([[-1, 1], [1, 0]], [-1, 0], [-1, 0]), ([[1, 2], [0, -1]], [1, 1], [0, 1])),
+    _by_hand(([[0, 1], [-1, 0]], [0, 0], [1, -1]), ([[-1, 0], [0, 1]], [0, 1], [1, 1]),
+             ([[1, 0], [2, 1]], [0, -1], [0, -1])),
+    _by_hand(([[-1, -1], [1, 0]], [1, 0], [0, 0]), ([[0, 1], [-1, 1]], [-1, 0], [0, 1])),
+    _by_hand(([[0, -1], [1, 2]], [-1, 0], [-1, 1]), ([[1, -1], [0, 1]], [1, 0], [0, 0]),
+             ([[-1, 2], [1, -1]], [0, 0], [0, -1])),
+)
+MANY = (*BORDER, instances(d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(1, 2), **_members(2)))
+TWO_OR_MORE = (*BORDER, instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)),
+               instances(8, d=(2, 3), n=(2, 3), **_members(2)))
 OBSERVABILITY = sum_of(k, 1, n, T(Alpha(k - 1)) * (T(Ak(k)) * Ck(k)) * Alpha(k - 1))
 CONTROLLABILITY = sum_of(k, 1, n, Beta(k) * (Bk(k) * T(Ak(k))) * T(Beta(k)))
 WHOLE = (let(M3, Chain(n)), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)))
@@ -418,7 +445,6 @@ claim("B93-P1.3.2", "when a product is in H2",
       by=[steps("B93-S14", "B93-S23", "B93-E11", "B93-S24", "B93-S25", "B93-P1.1.1",
                 prose="Transposition reverses the product and exchanges H1 with H2, and the first sum with the second."),
           *MANY], note=RANGE)
-
 
 
 def _null_vector(matrix_) -> object:
