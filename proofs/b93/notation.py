@@ -6,7 +6,7 @@ paper's M*. The form J = [[0, I], [-I, 0]] defines the symplectic group, and H i
 part of it in which A is invertible and BA*, A*C are nonnegative. The subsets H1, H2
 and H0 ask A*C, BA* or both to be positive.
 
-Every member of H is [[A, AP], [QA, inv(A*) + QAP] with P, Q nonnegative (S38), which is
+Every member of H is [[A, AP], [QA, inv(A*) + QAP]] with P, Q nonnegative (S38), which is
 how members are made here: `member` gives the three blocks that A, P and Q determine.
 A sequence of n matrices is kept side by side in one wide matrix, and `piece` takes the
 k-th of them.
