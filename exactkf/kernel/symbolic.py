@@ -118,13 +118,8 @@ def _divides(small: int, big: int) -> bool:
     return True
 
 
-def _may_divide(q: Poly, p: Poly, width: int) -> bool:
-    """False only if q does not divide p: by the first and last terms, then in one variable modulo a prime."""
-    if not (_divides(max(q), max(p)) and _divides(min(q), min(p))):
-        return False
-    mask = (1 << _BITS) - 1
-    main = next(s for s in range(0, width * _BITS, _BITS) if any((k >> s) & mask for k in q))
-    a, b = _univariate(p, main), _univariate(q, main)
+def _remainder_vanishes(a: list[int], b: list[int]) -> bool:
+    """b divides a modulo the prime (also if b has no term left)."""
     while b and b[-1] == 0:
         b.pop()
     if len(b) < 2:
@@ -137,6 +132,27 @@ def _may_divide(q: Poly, p: Poly, width: int) -> bool:
                 a[len(a) - len(b) + i] = (a[len(a) - len(b) + i] - f * b[i]) % _PRIME
         a.pop()
     return not any(a)
+
+
+def _may_divide(q: Poly, p: Poly, width: int) -> bool:
+    """False only if q does not divide p.
+
+    First by the first and last terms. Then, if q has one variable, by the terms of p that agree with its
+    first (its last) term in all others; else in one variable, the others being given values modulo a prime.
+    """
+    first, last = max(p), min(p)
+    if not (_divides(max(q), first) and _divides(min(q), last)):
+        return False
+    mask = (1 << _BITS) - 1
+    main = next(s for s in range(0, width * _BITS, _BITS) if any((k >> s) & mask for k in q))
+    others = ~(mask << main)
+    if any(k & others for k in q):
+        return _remainder_vanishes(_univariate(p, main), _univariate(q, main))
+    for rest in {first & others, last & others}:
+        part = {k - rest: c for k, c in p.items() if k & others == rest}
+        if not _remainder_vanishes(_univariate(part, main), _univariate(q, main)):
+            return False
+    return True
 
 
 class SymbolicField:
