@@ -142,9 +142,10 @@ class Sampler:
         return _tidy(rational(r.randint(-5, 5), r.randint(1, 5)))
 
     def _nonzero(self, flavour: str) -> Any:
-        while (x := self.number("small" if flavour == "degenerate" else flavour)) == 0:
-            pass
-        return x
+        for _ in range(8):
+            if (x := self.number("small" if flavour == "degenerate" else flavour)) != 0:
+                return x
+        return 1  # where a source of choices shrinks to zeros
 
     def _value(self, kind: str, args: list[int], flavour: str) -> Any:
         match kind:

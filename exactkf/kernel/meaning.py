@@ -132,8 +132,6 @@ class World:
             raise _TooDeep(f"definition of {name} does not end") from None
         except Undefined as error:
             result = error
-        except RecursionError:
-            result = Undefined(f"definition of {name} does not end")
         finally:
             self.depth -= 1
         if key is not None:
