@@ -35,7 +35,6 @@ from exactkf.language import (
     defined,
     det,
     eq,
-    exists,
     forall,
     function,
     given,
@@ -128,15 +127,12 @@ claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positi
            "polynomial q. They are analytic for |z| >= 1, and every T_t is the Gram matrix of t + 1 shifts of q, "
            "hence positive definite for all t, so that the equivalence demands v(z) + v(1/z) > 0. With q = 1 + z, that is c_1 = 1/2 and all other c_k = 0, v(-1) + v(-1) "
            "= 0.",
-      repair=repair("boundary case", "Definite T_t for all t do not exclude zeros of v(z) + v(1/z) (or poles of v) on "
-                                     "the unit circle; without such zeros, and with a, b in lowest terms, the "
-                                     "equivalence holds.",
-                    (R >> always(m, pd(Toeplitz[m]))) & (~R >> exists(m, 0, 24, ~psd(Toeplitz[m]))),
+      repair=repair("boundary case", "Definite T_t for all t do not exclude zeros of v(z) + v(1/z) (or poles of v) on the unit "
+                                     "circle; that positive real functions have definite T_t stands.",
+                    R >> always(m, pd(Toeplitz[m])),
                     sizes=["n"], over={a: monic(n), b: monic(n)},
                     where=[let(R, schur(a) & pos_on_circle(D)), let(v, b / (2 * a)), let(D, symmetric_part(a, b)),
                            function(c, [k], laurent(v, k)), *TOEPLITZ],
-                    given=[given("lowest terms", coprime(a, b)),
-                           given("no zero on the circle", circle_roots(Z**n * D) == 0)],
                     by=[steps("BLZ94-E2.3", facts=["Herglotz: all T_m are nonnegative if and only if v is analytic "
                                                    "with nonnegative real part on |z| > 1",
                                                    "a Toeplitz form is the mean of |x(z)|^2 (v(z) + v(1/z)) over the "
