@@ -25,8 +25,9 @@ from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown
 from exactkf.kernel.replay import _integers
 from exactkf.kernel.symbolic import SymbolicField
+from exactkf.language.statement import as_lists
 
-__all__ = ["says_nothing_new"]
+__all__ = ["says_nothing_new", "subtree"]
 
 _MOST = 60  # substitutions looked at
 _FACTORS: dict[str, tuple] = {
@@ -41,14 +42,14 @@ def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[
     """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
     made_by: Any = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
     using: Any = next((e.hints["using"] for e in by if e.hints.get("using")), {})
-    statement = {**data, "over": [*([n, _lists(t)] for n, t in using.items()), *data["over"]]}
+    statement = {**data, "over": [*([n, as_lists(t)] for n, t in using.items()), *data["over"]]}
     worlds = list(_worlds(statement, data, by, made_by)) or list(_worlds(statement, data, by, {}))
     if not worlds:
         return False
     old, new = _narrowed(data["says"], says)
     if _same_term(worlds, old, new):
         return True
-    if any(_same_term(worlds, _subtree(data["says"], path[:cut]), _subtree(says, path[:cut])) for cut in range(len(path), -1, -1)):
+    if any(_same_term(worlds, subtree(data["says"], path[:cut]), subtree(says, path[:cut])) for cut in range(len(path), -1, -1)):
         return True
     if _is_special_case(worlds, data, says, lambda values: values):
         return True
@@ -196,11 +197,8 @@ def _same_zero(x: Any, y: Any) -> bool:
     return any(_equal(t, y * c) for t in turned for c in (1, -1, 2, Fraction(1, 2)))
 
 
-def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
+def subtree(tree: Any, path: tuple[int, ...]) -> Any:
+    """What stands at the end of a path."""
     for k in path:
         tree = tree[k]
     return tree
-
-
-def _lists(kind: Any) -> Any:
-    return [_lists(x) for x in kind] if isinstance(kind, (list, tuple)) else kind

@@ -16,7 +16,7 @@ from typing import Any
 
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
-from exactkf.finders.equal import says_nothing_new
+from exactkf.finders.equal import says_nothing_new, subtree
 from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.prove import PROOFS, candidates
 from exactkf.kernel.linear import Matrix
@@ -130,15 +130,9 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
         return False
     scalars = [not isinstance(v, Matrix) or v.is_scalar for v in values]
     if mutant.kind == "factors exchanged":
-        changed = _subtree(mutant.says, mutant.path)[1:]
+        changed = subtree(mutant.says, mutant.path)[1:]
         return any(one for one, x, y in zip(scalars, tree[1:], changed, strict=True) if x != y)
     return all(scalars)
-
-
-def _subtree(tree: Any, path: tuple[int, ...]) -> Any:
-    for k in path:
-        tree = tree[k]
-    return tree
 
 
 def _proved(changed: dict, by: Sequence[Evidence]) -> bool:

@@ -15,7 +15,7 @@ from typing import Any
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, sign
 from exactkf.kernel.symbolic import Symbolic
 
-__all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar"]
+__all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar", "symplectic_form"]
 
 
 class Matrix:
@@ -265,6 +265,11 @@ def block(rows: list[list[Any]]) -> Matrix:
         out.extend([sum((p.rows[i] for p in parts), []) for i in range(parts[0].nrows)])
     width = sum(b.ncols if isinstance(b, Matrix) else 1 for b in rows[0])
     return Matrix(out, width)
+
+
+def symplectic_form(d: int) -> Matrix:
+    """J = [[0, I], [-I, 0]]."""
+    return Matrix.build(2 * d, 2 * d, lambda r, c: int(c == r + d) - int(r == c + d))
 
 
 def similar(a: Matrix, b: Matrix) -> bool:

@@ -21,7 +21,7 @@ from math import isqrt
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
-from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar
+from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar, symplectic_form
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, rational, sign
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
 from exactkf.kernel.symbolic import Symbolic
@@ -412,7 +412,7 @@ def _is_symplectic(m: Any) -> bool:
     d, odd = divmod(m.nrows, 2)
     if odd:
         return False
-    j = Matrix.build(2 * d, 2 * d, lambda r, c: int(c == r + d) - int(r == c + d))
+    j = symplectic_form(d)
     return m.transpose() * j * m == j
 
 

@@ -30,7 +30,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.instances import admissible, generic, read_instance
-from exactkf.kernel.linear import Matrix
+from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rationals
 from exactkf.kernel.order import Leaf, leaves
@@ -225,8 +225,7 @@ def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) 
         return [m - m.transpose()]
     if op == "symplectic":
         m = world.value(tree[1], local)
-        d = m.nrows // 2
-        j = Matrix.build(2 * d, 2 * d, lambda r, c: int(c == r + d) - int(r == c + d))
+        j = symplectic_form(m.nrows // 2)
         return [m.transpose() * j * m - j]
     raise Unknown(f"{op!r} is not an equation")
 

@@ -28,7 +28,7 @@ from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, to_expr
 
 __all__ = [
-    "TYPES", "Statement", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
+    "TYPES", "Statement", "as_lists", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
     "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
     "signal", "standing", "symmetric_matrix", "vector",
 ]
@@ -135,8 +135,8 @@ class Statement:
 
     def to_json(self) -> dict:
         """Plain data, see the module's docstring."""
-        return {"sizes": list(self.sizes), "over": _lists(self.over), "where": _lists(self.where),
-                "given": _lists(self.given), "says": _lists(self.says)}
+        return {"sizes": list(self.sizes), "over": as_lists(self.over), "where": as_lists(self.where),
+                "given": as_lists(self.given), "says": as_lists(self.says)}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Statement:
@@ -167,8 +167,9 @@ def _flat(items: Iterable) -> tuple:
     return tuple(names.values())
 
 
-def _lists(value: Any) -> Any:
-    return [_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
+def as_lists(value: Any) -> Any:
+    """Trees as JSON lists."""
+    return [as_lists(v) for v in value] if isinstance(value, (list, tuple)) else value
 
 
 def as_tuples(value: Any) -> Any:
