@@ -117,6 +117,8 @@ def _count_survivors(found: Findings, report: MutantReport) -> None:
         found.reason = f"{len(survivors)} of {report.made} mutants survive: {survivors[0]}"
     elif report.neighbours_accepted < report.neighbours_made:
         found.verdict, found.strength, found.reason = "open", None, "an equal rewriting was not accepted"
+    elif not report.rejected:
+        found.verdict, found.strength, found.reason = "open", None, "no wrong neighbour was there to be rejected"
 
 
 # ---------------------------------------------------------------------- one statement
