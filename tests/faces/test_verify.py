@@ -101,9 +101,11 @@ def test_ctrl_c_ends_the_workers(paper):
     call = "from exactkf.cli import *; main(['verify', 'BBB', '--jobs', '1'], obj=Setup('fake_proofs', 'fake_engine'))"
     process = subprocess.Popen([sys.executable, "-c", call], stderr=subprocess.PIPE, text=True, start_new_session=True,
                                env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))})
-    deadline = time.monotonic() + 20
-    while len(p.calls()) < 2 and time.monotonic() < deadline:
+    kept = Store(p.root / ".exactkf").file
+    deadline = time.monotonic() + 60
+    while (len(p.calls()) < 2 or not kept.exists() or not kept.read_text().endswith("\n")) and time.monotonic() < deadline:
         time.sleep(0.05)
+    time.sleep(0.5)  # the result is on disk; let the program count it
     os.killpg(process.pid, signal.SIGINT)
     _, err = process.communicate(timeout=20)
     assert process.returncode == 130
