@@ -103,6 +103,8 @@ class Algebraic:
         return -self + other
 
     def __mul__(self, other: Any) -> Any:
+        if isinstance(other, (int, Fraction)):
+            return Algebraic(self.field, [v * other for v in self.c] if other else [])
         y = self._coerce(other)
         if y is None:
             return NotImplemented

@@ -30,9 +30,9 @@ from exactkf.kernel.roots import chebyshev, divmod_poly
 
 __all__ = ["cosine", "minimal_polynomial"]
 
-_PI = (Fraction(314159265358979323846, 10**20), Fraction(314159265358979323847, 10**20))
+_PI = (Fraction(31415926535, 10**10), Fraction(31415926536, 10**10))
 _LARGEST = 1000
-_TERMS = 12  # pairs of terms of the cosine series
+_TERMS = 5  # pairs of terms of the cosine series
 
 
 @lru_cache(maxsize=256)

@@ -141,3 +141,25 @@ ORBIT = scalar_orbit(al0, ga0)
 INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={
     pp: u / (1 + abs(u)), al0: pp * ((s1 + s1 / abs(s1)) ** 2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2),
     ga0: (s1 + s1 / abs(s1)) * (pp**2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2)})
+
+# ---------------------------------------------------------------------- iterates on a hyperbola, n = 1
+kap, lam, Mt, Nt, Ut, sg = symbols("kappa lambda M N U s")
+#: 1/kappa from the point
+LAMBDA = let(lam, (1 + al0**2 - ga0**2) / (2 * al0))
+#: alpha_t = N_t/M_t and gamma_t = s_t gamma_0/M_t, a linear recursion
+PROJECTIVE = (rec(Mt, t, 1, 2 * lam * Mt[t] - Nt[t]), rec(Nt, t, al0, Mt[t]), rec(sg, t, 1, -sg[t]))
+#: U_0 = 1, U_1 = 2/kappa: sin((t + 1) theta)/sin(theta) for 1/kappa = cos(theta)
+CHEBYSHEV = rec(Ut, t, [1, 2 * lam], 2 * lam * Ut[t] - Ut[t - 1])
+#: the other points of the hyperbola, on lines through (0, 1)
+ALPHA_OF = 2 * (lam + u) / (1 - u**2)
+GAMMA_OF = 1 + u * ALPHA_OF
+#: a point drawn inside a region, and a sign
+SHARE = u / (1 + abs(u))
+SIGN = s1 / abs(s1)
+
+
+def leaves(i, ga=ga):
+    """The orbit ends with step i: the point at i - 1 exists and the next one does not."""
+    from exactkf.language import defined
+
+    return defined(ga[i - 1]) & ~defined(ga[i])
