@@ -60,17 +60,14 @@ def _series(x: Fraction, terms: int) -> Fraction:
 
 
 def _enclosure(q: int, p: int) -> tuple[Fraction, Fraction]:
-    """lo < 2 cos(pi q/p) < hi for 0 < q/p < 1; a cosine decreases on (0, pi)."""
-    if 2 * q > p:
-        lo, hi = _enclosure(p - q, p)
-        return -hi, -lo
+    """lo < 2 cos(pi q/p) < hi for 0 < 2q <= p; a cosine decreases there."""
     lo, hi = (rate * q / p for rate in _PI)
     return 2 * _series(hi, 2 * _TERMS), 2 * _series(lo, 2 * _TERMS + 1)
 
 
 @lru_cache(maxsize=4096)
 def _generator(q: int, p: int) -> Any:
-    """2 cos(pi q/p) as generator of its field, 0 < q < p coprime, p > 3."""
+    """2 cos(pi q/p) as generator of its field, 0 < 2q < p coprime, p > 3."""
     n = 2 * p if q % 2 else p
     lo, hi = _enclosure(q, p)
     width = Fraction(1, 4 * n * n)
@@ -84,7 +81,7 @@ def _generator(q: int, p: int) -> Any:
 def cosine(q: Any, p: Any) -> Any:
     """cos(pi q/p) for integers q and p > 0.
 
-    Cosines of different angles in (0, pi) are generators of different fields, and
+    Cosines of different angles in (0, pi/2) are generators of different fields, and
     arithmetic between them is refused; write one as a Chebyshev polynomial in the other.
 
     Raises
@@ -100,10 +97,12 @@ def cosine(q: Any, p: Any) -> Any:
     q = min(q, 2 * p - q)
     common = gcd(q, p)
     q, p = q // common, p // common
+    if 2 * q > p:
+        return -cosine(p - q, p)
     if p <= 2:
-        return {(0, 1): 1, (1, 1): -1, (1, 2): 0}[q, p]
+        return 1 - q
     if p > _LARGEST:
         raise Unknown(f"cos(pi {q}/{p}): denominators up to {_LARGEST} are read")
     if p == 3:
-        return rational(3 - 2 * q, 2)
+        return rational(1, 2)
     return _generator(q, p) * Fraction(1, 2)

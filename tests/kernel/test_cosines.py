@@ -44,7 +44,7 @@ def test_the_root_is_the_right_one(p, q):
         if isinstance(c, int | Fraction):
             assert near == pytest.approx(float(c), abs=1e-12)
         else:
-            assert c.field.lo < Fraction(str(2 * near)) < c.field.hi
+            assert c.field.lo < Fraction(str(abs(2 * near))) < c.field.hi
             below = Fraction(int(mpmath.floor(near * 10**9)), 10**9)
             assert below < c < below + Fraction(1, 10**9)
             AlgebraicField(c.field.modulus, c.field.lo, c.field.hi)  # refuses an interval with two roots
