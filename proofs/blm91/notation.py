@@ -194,6 +194,5 @@ IN_I = dict(using={u: scalar(), s1: nonzero()}, made_by={ga0: u / (1 + abs(u)), 
 IN_II = dict(using={u: nonzero(), s1: nonzero()}, made_by={al0: u, ga0: s1 + SIGN * (1 + abs(u))})
 IN_III = dict(using={u: positive(), s1: nonzero(), s2: nonzero()}, made_by={ga0: s2 / abs(s2) * (1 + u), al0: s1 + SIGN * (1 + abs(ga0))})
 IN_IV = dict(using={u: nonzero(), s1: nonzero()}, made_by={ga0: SHARE, al0: s1 + SIGN * (1 + abs(ga0))})
-#: 0 < kappa^2 < 1, kappa from the point
+#: kappa from the point
 INSIDE_KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
-KAPPA_SMALL = given("0 < kappa^2 < 1", (kap != 0) & (kap**2 < 1))

@@ -39,7 +39,7 @@ claim("BLM91-S101", "negative values and real zeros of phi", iff(neg, real) & if
 
 # ---------------------------------------------------------------------- the conclusion of the paper
 CORRIDOR = standing("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)
-NEAR = let(hits, sum_of(j, 1, 6, when(abs(lam + cospi(2 * j, 13)) < rational("1/2"), 1, 0)))
+NEAR = let(hits, sum_of(j, 1, 3, when(abs(lam + cospi(2 * j, 7)) < rational("1/2"), 1, 0)))
 IN_CORRIDOR = dict(using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})
 claim("BLM91-S102", "period-3 points are dense in the corridors", 2 * lam == 1, over={al0: nonzero(), ga0: scalar()}, where=[LAMBDA], given=[CORRIDOR],
       by=[example(alpha0=1, gamma0="1/2"), instances(**IN_CORRIDOR)],
@@ -48,7 +48,7 @@ claim("BLM91-S102", "period-3 points are dense in the corridors", 2 * lam == 1, 
                     by=[steps("BLM91-X.2", "BLM91-X.3", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="kappa is a continuous function of the point, and all points of the hyperbolas "
                               "kappa = -sec(2 pi q/p) are periodic, finitely many values of alpha aside"), instances(16, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2"), example(alpha0=-1, gamma0=1)]),
       note="Dense points of period p for each p is read for p = 3: these are points of the hyperbola kappa = 2, a closed set in the corridors, so that density would put every point on it. In the correction hits "
-           "counts the q for which the hyperbola of period 13 lies within 1/2 of the given one in 1/kappa.")
+           "counts the q for which the hyperbola of period 7 lies within 1/2 of the given one in 1/kappa.")
 claim("BLM91-S103", "dense sets of unbounded and of escaping orbits",
       (hits >= 1) & (far >= 1), over={al0: nonzero(), k: integer(1, 4)},
       where=[let(lam, when(k == 1, rational("3/5"), when(k == 2, rational("-1/3"), when(k == 3, rational("1/7"), rational("-4/5"))))),
