@@ -62,19 +62,19 @@ claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] =
       note="y = alpha + gamma runs over all nonzero numbers. The two points y = 1, -1 end in one step; all others have period 4.")
 DENSE = (*ORBIT, LAMBDA, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
 IRRATIONAL = [standing("|kappa| > 1", abs(lam) < rational("9/10")), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))]
-pick = sym("pick")
-SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("1/7"), rational("-4/5"))))
+pick, double = symbols("pick double")
+SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("2/5"), rational("-4/5"))))
 DRAW = dict(using={pick: integer(1, 4), y: scalar()}, made_by={al0: 2 * (SOME + y) / (1 - y**2), ga0: 1 + y * al0})
 claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", never & (hits >= 1), over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=IRRATIONAL,
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-E5.7", "BLM91-E5.8", facts=[KRONECKER], prose="in the coordinate a the algorithm is a turn of lines by the angle omega in a suitable basis, and each point of the hyperbola has its own a; the points of the orbit are dense among the lines"),
           instances(40, **DRAW), example(alpha0=2, gamma0=2), example(alpha0=3, gamma0=3), example(alpha0=2, gamma0=-2)],
       note="On rational points, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2: no return within 12 steps, and an excursion |alpha_t| > 5 within 60.")
 TARGET = (CHEBYSHEV, let(hits, sum_of(i, 1, 120, when(2 * abs(Ut[i] - x * Ut[i - 1]) < abs(Ut[i - 1]), 1, 0))), let(far, sum_of(i, 1, 120, when(Ut[i] == 0, 1, 0))))
-claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and dense", (hits >= 1) & (far + 1 == 1) & (1 + x**2 - 2 * lam * x > 0), over={x: integer(-2, 2), pick: integer(1, 4)},
-      where=[let(lam, SOME), *TARGET],
+claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and dense", (hits >= 1) & never & double, over={x: integer(-2, 2), pick: integer(1, 4)},
+      where=[let(lam, SOME), *TARGET, let(never, far == 0), let(double, 1 + x**2 - 2 * lam * x > 0)],
       by=[steps("BLM91-X.1", "BLM91-S71", "BLM91-S79", facts=[KRONECKER], prose="a point ends at step i when alpha = U_i/U_(i-1), the slope of one line turned by -i theta; gamma has two values; all other points, uncountably many near every point, do not end"),
           instances(24)],
-      note="1/kappa = 3/5, -1/3, 1/7, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close.")
+      note="1/kappa = 3/5, -1/3, 2/5, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close; double: the slope belongs to two points.")
 claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances()],
       repair=repair("boundary case", WHY + "; the other parts hold, each is a claim of its own", RIGHT, over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=LOWEST,
                     by=[evaluation(), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
@@ -112,7 +112,7 @@ INTERVAL = (let(lam, SOME), function(Ut, [t], when(t == 0, 1, when(t == 1, 2 * Z
 claim("BLM91-C3.9.1", "points that end are uncountable and dense", (hits >= 1) & flag & (ga[0] ** 2 == 1), over={al0: nonzero(), pick: integer(1, 4)}, where=[*INTERVAL, *scalar_orbit(al0, 1), let(flag, leaves(1))],
       by=[steps("BLM91-X.1", facts=["the zeros of U_i - alpha_0 U_(i-1), i of them, become dense as i grows (interlacing with those of the Chebyshev polynomials)"],
                 prose="near a point of the corridors, with alpha_0 kept, 1/kappa takes an interval of values, and in it zeros of U_i(1/kappa) = alpha_0 U_(i-1)(1/kappa); these curves, already the lines |gamma| = 1, are uncountable"), instances(24)],
-      note="hits: values of 1/kappa within 1/9 of 3/5, -1/3, 1/7 or -4/5 for which the point with first coordinate alpha_0 ends at step 31. The second part: (alpha_0, 1) ends at step 1.")
+      note="hits: values of 1/kappa within 1/9 of 3/5, -1/3, 2/5 or -4/5 for which the point with first coordinate alpha_0 ends at step 31. The second part: (alpha_0, 1) ends at step 1.")
 claim("BLM91-C3.9.2", "points with unbounded orbit are uncountable and dense", hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=[standing("|kappa| > 1", abs(lam) < rational("9/10")), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
       by=[steps("BLM91-X.1", "BLM91-X.2", facts=[KRONECKER], prose="irrational angles are dense and uncountably many, and on their hyperbolas all but countably many orbits are dense, hence unbounded"), instances(30, **DRAW)],
       note="hits: steps t <= 60 with |alpha_t| > 5, on rational points with irrational angle.")
