@@ -77,9 +77,12 @@ BLM91 (3.10), (3.13), (4.7), (4.11), (5.1), Theorems 3.5, 3.7, 4.1, Corollaries 
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
-from collections.abc import Iterable, Sequence
+import threading
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -347,11 +350,25 @@ def decide_many(starts: Iterable[Sequence[Any]], jobs: int = 1) -> list[Answer]:
     wrong = next((k for k, s in enumerate(listed) if len(s) not in (2, 3)), None)
     if wrong is not None:
         raise BadInput(f"starts[{wrong}] = {listed[wrong]}: not (alpha0, gamma0) or (alpha0, gamma0, pi0); pass two or three numbers")
-    if jobs == 1 or len(listed) < 2 * jobs:
-        return [_decide(s) for s in listed]
-    # a fresh interpreter, as a fork of a process with threads can hang
-    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
-        return list(pool.map(_decide, listed, chunksize=max(1, len(listed) // (8 * jobs))))
+    with _no_garbage():
+        if jobs == 1 or len(listed) < 2 * jobs:
+            return [_decide(s) for s in listed]
+        # a fork of a process with threads can hang; without threads it saves the start of an interpreter
+        forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
+        with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("fork" if forks else "spawn")) as pool:
+            return list(pool.map(_decide, listed, chunksize=max(1, len(listed) // (16 * jobs))))
+
+
+@contextmanager
+def _no_garbage() -> Iterator[None]:
+    """No search for cycles for a while: answers have none, and thousands of them make the search slow."""
+    was = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
 
 
 def _decide(start: tuple) -> Answer:
