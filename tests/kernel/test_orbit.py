@@ -25,7 +25,8 @@ F7, F12 = cyclotomic_real(7), cyclotomic_real(12)
 #: a certificate of every kind of answer
 KINDS = {
     "inside": decide_order_one("1/5", "1/2"), "outside": decide_order_one(2, "1/2"), "negative": decide_order_one(-2, "1/2"),
-    "rational limit": decide_order_one("7/2", "3/2"), "boundary": decide_order_one(3, 2), "boundary inside": decide_order_one("1/2", "1/2"),
+    "rational limit": decide_order_one("7/2", "3/2"), "boundary": decide_order_one(3, 2), "boundary far": decide_order_one("11/9", "2/9"),
+    "limit of the field": decide_order_one(*on_hyperbola(R2, R2.field(fmpq(1, 3)))), "boundary inside": decide_order_one("1/2", "1/2"),
     "escape": decide_order_one(*before(fmpq(7, 2), fmpq(1), 5)), "escape on a line": decide_order_one("4/3", "1/3"), "vertex": decide_order_one(0, 1),
     "axis": decide_order_one(0, 2), "equilibrium": decide_order_one(3, 0), "origin": decide_order_one(0, 0), "period": decide_order_one("3/4", "5/4"),
     "dense": decide_order_one("1/3", "4/5"), "escape of a rotation": decide_order_one(*before(fmpq(1, 3), fmpq(1), 4)),
@@ -109,6 +110,43 @@ def limits(answer):
         if isinstance(number, dict):  # the other root of the same polynomial
             far = {**number, "interval": [number["interval"][1], "1000000"]}
             yield {"limit": {**answer["limit"], key: [far] if isinstance(named, list) else far}}
+            lo, hi = (Fraction(x) for x in number["interval"])
+            if lo * hi > 0:  # the reciprocal, which is the other equilibrium
+                inverse = {"minpoly": number["minpoly"][::-1], "interval": [str(1 / hi), str(1 / lo)]}
+                yield {"limit": {**answer["limit"], key: [inverse] if isinstance(named, list) else inverse}}
+
+
+def test_a_whole_other_answer_is_rejected():
+    """The consistent answer to another question, put in place of the true one with the region kept, is rejected."""
+    for name, answer in KINDS.items():
+        true = answer.certificate["statement"]["answer"]
+        for other in KINDS.values():
+            lie = {**other.certificate["statement"]["answer"], "region": true["region"]}
+            if lie != true:
+                with pytest.raises(Rejected):
+                    replay(resealed(answer.certificate, lambda s, lie=lie: s.update(answer=lie)))
+        if true["escape"] is None:
+            for t in range(6):
+                lie = {**KINDS["vertex"].certificate["statement"]["answer"], "escape": t, "region": true["region"]}
+                with pytest.raises(Rejected):
+                    replay(resealed(answer.certificate, lambda s, lie=lie: s.update(answer=lie)))
+
+
+def test_an_escape_cannot_be_hidden():
+    """Escapes of rotations, periodic and not, and of hyperbolas, near and far, cannot pass for what their neighbours do."""
+    hidden = 0
+    for alpha in (fmpq(1, 3), fmpq(2, 3), fmpq(1), fmpq(7, 2), fmpq(2), F12.two_cos(5), R2 / 5):
+        for t in range(8):
+            start = before(alpha, alpha - alpha + 1, t)
+            near = start and decide_order_one(start[0], start[1] + fmpq(1, 10**9))
+            truth = start and decide_order_one(*start)
+            if start and near.escape is None:
+                lie = near.certificate["statement"]["answer"]
+                with pytest.raises(Rejected):
+                    replay(resealed(truth.certificate, lambda s, lie=lie: s.update(answer=lie)))
+                assert replay(truth.certificate) == []
+                hidden += 1
+    assert hidden > 30
 
 
 def asked(question):
