@@ -118,7 +118,7 @@ def limits(answer):
 
 def test_a_whole_other_answer_is_rejected():
     """The consistent answer to another question, put in place of the true one with the region kept, is rejected."""
-    for name, answer in KINDS.items():
+    for answer in KINDS.values():
         true = answer.certificate["statement"]["answer"]
         for other in KINDS.values():
             lie = {**other.certificate["statement"]["answer"], "region": true["region"]}
