@@ -17,13 +17,13 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.recursion import Induction, inductions
-from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
+from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
+from exactkf.kernel.words import Blocks, Poly, Relation, Size, Word, number, text, times_scalars
 
 __all__ = ["KINDS"]
 
@@ -35,24 +35,44 @@ def _need(condition: bool, step: str) -> None:
 
 def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     reader = Reader(statement)
-    goals = [(p, b.rows[i], b.cols[j]) for b in residual_blocks(reader, statement["says"])
-             for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+    goals = [cell for b in residual_blocks(reader, statement["says"]) for cell in b.cells()]
     assumed = relations(reader)
     _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
     for number, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
         _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {number}: the terms do not add up")
-    return [f"det({text(p)})" for p, _ in reader.inverses]
+    return [f"det({_text(term)})" for term, _ in reader.inverses]
 
 
-def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows: Any, cols: Any, terms: list) -> Any:
-    """What is left of a polynomial after multiples of assumptions are taken off."""
-    one = Fraction(1)
-    for c, left, name, right in terms:
-        product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
-        for _, word in product:
-            _need(word_sizes(reader, word, rows) == cols, f"a word of relation {name} has other sizes than the block")
-        rest = add(rest, product, -Fraction(c))
-    return rest
+def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly, rows: Size, cols: Size, terms: list) -> Poly:
+    """What is left of a polynomial after multiples c s l (assumption) r are taken off; s is a monomial in the scalars."""
+    rest = dict(goal)
+    sizes: dict[tuple[Word, Size], Size] = {}
+
+    def after(word: Word, start: Size) -> Size:
+        if (word, start) not in sizes:
+            sizes[word, start] = word_sizes(reader, word, start)
+        return sizes[word, start]
+
+    for c, left, name, right, *more in terms:
+        before, behind = tuple(left), tuple(right)
+        scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
+        _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
+        relation = assumed[name] if isinstance(name, str) else reader.as_scalar(tuple(name))
+        start = after(before, rows)
+        if relation.rows is not None:
+            _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
+            start = relation.cols  # type: ignore[assignment]
+        _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
+        factor = number(c)
+        for (s, word), value in relation.poly.items():
+            key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
+            rest[key] = rest.get(key, 0) - factor * value
+    return {key: value for key, value in rest.items() if value}
+
+
+def _text(term: Blocks) -> str:
+    rows = [", ".join(text(p) for p in row) for row in term.grid]
+    return rows[0] if len(rows) == len(term.grid[0]) == 1 else f"[{'; '.join(rows)}]"
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
@@ -65,7 +85,7 @@ def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[st
         _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
             _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {number}: the terms do not add up")
-        denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
+        denominators.extend(d for term, _ in leaf.known if (d := f"det({_text(term)})") not in denominators)
     return denominators
 
 

@@ -27,7 +27,8 @@ from contextlib import suppress
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import Blocks, Reader
+from exactkf.kernel.reader import Reader
+from exactkf.kernel.words import Blocks
 
 __all__ = ["FAMILIES", "Induction", "inductions"]
 
