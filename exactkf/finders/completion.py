@@ -116,7 +116,11 @@ class System:
         return chr(ord(ch) + 1) if inverse else ch
 
     def encode(self, p: Poly) -> dict[str, Any]:
-        """A polynomial with monomials as strings."""
+        """A polynomial with monomials as strings. What a scalar stands for becomes a rule."""
+        for name in {n for s, _ in p for n, _ in s if n in self.reader.numbers and ("scalar", n) not in self.chars}:
+            own = self.reader.numbers[name]
+            for word in {own, tuple(self.reader.transposed[a] for a in reversed(own))}:
+                self._insert({"".join(map(self._char, word)): 1, self._scalar_char(name): -1}, [(1, "", word, "", "")])
         return {"".join(map(self._char, word)) + "".join(sorted("".join(self._scalar_char(n, e < 0) * abs(e) for n, e in s))): c
                 for (s, word), c in p.items()}
 
@@ -158,9 +162,17 @@ class System:
         total: dict = {}
         for c, left, rule, right, scalars in used:
             self._write(total, c, left, rule, right, scalars)
+        return self._listed(total)
+
+    def _listed(self, total: dict) -> list[list]:
         out = []
         for (left, name, right, scalars), c in total.items():
-            term = [str(c), self.decode(left)[1], name if isinstance(name, str) else list(name), self.decode(right)[1]]
+            if isinstance(name, _Rule):  # an equation between numbers, with its proof: it may stand in any size
+                equation = [[str(v), self.decode(key)[0]] for key, v in {name.scalars: 1, **name.tail}.items()]
+                shown: Any = {"numbers": equation, "terms": self._listed(self._written(name))}
+            else:
+                shown = name if isinstance(name, str) else list(name)
+            term = [str(c), self.decode(left)[1], shown, self.decode(right)[1]]
             out.append(term + ([self.decode(scalars)[0]] if scalars else []))
         return out
 
@@ -176,16 +188,23 @@ class System:
 
     def _write(self, total: dict, c: Any, left: str, ref: Any, right: str, scalars: str) -> None:
         """Add a multiple of a rule, in terms of the relations."""
-        if not isinstance(ref, _Rule):
+        if not isinstance(ref, _Rule) or self._between_numbers(ref):
             _bump(total, (left, ref, right, scalars), c)
             return
-        if ref.number not in self.written:
-            own: dict = {}
-            for a, le, r, ri, s in ref.origin:
-                self._write(own, a, le, r, ri, s)
-            self.written[ref.number] = own
-        for (le, name, ri, s), a in self.written[ref.number].items():
+        for (le, name, ri, s), a in self._written(ref).items():
             _bump(total, (left + le, name, ri + right, _product(s, scalars)), c * a)
+
+    def _between_numbers(self, rule: _Rule) -> bool:
+        return not rule.lead and (len(rule.origin) > 1 or isinstance(rule.origin[0][2], _Rule)) and not any(map(self._word, rule.tail))
+
+    def _written(self, rule: _Rule) -> dict:
+        """A rule as multiples of the relations."""
+        if rule.number not in self.written:
+            own: dict = {}
+            for a, left, ref, right, s in rule.origin:
+                self._write(own, a, left, ref, right, s)
+            self.written[rule.number] = own
+        return self.written[rule.number]
 
     # ------------------------------------------------------------------ reduction
     def _reduce(self, p: dict[str, Any]) -> tuple[dict[str, Any], Origin]:

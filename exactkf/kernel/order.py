@@ -34,7 +34,7 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.words import Blocks, Relation, add, multiply
+from exactkf.kernel.words import Blocks, Relation, add
 
 __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 

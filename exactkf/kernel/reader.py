@@ -58,6 +58,7 @@ class Reader:
         self.transposed: dict[str, str] = {}  # letter -> letter of its transpose
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
+        self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
         symmetric = {f[1][1] for _, f in _hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
@@ -195,13 +196,16 @@ class Reader:
         """The number in a 1 x 1 matrix."""
         out: Poly = {}
         for (scalars, word), c in x.grid[0][0].items():
-            own = {(scalars, ()): c}
-            out = add(out, multiply(own, {(((self.scalar_name(word), 1),), ()): 1}) if word else own)
+            own: Poly = {(scalars, ()): c}
+            name: Poly = {(((self.scalar_name(word), 1),), ()): 1} if word else ONE
+            out = add(out, multiply(own, name))
         return out
 
     def scalar_name(self, word: Word) -> str:
         """Name of the scalar of a 1 x 1 word; a number is its own transpose."""
-        return f"<{'*'.join(min(word, self._transpose_word(word)))}>"
+        name = f"<{'*'.join(min(word, self._transpose_word(word)))}>"
+        self.numbers[name] = word
+        return name
 
     def as_scalar(self, word: Word) -> Relation:
         """A 1 x 1 word less its scalar."""
@@ -392,7 +396,7 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
         m = _in_halves(reader, reader.read(formula[1]))
         j = _form(m.rows)
         return [reader._times(reader._times(m, j), reader.transpose(m)).plus(j, -1)]
-    if formula[0] == "=" and formula[1][0] == "*" and len(formula[1]) == 3 and formula[2][0] == "I":
+    if formula[0] == "=" and isinstance(formula[1], list) and formula[1][0] == "*" and len(formula[1]) == 3 and isinstance(formula[2], list) and formula[2][0] == "I":
         x, y = (reader.read(f) for f in formula[1][1:])
         if isinstance(x, Blocks) and isinstance(y, Blocks) and x.rows == x.cols == y.rows == y.cols:
             return [reader._plus(y.times(x), reader.read(formula[2]), -1)]
