@@ -34,7 +34,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-
 from exactkf._errors import BadInput
 from exactkf.dynamics.numbers import Number, number
 from exactkf.exact._messages import bad
@@ -172,22 +171,24 @@ class Filter:
         >>> Filter.from_covariances([1, "1/2", "1/4"])
         Filter(a=(-1/2,), g=(1/2,), field=None)
         """
-        (c,), field = _exact(floats, c=c)
+        (c,), field = _exact(floats, covariances=c)
         if not c or c[0] != 1:
-            raise bad("c", "does not begin with 1", _plain(c), "divide by c_0")
+            raise bad("covariances", "does not begin with 1", _plain(c), "divide by c_0")
         n = (len(c) - 1) // 2 if order is None else order
-        if isinstance(n, bool) or not isinstance(n, int) or n < 1 or len(c) <= 2 * n:
-            raise bad("c", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c), f"pass at least {max(2 * n, 2)} after the 1")
-        hankel = [[c[i + j + 1] for j in range(n)] for i in range(n)]
+        if isinstance(n, bool) or not isinstance(n, int) or (order is not None and n < 1):
+            raise bad("order", "is no order", order, "pass a positive integer")
+        if n < 1 or len(c) <= 2 * n:
+            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c), f"pass at least {max(2 * n, 2)} after the 1")
+        hankel = tuple(tuple(c[i + j + 1] for j in range(n)) for i in range(n))
         try:
-            reversed_a = solved(hankel, [[-c[n + 1 + i]] for i in range(n)], "the Hankel matrix of c")
+            reversed_a = solved(hankel, tuple((-c[n + 1 + i],) for i in range(n)), "the Hankel matrix of the covariances")
         except BadInput:
-            raise bad("c", f"has a singular Hankel matrix of size {n}", _plain(c), "pass a smaller order") from None
+            raise bad("covariances", f"has a singular Hankel matrix of size {n}", _plain(c), "pass a smaller order") from None
         a = tuple(row[0] for row in reversed(reversed_a))
         g = tuple(c[k] + sum((a[i] * c[k - 1 - i] for i in range(k - 1)), 0 * c[k]) for k in range(1, n + 1))
         made = cls._checked(a, g, field)
         if made.covariances(len(c) - 1) != tuple(c[1:]):
-            raise bad("c", f"is not the covariance sequence of a filter of order {n}", _plain(c), "pass a larger order or the first 2n covariances only")
+            raise bad("covariances", f"is not the covariance sequence of a filter of order {n}", _plain(c), "pass a larger order or the first 2n covariances only")
         return made
 
     @classmethod

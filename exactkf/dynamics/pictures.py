@@ -152,7 +152,7 @@ def _regions(axes: Axes, reach: float) -> None:
         axes.axhline(sign, color=_INK, lw=0.9, ls=(0, (5, 3)))
     axes.axvline(0, color=_INK, lw=0.4)
     axes.axhline(0, color=_INK, lw=0.4)
-    text = {"ha": "center", "va": "center", "fontsize": 11, "color": _INK, "bbox": {"fc": "white", "ec": "none", "alpha": 0.6, "pad": 1}}
+    text: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 11, "color": _INK, "bbox": {"fc": "white", "ec": "none", "alpha": 0.6, "pad": 1}}
     for s, index in ((1, "+"), (-1, "-")):
         axes.text(0.45 * s, 0.22, rf"$\mathrm{{I}}_{index}$", **text)
         if reach > 2.3:
@@ -181,6 +181,8 @@ def draw_gamma(filter: Filter, steps: int = 60) -> Figure:
     states, escape = _states(filter, steps)
     gamma = np.array([_float(g[0]) for _, g in states])
     figure, axes = _figure(6.8, 3.6)
+    from matplotlib.ticker import MaxNLocator
+
     time = np.arange(len(gamma))
     inside = np.max(np.abs(gamma)) <= 4
     for level in (1, -1):
@@ -193,9 +195,10 @@ def draw_gamma(filter: Filter, steps: int = 60) -> Figure:
         axes.legend(fontsize=9)
     if not inside:
         axes.set_yscale("symlog", linthresh=2)
-    axes.set(xlabel="$t$", ylabel=r"$\gamma_t$", title=f"order {filter.order}, lines at $\\gamma = \\pm 1$" + ("" if inside else "; linear up to 2, logarithmic beyond"))
+    scale = "" if inside else "; linear up to 2, logarithmic beyond"
+    axes.set(xlabel="$t$", ylabel=r"$\gamma_t$", title=rf"order {filter.order}, lines at $\gamma = \pm 1${scale}")
     axes.set_xlim(-0.5, max(len(gamma) - 0.5, 1))
-    axes.xaxis.get_major_locator().set_params(integer=True)
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     return figure
 
 
