@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,9 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
     data = _data(file, vectors)
     start = data.pop("pi0", None) if pi0 is None else pi0
     filter = filter_from(data)
+    for kind, order in (("plane", 1), ("alpha", 2)):
+        if kind in dict(drawings) and filter.order != order:
+            raise bad("--picture", f"asks for the {kind} picture of a filter of order {filter.order}", kind, f"it is drawn for order {order}")
     answer = analyze(filter, pi0=start)
     click.echo("\n".join(_lines(answer, digits)))
     if after is not None:
@@ -136,8 +140,9 @@ def shown_number(value: Any, digits: int) -> str:
     """
     if not isinstance(value, dict):
         return str(value)
-    root = RealField(value["minpoly"], value["interval"]).gen()
-    return f"{root.enclose(digits).str(digits, radius=False)}  (root of {root.field.minpoly} in [{', '.join(value['interval'])}])"
+    field = RealField(value["minpoly"], value["interval"])
+    polynomial = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", str(field.minpoly))
+    return f"{field.gen().enclose(digits).str(digits, radius=False)}  (root {field.index + 1} of {polynomial}, from the left)"
 
 
 def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:
