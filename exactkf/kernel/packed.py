@@ -12,25 +12,28 @@ Main definitions
     Sums with integer weights, products.
 `Divisor`
     A polynomial prepared for exact division by it.
+`content`
+    The factors of a polynomial that have one variable.
 """
 
 from __future__ import annotations
 
-from functools import lru_cache, reduce
+from functools import cache, reduce
+from math import gcd
 from operator import or_
 
 from exactkf.kernel.numbers import Unknown
 
-__all__ = ["BITS", "Divisor", "Poly", "add", "exponents", "mul"]
+__all__ = ["BITS", "Divisor", "Poly", "add", "content", "exponents", "mul"]
 
 BITS = 12  # bits an exponent takes in a packed monomial
 _MASK = (1 << BITS) - 1
-_PRIME = (1 << 61) - 1
+_PRIME, _ORDER = 1152921504606538021, 4007  # the order divides the prime less one, and 2^12 has a large order modulo it
 
 Poly = dict[int, int]  # packed exponents -> coefficient
 
 
-@lru_cache(maxsize=256)
+@cache
 def _tops(places: int) -> int:
     """The top bit of every exponent."""
     return sum(1 << (BITS * i + BITS - 1) for i in range(places))
@@ -121,7 +124,7 @@ def _over_monomial(p: Poly, key: int, c: int) -> Poly | None:
 class Divisor:
     """A polynomial to divide by, seen as a polynomial in one variable."""
 
-    __slots__ = ("degree", "first", "last", "lead", "lower", "place", "terms", "univariate")
+    __slots__ = ("degree", "first", "image", "last", "lead", "lower", "place", "terms", "univariate")
 
     def __init__(self, terms: Poly) -> None:
         self.terms, self.first, self.last = terms, max(terms), min(terms)
@@ -134,6 +137,7 @@ class Divisor:
         lead = parts.pop(self.degree)
         self.lead: Divisor | tuple[int, int] = next(iter(lead.items())) if len(lead) == 1 else Divisor(lead)
         self.lower = sorted(parts.items())
+        self.image = _image(terms, self.place)
 
     def _weight(self, place: int) -> tuple[int, int]:
         """Terms of the leading coefficient in one variable, and whether it has variables."""
@@ -183,19 +187,17 @@ class Divisor:
         """False only if this polynomial does not divide p.
 
         First by the first and last terms. Then, if it has one variable, by the terms of p that agree with its
-        first (its last) term in all others; else in one variable, the others being given values modulo a prime.
+        first term in all others; then in one variable, the others being given values modulo a prime.
         """
-        first, last = max(p), min(p)
-        if not (_fits(self.first, first) and _fits(self.last, last)):
+        first = max(p)
+        if not (_fits(self.first, first) and _fits(self.last, min(p))):
             return False
-        if not self.univariate:
-            return _remainder_vanishes(_univariate(p, self.place), _univariate(self.terms, self.place))
-        others = ~(_MASK << self.place)
-        for rest in {first & others, last & others}:
-            part = {k - rest: c for k, c in p.items() if k & others == rest}
-            if not _remainder_vanishes(_univariate(part, self.place), _univariate(self.terms, self.place)):
+        if self.univariate:
+            others = ~(_MASK << self.place)
+            rest = first & others
+            if not _remainder_vanishes(_image({k: c for k, c in p.items() if k & others == rest}, self.place), list(self.image)):
                 return False
-        return True
+        return _remainder_vanishes(_image(p, self.place), list(self.image))
 
 
 def _fits(small: int, big: int) -> bool:
@@ -204,26 +206,21 @@ def _fits(small: int, big: int) -> bool:
     return ((big | top) - small) & top == top
 
 
-@lru_cache(maxsize=1 << 18)
-def _reduced_monomial(key: int, main: int) -> tuple[int, int]:
-    """Exponent of the main variable, and the value of the rest modulo the prime at a fixed point."""
-    exponent, value, place = (key >> main) & _MASK, 1, 3
-    key &= ~(_MASK << main)
-    while key:
-        if key & _MASK:
-            value = value * pow(1000003 * place + 97, key & _MASK, _PRIME) % _PRIME
-        key >>= BITS
-        place += 1
-    return exponent, value
+@cache
+def _powers() -> list[int]:
+    """Powers of an element of order `_ORDER` modulo the prime."""
+    root = pow(3, (_PRIME - 1) // _ORDER, _PRIME)
+    return [pow(root, k, _PRIME) for k in range(_ORDER)]
 
 
-def _univariate(p: Poly, main: int) -> list[int]:
-    """p modulo the prime, all variables but one being given values."""
-    out: dict[int, int] = {}
-    for key, c in p.items():
-        e, value = _reduced_monomial(key, main)
-        out[e] = out.get(e, 0) + c * value
-    return [out.get(e, 0) % _PRIME for e in range(max(out, default=0) + 1)]
+def _image(p: Poly, place: int) -> list[int]:
+    """p modulo the prime in one variable, the others being powers of one root of unity; coefficients from x^0 up."""
+    powers, field, out = _powers(), _MASK << place, dict[int, int]()
+    get = out.get
+    for k, c in p.items():
+        e = k & field
+        out[e] = get(e, 0) + c * powers[(k ^ e) % _ORDER]
+    return [out.get(e << place, 0) % _PRIME for e in range((max(out) >> place) + 1)]
 
 
 def _remainder_vanishes(a: list[int], b: list[int]) -> bool:
@@ -240,3 +237,46 @@ def _remainder_vanishes(a: list[int], b: list[int]) -> bool:
                 a[len(a) - len(b) + i] = (a[len(a) - len(b) + i] - f * b[i]) % _PRIME
         a.pop()
     return not any(a)
+
+
+# ---------------------------------------------------------------------- factors in one variable
+def content(p: Poly, place: int) -> list[Poly]:
+    """Polynomials in one variable whose product is the greatest one that divides p; the roots 0, 1 and -1 are split off."""
+    field = _MASK << place
+    slices: dict[int, dict[int, int]] = {}
+    for k, c in p.items():
+        slices.setdefault(k & ~field, {})[(k & field) >> place] = c
+    common: list[int] = []
+    for part in sorted(slices.values(), key=len):
+        common = _gcd(common, [part.get(e, 0) for e in range(max(part) + 1)])
+        if len(common) == 1:
+            return []
+    found = []
+    for root in (0, 1, -1):
+        while len(common) > 2 and sum(c * root**k for k, c in enumerate(common)) == 0:
+            found.append([-root, 1])
+            common = _synthetic(common, root)
+    return [{e << place: c for e, c in enumerate(u) if c} for u in [*found, common]]
+
+
+def _synthetic(u: list[int], root: int) -> list[int]:
+    """u / (x - root), coefficients from x^0 up."""
+    out, carry = [0] * (len(u) - 1), 0
+    for k in range(len(u) - 1, 0, -1):
+        out[k - 1] = carry = u[k] + root * carry
+    return out
+
+
+def _gcd(a: list[int], b: list[int]) -> list[int]:
+    """Greatest common divisor, primitive, by pseudo-remainders."""
+    while b:
+        b = [c // gcd(*b) for c in b]
+        while len(a) >= len(b):
+            lead, top = a[-1], b[-1]
+            a = [top * c for c in a]
+            for i in range(len(b)):
+                a[len(a) - len(b) + i] -= lead * b[i]
+            while a and a[-1] == 0:
+                a.pop()
+        a, b = b, a
+    return a

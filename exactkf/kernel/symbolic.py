@@ -17,7 +17,7 @@ from math import gcd
 from typing import Any
 
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, is_matrix
-from exactkf.kernel.packed import BITS, Divisor, Poly, add, exponents, mul
+from exactkf.kernel.packed import BITS, Divisor, Poly, add, content, exponents, mul
 
 __all__ = ["Symbolic", "SymbolicField"]
 
@@ -40,7 +40,7 @@ class SymbolicField:
     def cancel(self, p: Poly, index: int, most: int) -> tuple[Poly, int]:
         """Divide by a recorded factor as often as possible, at most so many times; what is left, and how often."""
         divisor, times = self.divisors[index], 0
-        while times < most and len(p) > 1 and (q := divisor.quotient(p)) is not None:
+        while times < most and any(p) and (q := divisor.quotient(p)) is not None:
             p, times = q, times + 1
         return p, times
 
@@ -48,17 +48,17 @@ class SymbolicField:
         """Write a polynomial (up to a unit) as a product of recorded factors, recording a new one if need be."""
         powers: dict[int, int] = {}
         for index in range(len(self.factors)):
-            p, times = self.cancel(p, index, len(p))
+            p, times = self.cancel(p, index, 1 << BITS)
             if times:
                 powers[index] = times
-        if len(p) == 1:  # a monomial splits into variables
-            (key, _), = p.items()
-            new = [({1 << (BITS * i): 1}, e) for i, e in enumerate(exponents(key)) if e]
-        else:
-            new = [(p, 1)]
-        for f, e in new:
-            index = self._record(f)
-            powers[index] = powers.get(index, 0) + e
+        for place in range(0, BITS * len(self.names), BITS):
+            for f in content(p, place):
+                index = self._record(f)
+                p, times = self.cancel(p, index, 1)
+                powers[index] = powers.get(index, 0) + times
+        if any(p):
+            index = self._record(p)
+            powers[index] = powers.get(index, 0) + 1
         return sorted(powers.items())
 
     def _record(self, p: Poly) -> int:
@@ -93,19 +93,19 @@ class Symbolic:
     def __init__(self, field: SymbolicField, num: Poly, q: int, den: tuple) -> None:
         self.field, self.num, self.q, self.den = field, num, q, den if num else ()
 
-    def _reduced(self) -> Symbolic:
-        """Cancel recorded factors, and common factors of q, from the numerator."""
-        num, q, den = self.num, self.q, self.den
-        if q != 1 and (common := gcd(q, *num.values())) != 1:
-            num, q = {k: v // common for k, v in num.items()}, q // common
-        if den:
-            left = []
-            for index, e in den:
-                num, times = self.field.cancel(num, index, e)
-                if times < e:
-                    left.append((index, e - times))
-            den = tuple(left)
-        return Symbolic(self.field, num, q, den)
+    def _primitive(self) -> Symbolic:
+        """Cancel common factors of q and the numerator."""
+        if self.q != 1 and (common := gcd(self.q, *self.num.values())) != 1:
+            self.num, self.q = {k: v // common for k, v in self.num.items()}, self.q // common
+        return self
+
+    def _cancelled(self, den: dict[int, int], among: Iterable[int]) -> Poly:
+        """Numerator, less the factors among those given that it has in common with a denominator, which is changed."""
+        num = self.num
+        for index in among:
+            num, times = self.field.cancel(num, index, den[index])
+            den[index] -= times
+        return num
 
     def _coerce(self, x: Any) -> Symbolic | None:
         if isinstance(x, Symbolic):
@@ -127,16 +127,15 @@ class Symbolic:
             return NotImplemented
         if not self.num or not y.num:
             return self if self.num else y
-        if self.den == y.den:
-            p, q, den = self.num, y.num, self.den
-        else:
-            both = dict(self.den)
-            for index, e in y.den:
-                both[index] = max(e, both.get(index, 0))
-            p, q, den = self._lift(both), y._lift(both), tuple(sorted(both.items()))
+        mine, theirs = dict(self.den), dict(y.den)
+        den = {index: max(e, theirs.get(index, 0)) for index, e in (theirs | mine).items()}
+        p, q = self._lift(den), y._lift(den)
         common = gcd(self.q, y.q)
         a, b = y.q // common, self.q // common
-        return Symbolic(self.field, add(p, q, a, b), self.q * a, den)._reduced()
+        out = Symbolic(self.field, add(p, q, a, b), self.q * a, ())._primitive()
+        # a factor of different powers in the two denominators divides one term and not the other, if it is irreducible
+        num = out._cancelled(den, [index for index, e in den.items() if theirs.get(index) == mine.get(index) or not self.field.divisors[index].univariate])
+        return Symbolic(self.field, num, out.q, tuple(sorted((index, e) for index, e in den.items() if e)))
 
     __radd__ = __add__
 
@@ -153,10 +152,15 @@ class Symbolic:
         y = self._coerce(other)
         if y is None:
             return NotImplemented
-        den = dict(self.den)
-        for index, e in y.den:
-            den[index] = den.get(index, 0) + e
-        return Symbolic(self.field, mul(self.num, y.num), self.q * y.q, tuple(sorted(den.items())))._reduced()
+        if not self.num or not y.num:
+            return Symbolic(self.field, {}, 1, ())
+        mine, theirs = dict(self.den), dict(y.den)
+        p = self._cancelled(theirs, theirs.keys() - mine.keys())
+        q = y._cancelled(mine, mine.keys() - theirs.keys())
+        den = {index: e for index in mine | theirs if (e := mine.get(index, 0) + theirs.get(index, 0))}
+        out = Symbolic(self.field, mul(p, q), self.q * y.q, ())._primitive()
+        num = out._cancelled(den, [index for index in den if not self.field.divisors[index].univariate])
+        return Symbolic(self.field, num, out.q, tuple(sorted((index, e) for index, e in den.items() if e)))
 
     __rmul__ = __mul__
 
@@ -176,7 +180,7 @@ class Symbolic:
         key = max(product)
         unit = Fraction(self.num[key], product[key])
         num = {k: v * unit.denominator * (1 if unit > 0 else -1) for k, v in num.items()}
-        return Symbolic(self.field, num, abs(unit.numerator), tuple(powers))._reduced()
+        return Symbolic(self.field, num, abs(unit.numerator), tuple(powers))._primitive()
 
     def __truediv__(self, other: Any) -> Any:
         y = self._coerce(other)
