@@ -24,7 +24,7 @@ every other rational point of the corridors the orbit ends or is dense.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

@@ -12,7 +12,7 @@ its periodic points of every period p >= 3.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.evidence import example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

@@ -21,7 +21,7 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

@@ -16,7 +16,7 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.evidence import evaluation, example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

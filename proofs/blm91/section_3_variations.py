@@ -12,7 +12,7 @@ doubling goes on.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, instances, positivity, steps
+from exactkf.evidence import combination, evaluation, example, identity, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

@@ -14,8 +14,8 @@ is of 1 + alpha_0^2 - gamma_0^2: the limit is the smaller zero of phi in I, III 
 For alpha_0 = 0 the step is constant, gamma_0^2, except at pi = 1. With |gamma_0| = 1 every solution then ends at the second step. At pi_0 = 1 every equation ends.
 """
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

@@ -14,7 +14,7 @@ a_11)m - a_12 m^2. (With x/y the indices 1 and 2 change places.)
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, positivity, steps
+from exactkf.evidence import combination, example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

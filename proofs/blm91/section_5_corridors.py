@@ -21,7 +21,7 @@ at once, while the slope map goes on through 1/(2 lambda): in counts of escaping
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, positivity, steps
+from exactkf.evidence import evaluation, example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 

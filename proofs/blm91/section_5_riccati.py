@@ -8,7 +8,7 @@ phi has the discriminant 4 alpha_0^2 (1/kappa^2 - 1): real zeros for |kappa| <= 
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, instances, steps
+from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
