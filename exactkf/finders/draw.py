@@ -21,6 +21,7 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.solve import Solver
 from exactkf.kernel.instances import admissible
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
@@ -54,6 +55,7 @@ class Sampler:
         self.horizon = hints.get("horizon", 5)
         self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
+        self.solver = Solver(statement)
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
         """Admissible instances with their worlds; the hand-made examples come first."""
@@ -70,6 +72,19 @@ class Sampler:
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
         yield from self._try(self.random.choice(self._every_size()), self.random.choice(_FLAVOURS))
+
+    def solved(self, tries: int) -> Iterator[tuple[dict, World]]:
+        """Admissible instances found by solving the equations of the hypotheses; nothing where there are none."""
+        every = self._every_size() if self.solver.useful else []
+        for k in range(tries if every else 0):
+            flavour = self.random.choice(_FLAVOURS)
+            sizes = every[k % len(every)]
+            values = self.solver.draw(sizes, lambda kind, args, flavour=flavour: self._value(kind, args, flavour), self.random)
+            if values is None:
+                self._refuse("the equations of the hypotheses were not solved")
+                continue
+            full = {**sizes, "horizon": self.horizon, **values}
+            yield from self._admit((self._as_json(full, World(self.statement, full)), full))
 
     def _every_size(self) -> list[dict[str, int]]:
         every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]
@@ -123,9 +138,11 @@ class Sampler:
             if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
                 made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
             values[name] = world.values[name] = made
-        data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
-                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in kinds.items()}}
-        return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
+        return self._as_json(values, world), {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
+
+    def _as_json(self, values: Mapping[str, Any], world: World) -> dict:
+        return {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
+                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in self.statement["over"]}}
 
     # ------------------------------------------------------------------ values
     def number(self, flavour: str) -> Any:
