@@ -56,35 +56,41 @@ class Sampler:
         self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
         self.solver = Solver(statement)
+        self.aside = seed if isinstance(seed, Random) else Random(f"{seed}/solved")  # leaves the other draws as they are
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
-        """Admissible instances with their worlds; the hand-made examples come first."""
+        """Admissible instances with their worlds; the hand-made examples come first.
+
+        Where a random draw misses the hypotheses and nothing says how to make variables, their equations are solved.
+        """
         for example in self.examples:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
         most = every[:max(4, 2 * len(every) // 3)]
+        solving = not self.made_by and self.solver.useful
         for k in range(tries):
-            if k < len(every):
-                yield from self._try(every[k], "small")
-            else:  # the largest sizes once, the others again and again
-                yield from self._try(most[k % len(most)], self.random.choice(_FLAVOURS))
+            sizes = every[k] if k < len(every) else most[k % len(most)]  # the largest sizes once, the others again and again
+            flavour = "small" if k < len(every) else self.random.choice(_FLAVOURS)
+            found = list(self._try(sizes, flavour))
+            yield from found or (self._solve(sizes) if solving else ())
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
         yield from self._try(self.random.choice(self._every_size()), self.random.choice(_FLAVOURS))
 
-    def solved(self, tries: int) -> Iterator[tuple[dict, World]]:
-        """Admissible instances found by solving the equations of the hypotheses; nothing where there are none."""
-        every = self._every_size() if self.solver.useful else []
-        for k in range(tries if every else 0):
-            flavour = self.random.choice(_FLAVOURS)
-            sizes = every[k % len(every)]
-            values = self.solver.draw(sizes, lambda kind, args, flavour=flavour: self._value(kind, args, flavour), self.random)
-            if values is None:
-                self._refuse("the equations of the hypotheses were not solved")
-                continue
-            full = {**sizes, "horizon": self.horizon, **values}
-            yield from self._admit((self._as_json(full, World(self.statement, full)), full))
+    def _solve(self, sizes: Mapping[str, int]) -> Iterator[tuple[dict, World]]:
+        """One try at solving the equations of the hypotheses."""
+        flavour, random = self.aside.choice(_FLAVOURS), self.random
+        self.random = self.aside
+        try:
+            values = self.solver.draw(sizes, lambda kind, args: self._value(kind, args, flavour), self.aside)
+        finally:
+            self.random = random
+        if values is None:
+            self._refuse("the equations of the hypotheses were not solved")
+            return
+        full = {**sizes, "horizon": self.horizon, **values}
+        yield from self._admit((self._as_json(full, World(self.statement, full)), full))
 
     def _every_size(self) -> list[dict[str, int]]:
         every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]

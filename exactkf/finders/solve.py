@@ -31,6 +31,7 @@ from random import Random
 from typing import Any
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint.utils.flint_exceptions import DomainError
 
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
@@ -104,7 +105,7 @@ class Solver:
         if key not in self.systems:
             try:
                 self.systems[key] = _System(self.statement, sizes, formulas)
-            except (Undefined, Unknown, ArithmeticError, TypeError, ValueError, AttributeError, KeyError, RecursionError):
+            except (Undefined, Unknown, DomainError, ArithmeticError, TypeError, ValueError, AttributeError, KeyError, RecursionError):
                 self.systems[key] = None  # an operation on entries that are no polynomials
         system = self.systems[key]
         return system.solve(draw, random) if system else None
