@@ -29,6 +29,7 @@ from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
 
+_SOLVING = 24  # times the equations of the hypotheses are solved, where the hints do not say
 _FLAVOURS = ("small", "small", "fraction", "tiny", "degenerate", "fraction", "wide")
 
 
@@ -55,7 +56,7 @@ class Sampler:
         self.horizon = hints.get("horizon", 5)
         self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
-        self.solver = Solver(statement)
+        self.solver, self.solving = Solver(statement), hints.get("solving", _SOLVING)
         self.aside = seed if isinstance(seed, Random) else Random(f"{seed}/solved")  # leaves the other draws as they are
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
@@ -67,12 +68,17 @@ class Sampler:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
         most = every[:max(4, 2 * len(every) // 3)]
-        solving = not self.made_by and self.solver.useful
+        solving = self.solving if not self.made_by and self.solver.useful else 0
+        admitted = 0
         for k in range(tries):
             sizes = every[k] if k < len(every) else most[k % len(most)]  # the largest sizes once, the others again and again
             flavour = "small" if k < len(every) else self.random.choice(_FLAVOURS)
             found = list(self._try(sizes, flavour))
-            yield from found or (self._solve(sizes) if solving else ())
+            admitted += len(found)
+            if not found and solving > 0 and admitted <= k // 8:
+                solving -= 1
+                found = list(self._solve(sizes))
+            yield from found
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""

@@ -33,7 +33,7 @@ from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 __all__ = ["Search", "contradiction", "look_for", "unmet"]
 
 _TRIES = 400
-_ENOUGH = 60  # instances after which a search that finds no counterexample may end
+_ENOUGH = 120  # instances on which the claim is true, after which the search ends
 _TRUE = ["=", 0, 0]
 
 
@@ -70,7 +70,7 @@ def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES,
     seed, tries : int
         Same seed, same instances; at most so many tries.
     """
-    sampler = Sampler(data, {"sizes": _sizes_tried(data), "horizon": 3}, [], seed)
+    sampler = Sampler(data, {"sizes": _sizes_tried(data), "horizon": 3, "solving": tries}, [], seed)
     search = Search(sampler)
     seen: set[str] = set()
     try:
@@ -93,7 +93,7 @@ def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES,
                 break
             search.kept.append(instance)
             search.worlds.append(world)
-            if len(search.kept) >= 4 * _ENOUGH:
+            if len(search.kept) >= _ENOUGH:
                 break
     except Unknown as error:
         search.unknown = str(error)
