@@ -29,7 +29,7 @@ from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
 
-_SOLVING = 24  # times the equations of the hypotheses are solved, where the hints do not say
+_SOLVING = 8  # times the equations of the hypotheses are solved, where the hints do not say
 _FLAVOURS = ("small", "small", "fraction", "tiny", "degenerate", "fraction", "wide")
 
 

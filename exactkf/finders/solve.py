@@ -46,7 +46,7 @@ _SCALARS = ("scalar", "nonzero", "positive", "nonneg")
 _LAST = {"nonsingular": 2, "nonzero": 2, "psd": 3, "pd": 3, "positive": 3, "nonneg": 3, "symmetric": 1, "diagonal": 1}
 _BINDERS = ("sum", "prod", "forall", "exists", "always", "mat", "col", "at")
 _MOST_ENTRIES = 120
-_MOST_TERMS = 4000
+_MOST_TERMS = 800
 _STEPS = 60
 
 
