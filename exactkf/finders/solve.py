@@ -145,6 +145,7 @@ class _System:
     def _letter(self, name: str, kind: str, args: list[int], after: int | None = None) -> Any:
         """A new letter; its value in the world is made of indeterminates."""
         letter = _Letter(name, kind, args, {}, _LAST.get(kind, 0) if after is None else after)
+        value: Any
         if kind in _SCALARS:
             value = self._indeterminate(letter, 0, 0)
         else:

@@ -25,20 +25,38 @@ from typing import Any
 from exactkf.finders.membership import find_order
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
-from exactkf.language.statement import as_tuples
-from exactkf.lemma.sizes import SCALAR, ZERO, Misfit, Sizes
+from exactkf.language.statement import as_lists, as_tuples
+from exactkf.lemma.sizes import SCALAR, ZERO, Misfit, Sizes, size_tree
 
 __all__ = ["claimed_inverses", "exists_by_assumption", "invertibility", "show_inverse"]
 
 
-def claimed_inverses(data: Mapping[str, Any]) -> list[Any]:
-    """Terms that the claim inverts, directly or through definitions, innermost first; those that an assumption inverts exist with it.
+def claimed_inverses(data: Mapping[str, Any]) -> list[tuple[Any, dict]]:
+    """Terms that the claim inverts, directly or through definitions, innermost first, each with the statement whose assumptions must grant it.
 
+    An assumption that holds has a value, and so have its inverses; the premise of an implication is assumed for what follows from it.
     Inverses in the step of a sequence are left out: a sequence goes as far as it has values.
     """
-    granted = {repr(x) for _, formula, _ in data["given"] for x in _inverted(formula, data)}
-    found = {repr(x): x for x in _inverted(data["says"], data)}
-    return [x for key, x in found.items() if key not in granted]
+    found: dict[str, tuple[Any, dict]] = {}
+    for part in data["says"][1:] if data["says"][0] == "and" else [data["says"]]:
+        context = dict(data)
+        while part[0] == "=>":
+            _collect(found, part[1], context)
+            context, part = {**context, "given": [*context["given"], *_premises(part[1], len(context["given"]))]}, part[2]
+        _collect(found, part, context)
+    return list(found.values())
+
+
+def _premises(formula: Any, count: int) -> list:
+    parts = formula[1:] if formula[0] == "and" else [formula]
+    return [[f"premise {count + k}", part, "standing"] for k, part in enumerate(parts, 1)]
+
+
+def _collect(found: dict[str, tuple[Any, dict]], formula: Any, context: dict) -> None:
+    granted = {repr(x) for _, given, _ in context["given"] for x in _inverted(given, context)}
+    for term in _inverted(formula, context):
+        if repr(term) not in granted:
+            found.setdefault(repr(term), (term, context))
 
 
 def _inverted(tree: Any, data: Mapping[str, Any]) -> Iterator[Any]:
@@ -104,9 +122,25 @@ def _candidates(data: Mapping[str, Any], term: Any) -> Iterator[Any]:
     shape = _shape(data, term)
     letters: list[Any] = [["sym", name] for name, _ in data["over"]]
     sides = [side for formula in (data["says"], *(f for _, f, _ in data["given"])) for side in _sides(formula)]
-    for tree in [*sides, *letters, *(["T", x] for x in letters)]:
+    for tree in [*_pushed_through(data, term), *sides, *letters, *(["T", x] for x in letters)]:
         if tree != term and tree != ["inv", term] and _shape(data, tree) == shape:
             yield tree
+
+
+def _pushed_through(data: Mapping[str, Any], term: Any) -> Iterator[Any]:
+    """For I + AB the term I - A (I + BA)^-1 B, its inverse where the one in the middle exists."""
+    if term[0] not in ("+", "-") or len(term) != 3 or term[1][:1] != ["I"] or term[2][:1] != ["*"]:
+        return
+    factors = term[2][1:]
+    for k in range(1, len(factors)):
+        inner = _shape(data, _product(factors[:k]))
+        if isinstance(inner, tuple):
+            middle = ["inv", [term[0], ["I", as_lists(size_tree(inner[1]))], ["*", *factors[k:], *factors[:k]]]]
+            yield ["-" if term[0] == "+" else "+", term[1], ["*", *factors[:k], middle, *factors[k:]]]
+
+
+def _product(factors: list) -> Any:
+    return factors[0] if len(factors) == 1 else ["*", *factors]
 
 
 def _sides(formula: Any) -> Iterator[Any]:

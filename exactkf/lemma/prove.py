@@ -28,6 +28,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -35,10 +36,12 @@ from flint import fmpq
 
 from exactkf._errors import BadInput
 from exactkf.describe import instance_lines
-from exactkf.finders.membership import find_membership, find_order
+from exactkf.finders.membership import find_order
 from exactkf.finders.mutants import judge_mutants
+from exactkf.finders.prove import every_size
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.kernel.words import Reader
 from exactkf.language import Expr, Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
@@ -50,6 +53,7 @@ from exactkf.lemma.sizes import Misfit, Sizes
 
 __all__ = ["prove_lemma", "read_file"]
 
+_MOST_LEAVES = 8  # parts of a claim that one semidefinite term is tried for
 _MOST_SEARCH = 20.0  # seconds for the search of a counterexample, where there are that many
 
 
@@ -165,6 +169,7 @@ class _Run:
         self.limit, self.degree, self.seed, self.progress = time_limit, degree, seed, progress
         self.data = statement.to_json()
         self.found = Outcome(statement)
+        self.sides = [side for part in _claims(self.data["says"]) if part[0] == "=" for side in part[1:] if isinstance(side, list)]
 
     def outcome(self, neighbours: bool) -> Outcome:
         search = self._search()
@@ -205,7 +210,7 @@ class _Run:
             found.certificates = [search.certificate]
             found.reason = self._what_fails(search)
         elif search.kept:
-            found.witness = search.kept[0]
+            found.witness = min(search.kept, key=lambda instance: sum(instance["sizes"].values()))
             found.reached.append(f"{len(search.kept)} exact instances satisfy the assumptions and the claim (seed {self.seed})")
             self._premises(search)
         elif search.undefined:
@@ -262,11 +267,10 @@ class _Run:
     def _prove(self) -> None:
         self.progress("looking for a proof")
         found = self.found
-        whole = self._proof_of(self.data, 0.6)
-        if whole is None:
-            self._in_parts()
+        whole = self._proof_of(self.data, 0.4)
+        if whole is None and not self._in_parts():
             return
-        found.reached.append(whole)
+        found.reached += [whole] if whole else []
         missing = self._inverses()
         if missing:
             found.reason = missing
@@ -276,15 +280,15 @@ class _Run:
 
     def _proof_of(self, data: dict, part: float) -> str | None:
         """Keep a certificate of a statement; how it was proved, or None."""
-        for certificate in _candidates(data, self.degree, self._share(part, math.inf)):
+        seconds = self._share(part, math.inf) / 2
+        for certificate in chain(every_size("lemma", data, (), seconds / 2, self.degree), _by_sides(data, self.sides, self.degree, seconds)):
             if self._keep(certificate):
                 return _HOW[certificate["kind"]].format(sum(len(terms) for terms in certificate["evidence"].get("terms", ())))
         return None
 
-    def _in_parts(self) -> None:
-        """The claims one by one, to say how far it got."""
-        parts = _claims(self.data["says"])
-        open_ = []
+    def _in_parts(self) -> bool:
+        """The claims one by one: whether each is proved, and how far it got."""
+        parts, open_ = _claims(self.data["says"]), []
         for k, part in enumerate(parts):
             how = self._proof_of({**self.data, "says": part}, 0.8 / (len(parts) - k)) if len(parts) > 1 else None
             if how is None:
@@ -292,30 +296,32 @@ class _Run:
             else:
                 self.found.reached.append(f"{_text(part)}: {how}")
         for part in open_:
-            self.found.reached.append(f"{_text(part)}: neither proved nor refuted")
+            why = _not_in_words(self.data, part)
+            self.found.reached.append(f"{_text(part)}: neither proved nor refuted" + (f"; what is proved for every size does not reach it: {why}" if why else ""))
         ended = "out of time" if self._left() <= 0 else f"no proof with words of up to {self.degree} letters"
         self.found.reason = (f"{ended}, and no counterexample; a larger --degree or --time-limit (degree=, time_limit=), "
-                             "or a further assumption or claim on the way, may settle it")
+                             "or a further assumption or claim on the way, may settle it") if open_ else ""
+        return not open_
 
     def _inverses(self) -> str:
         """Show the inverses of the claim; why one is not granted, or nothing."""
-        for term in claimed_inverses(self.data):
+        for term, data in claimed_inverses(self.data):
             name = f"{_text(['inv', term])}"
-            why = exists_by_assumption(self.data, term)
+            why = exists_by_assumption(data, term)
             if why:
                 self.found.assuming.append(f"{name} exists {why}")
                 continue
-            formula = invertibility(self.data, term)
-            certificate = show_inverse(self.data, term, self.degree, self._share(0.2, 2.0)) if formula[0] == "invertible" else None
+            formula = invertibility(data, term)
+            certificate = show_inverse(data, term, self.degree, self._share(0.2, 2.0)) if formula[0] == "invertible" else None
             if certificate is not None and self._keep(certificate):
                 self.found.assuming.append(f"{name} exists, as is shown")
                 continue
-            return self._not_granted(term, formula, name)
+            return self._not_granted({**data, "says": formula}, term, name)
         return ""
 
-    def _not_granted(self, term: Any, formula: Any, name: str) -> str:
-        remedy = f"add 'assume {_text(formula)}'"
-        search = look_for({**self.data, "says": formula}, time.perf_counter() + self._share(0.3, 3.0), seed=self.seed, id="lemma: an inverse that need not exist")
+    def _not_granted(self, data: dict, term: Any, name: str) -> str:
+        remedy = f"add 'assume {_text(data['says'])}'"
+        search = look_for(data, time.perf_counter() + self._share(0.3, 3.0), seed=self.seed, id="lemma: an inverse that need not exist")
         self.found.checks += search.checks
         claim = f"proved only where {name} exists, which no assumption grants"
         if search.certificate is None:
@@ -327,11 +333,17 @@ class _Run:
     def _warn(self, search: Search) -> None:
         """Changed lemmas that the instances do not refute."""
         self.progress("looking at changed lemmas")
-        report = judge_mutants(self.data, (), search.worlds[:40], search.sampler)
+        # without one that grants an inverse the lemma would speak of fewer matrices, not of more
+        data = {**self.data, "given": [[label, f, "standing" if f[0] in ("invertible", "pd", "!=", ">") else "needed"] for label, f, _ in self.data["given"]]}
+        report = judge_mutants(data, (), search.worlds[:40], search.sampler)
         self.found.checks += report.checks
         self.found.reached.append(f"{report.rejected} of {report.made - report.equal} changed lemmas refuted")
-        self.found.warnings += [f"a changed lemma is not refuted, {survivor}" for survivor in report.survivors]
-        self.found.warnings += [f"it also holds without an assumption: {row['text']}" for row in report.rows if row["outcome"] == "equal" and "hypothesis" in row["kind"]]
+        for row in report.rows:
+            dropped = row["kind"].startswith("hypothesis ")
+            if dropped and row["outcome"] == "equal":
+                self.found.warnings.append(f"it also holds without one: {row['kind']}")
+            elif row["outcome"] == "survived":
+                self.found.warnings.append(f"a changed lemma is not refuted: {row['kind']}" + ("" if dropped else f": {row['text']}"))
 
 
 _HOW = {
@@ -341,14 +353,32 @@ _HOW = {
 }
 
 
-def _candidates(data: dict, degree: int, seconds: float) -> Iterator[dict]:
-    """Certificates that the finders propose."""
-    terms = find_membership(data, degree, seconds / 2)
-    if terms is not None:
-        yield seal("lemma", "membership", data, {"terms": terms})
-    parts = find_order(data, degree=degree, seconds=seconds / 2)
-    if parts is not None:
-        yield seal("lemma", "order", data, {"parts": parts, "lemmas": []})
+def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> Iterator[dict]:
+    """Proofs of an order by a term that an equation of the lemma names: the matrix in a semidefinite form."""
+    if data["says"][0] not in ("psd", "pd", "loewner"):
+        return
+    deadline = time.perf_counter() + seconds
+    for side in sides:
+        if (left := deadline - time.perf_counter()) <= 0:
+            return
+        parts = find_order(data, [[side]] * _MOST_LEAVES, degree=degree, seconds=left)
+        if parts is not None:
+            yield seal("lemma", "order", data, {"parts": parts, "lemmas": []})
+
+
+def _not_in_words(data: dict, tree: Any) -> str:
+    """Why a formula is not one about matrices of every size; empty if it is."""
+    if tree[0] in ("and", "or", "not", "=>", "<=>"):
+        return next((why for part in tree[1:] if (why := _not_in_words(data, part))), "")
+    if tree[0] == "always":
+        return ""
+    reader = Reader(data)
+    for term in tree[1:]:
+        try:
+            reader.read(term)
+        except (Unknown, Undefined) as error:
+            return str(error)
+    return ""
 
 
 def _claims(says: Any) -> list[Any]:

@@ -28,7 +28,7 @@ from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.words import Reader
 from exactkf.language.text import text
 
-__all__ = ["IDENTITY", "SCALAR", "Misfit", "Sizes", "size_text"]
+__all__ = ["IDENTITY", "SCALAR", "Misfit", "Sizes", "size_text", "size_tree"]
 
 Size = tuple
 Shape = Any  # SCALAR, ZERO, ANY or (rows, columns)
@@ -139,7 +139,7 @@ class Sizes:
         """A term completed as far as its own parts and the shape asked for tell."""
         if isinstance(tree, int):
             if tree == 0 and want and None not in want:
-                return ("O", *map(_tree_of, want)), want
+                return ("O", *map(size_tree, want)), want
             return tree, ZERO if tree == 0 else SCALAR
         op = tree[0]
         rule = getattr(self, f"_fit_{_RULES.get(op, '')}", None)
@@ -158,7 +158,7 @@ class Sizes:
 
     def _fit_unit(self, tree: Any, want: tuple | None) -> tuple[Any, Shape]:
         size = (want[0] or want[1]) if want else None
-        return (tree, (None, None)) if size is None else (("I", _tree_of(size)), (size, size))
+        return (tree, (None, None)) if size is None else (("I", size_tree(size)), (size, size))
 
     def _fit_identity(self, tree: Any, want: tuple | None) -> tuple[Any, Shape]:
         return _plain(tree), (self.size(tree[1]),) * 2
@@ -330,7 +330,7 @@ def _total(parts: Iterable[Any]) -> Size:
     return tuple(sorted((n, c) for n, c in out.items() if c))
 
 
-def _tree_of(size: Size) -> Any:
+def size_tree(size: Size) -> Any:
     """The tree of a size."""
     parts = [c if not n else ("sym", n) if c == 1 else ("*", c, ("sym", n)) for n, c in sorted(size, key=lambda part: (not part[0], part))]
     return 0 if not parts else parts[0] if len(parts) == 1 else ("+", *parts)
@@ -338,7 +338,7 @@ def _tree_of(size: Size) -> Any:
 
 def size_text(size: Size) -> str:
     """A size for people."""
-    return text(_tree_of(size)).replace(" ", "")
+    return text(size_tree(size)).replace(" ", "")
 
 
 def _shape_text(shape: tuple) -> str:
