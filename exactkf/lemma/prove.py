@@ -36,9 +36,9 @@ from flint import fmpq
 
 from exactkf._errors import BadInput
 from exactkf.describe import instance_lines
+from exactkf.evidence import identity
 from exactkf.finders.membership import find_order
-from exactkf.finders.mutants import judge_mutants
-from exactkf.finders.prove import every_size
+from exactkf.finders.prove import candidates, every_size
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.kernel.words import Reader
@@ -47,6 +47,7 @@ from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
 from exactkf.lemma.grammar import read_lemma
 from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse
+from exactkf.lemma.neighbours import neighbours
 from exactkf.lemma.outcome import Outcome
 from exactkf.lemma.refute import Search, contradiction, look_for, unmet
 from exactkf.lemma.sizes import Misfit, Sizes
@@ -58,7 +59,7 @@ _MOST_SEARCH = 20.0  # seconds for the search of a counterexample, where there a
 
 
 def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequence[Any] = (), over: Any = (), where: Sequence[tuple] = (), given: Any = (),
-                says: Any = None, time_limit: float = 60.0, degree: int = 8, seed: int = 0, neighbours: bool = True,
+                says: Any = None, time_limit: float = 60.0, degree: int = 8, seed: int = 0, mutants: bool = True,
                 progress: Callable[[str], None] | None = None) -> Outcome:
     """Prove a lemma for every size, refute it by explicit matrices, or say how far it got.
 
@@ -74,7 +75,7 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
         Longest word that the completion of the assumptions looks at.
     seed : int
         Of random instances.
-    neighbours : bool
+    mutants : bool
         Whether to look at changed lemmas too, and to warn of those that are not refuted.
     progress : callable, optional
         Called with a few words on what is being done.
@@ -106,7 +107,7 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
         raise BadInput(f"argument 'degree' = {degree!r} is not a length of words; give a whole number, 1 or more")
     statement = _statement(lemma, sizes, over, where, given, says)
     with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
-        return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(neighbours)
+        return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(mutants)
 
 
 def read_file(path: Path) -> Statement:
@@ -171,11 +172,11 @@ class _Run:
         self.found = Outcome(statement)
         self.sides = [side for part in _claims(self.data["says"]) if part[0] == "=" for side in part[1:] if isinstance(side, list)]
 
-    def outcome(self, neighbours: bool) -> Outcome:
+    def outcome(self, mutants: bool) -> Outcome:
         search = self._search()
         if self.found.verdict == "open" and not self.found.reason:
             self._prove()
-            if self.found.verdict == "proved" and neighbours and self._left() > 0:
+            if self.found.verdict == "proved" and mutants and self._left() > 0:
                 self._warn(search)
         self.found.seconds = time.perf_counter() - self.started
         return self.found
@@ -281,7 +282,8 @@ class _Run:
     def _proof_of(self, data: dict, part: float) -> str | None:
         """Keep a certificate of a statement; how it was proved, or None."""
         seconds = self._share(part, math.inf) / 2
-        for certificate in chain(every_size("lemma", data, (), seconds / 2, self.degree), _by_sides(data, self.sides, self.degree, seconds)):
+        every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
+        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
             if self._keep(certificate):
                 return _HOW[certificate["kind"]].format(sum(len(terms) for terms in certificate["evidence"].get("terms", ())))
         return None
@@ -333,37 +335,42 @@ class _Run:
     def _warn(self, search: Search) -> None:
         """Changed lemmas that the instances do not refute."""
         self.progress("looking at changed lemmas")
-        # without one that grants an inverse the lemma would speak of fewer matrices, not of more
-        data = {**self.data, "given": [[label, f, "standing" if f[0] in ("invertible", "pd", "!=", ">") else "needed"] for label, f, _ in self.data["given"]]}
-        report = judge_mutants(data, (), search.worlds[:40], search.sampler)
-        self.found.checks += report.checks
-        self.found.reached.append(f"{report.rejected} of {report.made - report.equal} changed lemmas refuted")
-        for row in report.rows:
-            dropped = row["kind"].startswith("hypothesis ")
-            if dropped and row["outcome"] == "equal":
-                self.found.warnings.append(f"it also holds without one: {row['kind']}")
-            elif row["outcome"] == "survived":
-                self.found.warnings.append(f"a changed lemma is not refuted: {row['kind']}" + ("" if dropped else f": {row['text']}"))
+        refuted, looked, warnings = neighbours(self.data, search.worlds[:40], self.degree, time.perf_counter() + self._share(0.5, _MOST_SEARCH), self.seed)
+        self.found.reached.append(f"{refuted} of {looked} changed lemmas refuted")
+        self.found.warnings += warnings
 
 
 _HOW = {
     "membership": "a sum of {} multiples of the assumptions, expanded in words of letters",
     "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
+    "identity": "an identity of rational functions in the entries",
     "word induction": "by induction, base and step in words of letters",
 }
 
 
 def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> Iterator[dict]:
-    """Proofs of an order by a term that an equation of the lemma names: the matrix in a semidefinite form."""
-    if data["says"][0] not in ("psd", "pd", "loewner"):
+    """Proofs of an order by a term that an equation of the lemma names, and of an equation by null vectors of semidefinite matrices."""
+    if data["says"][0] in ("psd", "pd", "loewner"):
+        tried = [[side] for side in sides]
+    elif data["says"][0] == "=":
+        tried = [list(terms) for _, formula, _ in data["given"] if (terms := _null_terms(formula))]
+    else:
         return
     deadline = time.perf_counter() + seconds
-    for side in sides:
+    for terms in tried:
         if (left := deadline - time.perf_counter()) <= 0:
             return
-        parts = find_order(data, [[side]] * _MOST_LEAVES, degree=degree, seconds=left)
+        parts = find_order(data, [terms] * _MOST_LEAVES, degree=degree, seconds=left)
         if parts is not None:
             yield seal("lemma", "order", data, {"parts": parts, "lemmas": []})
+
+
+def _null_terms(formula: Any) -> Sequence[Any]:
+    """The summands of K in an assumption K x = 0."""
+    if formula[0] != "=" or formula[1][:1] != ["*"] or (formula[2] != 0 and formula[2][0] != "O"):
+        return ()
+    first = formula[1][1] if len(formula[1]) == 3 else ["*", *formula[1][1:-1]]
+    return first[1:] if first[0] == "+" else [first]
 
 
 def _not_in_words(data: dict, tree: Any) -> str:
