@@ -57,12 +57,13 @@ class Sampler:
         self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
         self.solver, self.solving = Solver(statement), hints.get("solving", _SOLVING)
+        self.eager = "solving" in hints  # not only where random draws miss
         self.aside = seed if isinstance(seed, Random) else Random(f"{seed}/solved")  # leaves the other draws as they are
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
         """Admissible instances with their worlds; the hand-made examples come first.
 
-        Where a random draw misses the hypotheses and nothing says how to make variables, their equations are solved.
+        Where random draws miss the hypotheses (or the hints ask for it) and nothing says how to make variables, their equations are solved.
         """
         for example in self.examples:
             yield from self._admit(self._from_example(example))
@@ -75,10 +76,10 @@ class Sampler:
             flavour = "small" if k < len(every) else self.random.choice(_FLAVOURS)
             found = list(self._try(sizes, flavour))
             admitted += len(found)
-            if not found and solving > 0 and admitted <= k // 8:
-                solving -= 1
-                found = list(self._solve(sizes))
             yield from found
+            if solving > 0 and (self.eager or (not found and admitted <= k // 8)):
+                solving -= 1
+                yield from self._solve(sizes)
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""

@@ -55,6 +55,7 @@ from exactkf.lemma.sizes import Misfit, Sizes
 __all__ = ["prove_lemma", "read_file"]
 
 _MOST_LEAVES = 8  # parts of a claim that one semidefinite term is tried for
+_MOST_WARNING = 5.0  # seconds for changed lemmas
 _MOST_SEARCH = 20.0  # seconds for the search of a counterexample, where there are that many
 
 
@@ -335,7 +336,8 @@ class _Run:
     def _warn(self, search: Search) -> None:
         """Changed lemmas that the instances do not refute."""
         self.progress("looking at changed lemmas")
-        refuted, looked, warnings = neighbours(self.data, search.worlds[:40], self.degree, time.perf_counter() + self._share(0.5, _MOST_SEARCH), self.seed)
+        until = time.perf_counter() + self._share(0.5, _MOST_WARNING)
+        refuted, looked, warnings = neighbours(self.data, search.worlds, self.degree, until, self.seed)
         self.found.reached.append(f"{refuted} of {looked} changed lemmas refuted")
         self.found.warnings += warnings
 
