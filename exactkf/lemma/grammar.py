@@ -68,7 +68,7 @@ _TOKEN = re.compile(r"""
 """, re.VERBOSE | re.ASCII)
 
 _ITEMS = ("sizes", "matrix", "vector", "scalar", "let", "assume", "claim")
-_GOES_ON = re.compile(rf"[ \t]+(?!(?:{'|'.join(_ITEMS)})\b)")  # an item may be indented, too
+_GOES_ON = re.compile(rf"[ \t]++(?!(?:{'|'.join(_ITEMS)})\b)")  # an item may be indented, too
 _PROPERTIES = {
     "symmetric": "symmetric", "psd": "psd", "pd": "pd", "invertible": "invertible", "nonsingular": "invertible", "symplectic": "symplectic",
 }
@@ -398,6 +398,8 @@ class _Parser:
     def _formula_only(self) -> Any:
         start, tree = self._place(), self._formula()
         if not _is_formula(tree):
+            if self._now() is not None:
+                raise self._expected("an operation or a relation")
             raise self.fail(start, f"{self._show(tree)} is a term; write a formula: an equation, an order such as P >= 0, or a property such as 'X invertible'")
         return tree
 
