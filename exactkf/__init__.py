@@ -2,7 +2,8 @@
 """Exact, certificate-producing verification of the mathematics of Kalman filter dynamics.
 
 `prove_lemma` proves a lemma of your own for every matrix size or refutes it,
-`verify_statement` decides a statement by the evidence you name, `verify_claim` one of the papers; `exactkf.language` says statements, `exactkf.evidence` what to look
+`verify_statement` decides a statement by the evidence you name, `verify_claim`
+one of the papers; `exactkf.language` says statements, `exactkf.evidence` what to look
 for, `exactkf.theory` holds the mathematics as functions.
 """
 

@@ -54,8 +54,14 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     sums, roots, lemmas = (hints.get("order", {}).get(key, []) for key in ("sums", "roots", "lemmas"))
     if (parts := find_order(statement, sums, roots, lemmas, degree, seconds)) is not None:
         yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas})
+    if not _has_index(statement["says"]):
+        return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)
+
+
+def _has_index(tree: Any) -> bool:
+    return isinstance(tree, list) and (tree[:1] in (["always"], ["forall"]) or any(map(_has_index, tree)))
 
 
 def _cases(statement: Mapping[str, Any], sizes: Mapping[str, Any]) -> list[dict[str, int]]:

@@ -212,7 +212,8 @@ class _Parser:
             self.tokens, self.at, self.depth = tokens, 1, 0
             word = tokens[0].text
             if word not in _ITEMS:
-                raise self.fail(tokens[0].start, f"a line starts with {word!r}; start it with one of {', '.join(_ITEMS)}, or with a blank to go on with the line before")
+                known = ", ".join(_ITEMS)
+                raise self.fail(tokens[0].start, f"a line starts with {word!r}; start it with one of {known}, or with a blank to go on with the line before")
             try:
                 getattr(self, f"_item_{word}")()
             except Misfit as error:

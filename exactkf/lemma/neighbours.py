@@ -22,7 +22,7 @@ from typing import Any
 from exactkf.finders.prove import every_size
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import Reader, residual_blocks
+from exactkf.kernel.reader import Reader, residual_blocks
 from exactkf.language.mutate import Mutant, mutants
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
@@ -80,10 +80,8 @@ def _judged(data: dict, mutant: Mutant, worlds: Sequence[World]) -> bool | None:
 
 def _same(data: dict, says: Any) -> bool:
     try:
-        old, new = [], []
         reader = Reader(data)
-        for found, formula in ((old, data["says"]), (new, says)):
-            found.extend(p for b in residual_blocks(reader, formula) for row in b.grid for p in row)
+        old, new = ([p for b in residual_blocks(reader, formula) for p, _, _ in b.cells()] for formula in (data["says"], says))
         return old == new or old == [{k: -c for k, c in p.items()} for p in new]
     except (Unknown, Undefined, TypeError):
         return False

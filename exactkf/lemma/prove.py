@@ -37,11 +37,12 @@ from flint import fmpq
 from exactkf._errors import BadInput
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
-from exactkf.finders.membership import find_order
+from exactkf.finders.completion import Stuck
+from exactkf.finders.membership import find_order, search_membership
 from exactkf.finders.prove import candidates, every_size
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
+from exactkf.kernel.reader import Reader
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
-from exactkf.kernel.words import Reader
 from exactkf.language import Expr, Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
@@ -205,7 +206,7 @@ class _Run:
     def _search(self) -> Search:
         self.progress("looking for a counterexample")
         found = self.found
-        search = look_for(self.data, time.perf_counter() + self._share(0.3, _MOST_SEARCH), seed=self.seed, tick=lambda: self.progress("looking for a counterexample"))
+        search = look_for(self.data, time.perf_counter() + self._share(0.3, _MOST_SEARCH), seed=self.seed)
         found.checks += search.checks
         if search.certificate is not None:
             found.verdict, found.counterexample = "refuted", search.counterexample
@@ -261,7 +262,8 @@ class _Run:
         contradictory = contradiction(self.data, label, self.degree, self._share(0.3, 3.0))
         if contradictory and self._keep(contradictory[1]):
             size = contradictory[0]
-            found.reason = f"contradictory: assumption {label!r}{before} implies I({size}) = 0, so that it can be met for {size} = 0 alone; remove or correct it"
+            found.reason = (f"contradictory: assumption {label!r}{before} implies I({size}) = 0, so that it can be met for {size} = 0 alone; "
+                            "remove or correct it")
         else:
             found.reason = f"vacuous: no matrices were found that satisfy assumption {label!r}{before}; make sure that it can be met"
 
@@ -299,12 +301,22 @@ class _Run:
             else:
                 self.found.reached.append(f"{_text(part)}: {how}")
         for part in open_:
-            why = _not_in_words(self.data, part)
-            self.found.reached.append(f"{_text(part)}: neither proved nor refuted" + (f"; what is proved for every size does not reach it: {why}" if why else ""))
+            self.found.reached.append(f"{_text(part)}: neither proved nor refuted; {self._stuck(part)}")
         ended = "out of time" if self._left() <= 0 else f"no proof with words of up to {self.degree} letters"
         self.found.reason = (f"{ended}, and no counterexample; a larger --degree or --time-limit (degree=, time_limit=), "
                              "or a further assumption or claim on the way, may settle it") if open_ else ""
         return not open_
+
+    def _stuck(self, part: Any) -> str:
+        """How far the search for multiples of the assumptions got."""
+        if part[0] in _CONNECTIVES:
+            return "the parts of it were not all proved"
+        equation = part[2] if part[0] == "always" else part
+        if equation[0] not in ("=", "symmetric", "symplectic"):
+            why = _not_in_words(self.data, equation)
+            return f"what is proved for every size does not reach it: {why}" if why else "no sum of terms that are semidefinite by their form was found"
+        found = search_membership({**self.data, "says": part}, self.degree, self._share(0.2, 5.0))
+        return str(found) if isinstance(found, Stuck) else "its multiples of the assumptions are found, but no certificate of it was accepted"
 
     def _inverses(self) -> str:
         """Show the inverses of the claim; why one is not granted, or nothing."""
@@ -342,6 +354,7 @@ class _Run:
         self.found.warnings += warnings
 
 
+_CONNECTIVES = ("and", "or", "not", "=>", "<=>")
 _HOW = {
     "membership": "a sum of {} multiples of the assumptions, expanded in words of letters",
     "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
@@ -377,10 +390,6 @@ def _null_terms(formula: Any) -> Sequence[Any]:
 
 def _not_in_words(data: dict, tree: Any) -> str:
     """Why a formula is not one about matrices of every size; empty if it is."""
-    if tree[0] in ("and", "or", "not", "=>", "<=>"):
-        return next((why for part in tree[1:] if (why := _not_in_words(data, part))), "")
-    if tree[0] == "always":
-        return ""
     reader = Reader(data)
     for term in tree[1:]:
         try:

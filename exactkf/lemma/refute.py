@@ -20,7 +20,7 @@ Main definitions
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -58,7 +58,7 @@ def _sizes_tried(data: Mapping[str, Any]) -> dict[str, list[int]]:
     return {name: list(range(1, most + 1)) for name in data["sizes"]}
 
 
-def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES, id: str = "lemma", tick: Callable[[], None] | None = None) -> Search:
+def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES, id: str = "lemma") -> Search:
     """Evaluate a statement on instances until one refutes it, or there are enough, or time is up.
 
     Parameters
@@ -77,8 +77,6 @@ def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES,
         for instance, world in sampler.stream(tries):
             if time.perf_counter() > deadline:
                 break
-            if tick:
-                tick()
             if (key := repr(instance["values"])) in seen:
                 continue
             seen.add(key)

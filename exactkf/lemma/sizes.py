@@ -25,7 +25,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from exactkf.kernel.numbers import Unknown
-from exactkf.kernel.words import Reader
+from exactkf.kernel.reader import Reader
 from exactkf.language.text import text
 
 __all__ = ["IDENTITY", "SCALAR", "Misfit", "Sizes", "size_text", "size_tree"]

@@ -5,7 +5,7 @@
 
 prints a table; ``--write`` puts it into COMPARISON.md beside this file. Every system gets the same
 polynomials in noncommuting letters: what the claim says must vanish, and the assumptions with their
-transposes, as `exactkf.kernel.words` reads them from one statement.
+transposes, as `exactkf.kernel.reader` reads them from one statement.
 
 - exactkf: membership with cofactors, and the checker's replay of the certificate;
 - Singular, Letterplace (``freegb.lib``): two-sided standard basis up to a degree, normal form;
@@ -30,8 +30,8 @@ from pathlib import Path
 
 from exactkf.claims import load
 from exactkf.finders.membership import find_membership
+from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.replay import replay, seal
-from exactkf.kernel.words import Reader, relations, residual_blocks
 from exactkf.lemma import read_lemma
 
 DEGREE = 8
@@ -74,8 +74,8 @@ def questions() -> list[Question]:
 
 def _question(title: str, statement: dict) -> Question:
     reader = Reader(statement)
-    goals = [p for b in residual_blocks(reader, statement["says"]) for row in b.grid for p in row]
-    assumed = list(relations(reader).values())
+    goals = [p for b in residual_blocks(reader, statement["says"]) for p, _, _ in b.cells()]
+    assumed = [relation.poly for relation in relations(reader).values()]
     number: dict[str, int] = {}
     for p in (*goals, *assumed):
         for _, word in p:

@@ -75,7 +75,8 @@ def formulas(depth=1):
 @settings(max_examples=150, deadline=None)
 def test_what_is_written_is_read_back(says, assumed, body):
     """Statement to text to Statement changes nothing."""
-    lemma = Statement(says=says, over=OVER, sizes=["n", "p"], where=[("let", "K", (), body)], given=[(f"assumption {k}", f, "needed") for k, f in enumerate(assumed)])
+    hypotheses = [(f"assumption {k}", f, "needed") for k, f in enumerate(assumed)]
+    lemma = Statement(says=says, over=OVER, sizes=["n", "p"], where=[("let", "K", (), body)], given=hypotheses)
     assert lemma == read_lemma(write_lemma(lemma))
 
 

@@ -55,7 +55,8 @@ REFUTED = {
     "squares keep no order": "sizes n\nmatrix A, B n n pd\nassume A >= B\nclaim A*A >= B*B",
     "projections are symmetric": "sizes n\nmatrix P n n\nassume P*P == P\nclaim P symmetric",
     "orthogonal matrices commute": "sizes n\nmatrix U, V n n\nassume U'*U == I\nassume V'*V == I\nclaim U*V == V*U",
-    "reflexive inverses are unique": "sizes n m\nmatrix A n m\nmatrix X, Y m n\nassume A*X*A == A\nassume X*A*X == X\nassume A*Y*A == A\nassume Y*A*Y == Y\nclaim X == Y",
+    "reflexive inverses are unique": "sizes n m\nmatrix A n m\nmatrix X, Y m n\nassume A*X*A == A\nassume X*A*X == X\n"
+                                     "assume A*Y*A == A\nassume Y*A*Y == Y\nclaim X == Y",
     "nilpotent matrices vanish": "sizes n\nmatrix N n n\nassume N*N*N == 0\nclaim N*N == 0",
     "a term of the Riccati equation dropped": RICCATI + "claim P == (F - K*M)*P*(F - K*M)' + Q",
     "symplectic matrices are symmetric in blocks": "sizes n\nmatrix A, B, C, D n n\nassume [A, B; C, D] symplectic\nclaim A*D' == I",
@@ -65,7 +66,8 @@ REFUTED = {
 
 OPEN = {
     "contradictory": ("sizes n\nmatrix A n n invertible\nassume square: A*A == 0\nassume more: A == A'\nclaim A == I", ["contradictory", "'square'", "n = 0"]),
-    "vacuous": ("sizes n\nmatrix A, B n n pd\nassume fine: A >= B\nassume opposite: A == -B\nclaim A == I", ["vacuous", "'opposite' together with those before"]),
+    "vacuous": ("sizes n\nmatrix A, B n n pd\nassume fine: A >= B\nassume opposite: A == -B\nclaim A == I",
+                ["vacuous", "'opposite' together with those before"]),
     "vacuous premise": ("sizes n\nmatrix A n n\nclaim A'*A == -I => A == 0", ["vacuous", "premise"]),
     "inverse not granted": (UPDATE + "claim (I - K*M)*P*(I - K*M)' + K*V*K' == P - K*M*P",
                             ["proved only where S^-1 exists", "no assumption grants", "need not exist", "add 'assume S invertible'"]),
@@ -193,10 +195,9 @@ def test_certificates_replay_with_the_standard_library_alone(tmp_path):
             (tmp_path / f"{len(name)}-{k}.json").write_text(json.dumps(certificate))
     certificate = settle(REFUTED["commuting"]).certificates[0]
     (tmp_path / "refuted.json").write_text(json.dumps(certificate))
-    root = Path(__file__).parents[2]
-    done = subprocess.run([sys.executable, "-I", "-S", "-c", f"import sys; sys.path.insert(0, {str(root)!r}); sys.argv = ['check', *{sorted(map(str, tmp_path.iterdir()))!r}]; "
-                           "from exactkf.kernel.__main__ import *; from exactkf.kernel.replay import replay; import json; "
-                           "[replay(json.load(open(f))) for f in sys.argv[1:]]; print('accepted', len(sys.argv) - 1)"], capture_output=True, text=True, check=False)
+    program = (f"import json, sys; sys.path.insert(0, {str(Path(__file__).parents[2])!r}); from exactkf.kernel.replay import replay; "
+               f"files = {sorted(map(str, tmp_path.iterdir()))!r}; [replay(json.load(open(f))) for f in files]; print('accepted', len(files))")
+    done = subprocess.run([sys.executable, "-I", "-S", "-c", program], capture_output=True, text=True, check=False)
     assert ("accepted 4\n", "") == (done.stdout, done.stderr)
     altered = copy.deepcopy(certificate)
     altered["statement"]["says"] = ["=", ["sym", "A"], ["sym", "A"]]

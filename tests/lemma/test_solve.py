@@ -17,7 +17,8 @@ CASES = {
     "projection": "sizes n\nmatrix P n n\nassume P*P == P\nclaim P == 0 or P == I",
     "orthogonal": "sizes n\nmatrix X n n\nassume X'*X == I\nclaim X == I or X == -I",
     "nilpotent": "sizes n\nmatrix N n n\nassume N^3 == 0\nclaim N == 0",
-    "generalised inverse": "sizes n m\nmatrix A n m\nmatrix X m n\nassume A*X*A == A\nassume X*A*X == X\nassume A*X symmetric\nassume X*A symmetric\nclaim A == 0",
+    "generalised inverse": "sizes n m\nmatrix A n m\nmatrix X m n\nassume A*X*A == A\nassume X*A*X == X\n"
+                           "assume A*X symmetric\nassume X*A symmetric\nclaim A == 0",
     "symplectic blocks": "sizes n\nmatrix A, B, C, D n n\nassume A'*C == C'*A\nassume B'*D == D'*B\nassume A'*D - C'*B == I\nclaim B == 0 or C == 0",
     "Riccati equation": "sizes n p\nmatrix P, Q n n psd\nmatrix F n n\nmatrix M p n\nmatrix V p p pd\n"
                         "assume P == F*P*F' - F*P*M'*inv(M*P*M' + V)*M*P*F' + Q\nclaim M*P*F' == 0",
