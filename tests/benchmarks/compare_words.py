@@ -210,8 +210,7 @@ Singular and Macaulay2 are Debian's packages (`apt-get install singular-ui singu
 
 Only exactkf takes statements about typed matrices, checks sizes, and leaves a certificate that a separate checker replays (its time here
 includes that replay). The other systems got the polynomials that exactkf had made of the statement; they know no sizes.
-*no* on a true claim: Macaulay2 completes degree by degree, as for homogeneous relations, and misses consequences of these ones, also with
-degrees up to 20.
+*no* of Macaulay2 on a true claim: the normal form by its basis up to the degree is not zero (nor with bounds up to 20 on three of them).
 Starting a process takes longer than most of these questions, so that the last hundredths of a second of Singular, and the last tenths of
 Macaulay2 and sympy, are noise. *stuck*: sympy has no completion, so a substitution of leading words ends where a consequence of two
 assumptions is needed.
