@@ -45,7 +45,6 @@ claim("BLM91-X.2", "the closed form by powers of w",
       note="W_t = w^t. An identity of rational functions of w, so that it holds for w on the unit circle too: there 1/kappa = -cos(arg w).")
 
 # ---------------------------------------------------------------------- exact periods
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
 #: 1/kappa = -cos(2 pi q/p), and a point of the hyperbola
 TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
@@ -76,7 +75,6 @@ claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
       where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
       note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
            "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 still, zero = symbols("still zero")
 FLAT = (let(still, ga0 == 0), let(zero, lam == 0))
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))

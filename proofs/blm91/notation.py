@@ -22,6 +22,7 @@ from exactkf.language import (
     block,
     coeff,
     defined,
+    exists,
     function,
     given,
     hstack,
@@ -196,3 +197,9 @@ IN_III = dict(using={u: positive(), s1: nonzero(), s2: nonzero()}, made_by={ga0:
 IN_IV = dict(using={u: nonzero(), s1: nonzero()}, made_by={ga0: SHARE, al0: s1 + SIGN * (1 + abs(ga0))})
 #: kappa from the point
 INSIDE_KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
+
+# ---------------------------------------------------------------------- integers
+gcd, many = symbols("gcd divides")
+#: greatest common divisor of positive integers; k divides t
+GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
+MANY = function(many, [k, t], exists(i, 1, t, k * i == t))

@@ -98,7 +98,6 @@ claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa *
 
 # ---------------------------------------------------------------------- announced for n = 1
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 D1 = let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z)))
 claim("BLM91-S8", "excursions, periods, and returns to the classical region",
       forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 8), u: integer(2, 3)},

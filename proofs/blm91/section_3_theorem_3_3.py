@@ -16,7 +16,7 @@ from exactkf.evidence import example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-un, wn, p, q_, y, rest, parts, cited, defining, Qm, fixed, flat = symbols("u_next w_next p angle y remainder parts cited defining Q_m fixed flat")
+un, wn, p, y, rest, cited, defining, Qm, fixed, flat = symbols("u_next w_next p y remainder cited defining Q_m fixed flat")
 q0, qs0 = symbols("q0 qs0")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 STEP = (SHIFT, FIRST, let(un, 1 / (1 - qs0[1] ** 2) * (q0 - qs0[1] * (J * qs0))), let(wn, 1 / (1 - qs0[1] ** 2) * (J * qs0 - qs0[1] * q0)))

@@ -25,8 +25,8 @@ from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-p, y, fixed, at, near, away, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, v, A, al1, next1, count, stays, start, alj, gaj = symbols(
-    "p y fixed at nearer further IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends v_i A alpha_i alpha_before count stays start alpha_j gamma_j")
+p, y, fixed, at, near, away, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
+    "p y fixed at nearer further IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends alpha_before count alpha_j gamma_j")
 beside, under = symbols("beside below")
 PLANE = {al0: nonzero(), ga0: scalar()}
 ROOT = given("p on the hyperbola", p * (1 + al0**2 - ga0**2) == (1 + p**2) * al0)

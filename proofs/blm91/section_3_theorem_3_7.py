@@ -20,11 +20,8 @@ from exactkf.evidence import evaluation, example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, many, never, alb, gab = symbols(
-    "p q y gcd odd d back time alpha_i gamma_i count found hits far divides never alpha_near gamma_near")
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
+p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, never, alb, gab = symbols("p q y gcd odd d back time alpha_i gamma_i count found hits far never alpha_near gamma_near")
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 EXISTS = standing("the orbit exists", defined(ga[p]))
 #: half of arctan sqrt(kappa^2 - 1), or of its supplement, is pi q/p

@@ -16,8 +16,8 @@ from exactkf.evidence import combination, evaluation, example, identity, instanc
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-pi_, y, f, dpi, inside, rest, escapes, H, be, back, many, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
-    "pi y f dpi inside at_rest escapes H b back divides hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
+pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
+    "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
 RATE = (let(dpi, -2 * a * pi_ + (g - pi_) ** 2), let(al0, a + g - pi_))
 claim("BLM91-E3.15", "the continuous-time system from the Riccati equation",
       (coeff(y, 1) == -2 * al0 * dpi) & (al0 - (a + g - (pi_ + dpi)) == dpi), over={a: scalar(), g: scalar(), pi_: scalar()},
@@ -58,7 +58,6 @@ claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1,
                     iff(above, kap <= rational("177/50")) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
       note="Had doubling subsided for kappa > 3.45, the 4-cycle that is stable there would stay so up to the onset of chaos at 3.5699... The real 4-cycle is taken at kappa = 7/2 and 71/20, in its number field. That stable cycles of "
            "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(be, t, u, 1 / (2 * lam - be[t])))
 claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), over={d: integer(2, 12), nn: integer(1, 11), u: integer(3, 5)},

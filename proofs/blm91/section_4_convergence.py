@@ -19,8 +19,8 @@ from exactkf.evidence import combination, example, identity, induction, instance
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-p, y, Pi, Lam, Pm, f, pit, phi_, be, ended, nonneg_, back, many, gcd, d, nn, whole, near, inside = symbols(
-    "p y Pi Lambda P f pi_t phi b ends phi_nonnegative back divides gcd d n_angle special near inside")
+p, y, Pi, Lam, Pm, f, pit, phi_, ended, nonneg_, back, many, gcd, d, nn, whole, near, inside = symbols(
+    "p y Pi Lambda P f pi_t phi ends phi_nonnegative back divides gcd d n_angle special near inside")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n)}
 
 
@@ -45,7 +45,6 @@ claim("BLM91-E4.4", "the scalar system is stationary with E y^2 = 1",
       forall(t, 0, m, (X[t] * G * T(X[t]) == P) & (X[t + 1] * G * T(Y(t)) == g) & (Y(t) * G * T(Y(t)) == Identity(1))), sizes=["m"], over={a: scalar(), g: vector(1), P: symmetric_matrix(1)},
       where=[let(n, 1), let(F, rows([[-a]])), let(h, Identity(1)), *MODEL], by=[identity(m=(0, 1, 2)), instances(m=(1, 2))],
       note="F = -a, h = 1; the noise covariances are those of Section II, P the covariance of the state.")
-xh = sym("x_hat")
 SCALAR = {a: scalar(), ga0: scalar()}
 PI = rec(pit, t, 0, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t]))
 claim("BLM91-E4.5", "the scalar filter is (1.2) with F = -a, h = 1",
@@ -69,12 +68,11 @@ PHI = function(phi_, [y], y**2 - 2 * (1 - al0 / kap) * y + ga0**2)
 ROOT = given("p on the hyperbola", p * (1 + al0**2 - ga0**2) == (1 + p**2) * al0)
 #: |p| < 1 and a point of its hyperbola, in any region
 LINE = {al0: (p * y**2 - 1 / p) / (y**2 - 1), ga0: y * (p - 1 / p) / (y**2 - 1)}
-DRAW = dict(using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE})
 #: (pi_t - c)(q pi_0 - ..): the quotient of distances to the fixed points 1 - alpha_0/p, 1 - alpha_0 p
 LOW_, HIGH_ = 1 - al0 / p, 1 - al0 * p
 RATE = (pit[m] - LOW_) * (x - HIGH_) == p ** (2 * m) * (x - LOW_) * (pit[m] - HIGH_)
 
-zlow, alim = symbols("zeros limit_alpha")
+zlow = sym("zeros")
 ZERO_AT = (let(zlow, (phi_(LOW_) == 0) & (phi_(HIGH_) == 0)), let(near, LOW_ <= HIGH_))
 claim("BLM91-S44", "convergence to the minimum solution in the diamond", RATE & near & zlow, sizes=["m"], over={al0: nonzero(), ga0: scalar(), p: nonzero()},
       where=[let(x, 0), *MAP, KAPPA, PHI, *ZERO_AT], given=[ROOT, standing("diamond", abs(al0) + abs(ga0) < 1), given("smaller root", abs(p) < 1)],
@@ -149,7 +147,6 @@ claim("BLM91-T4.1.1c", "the limit is the smaller zero of phi", RATE & near, **LI
                     by=[steps("BLM91-E5.4", "BLM91-E5.1", prose="the quotient of the distances has the factor p^2 at each step (for |p| = 1 use that 1/(alpha - p) moves by a constant); the zeros differ by alpha_0(1/p - p), which has the sign of alpha_0 kappa"),
                         instances(40, m=(1, 2, 3), **DRAW_PI), example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0), example(m=1, alpha0="1/2", gamma0="1/2", p=1, x=0), example(m=1, alpha0=-1, gamma0=2, p=1, x=0)]),
       note="p = alpha_+, near: 1 - alpha_0/p <= 1 - alpha_0 p. pi_m - (1 - alpha_0/p) is p^(2m) times a bounded factor; m is the time. (-7/10, -9/5) is in II, kappa = 4/5.")
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 BACK = (*RICCATI, LAMBDA, MANY, function(back, [t], (4 * lam**2 == 1) & many(3, t) | (lam == 0) & many(2, t)))
 PERIODIC = forall(t, 1, 6, iff(pit[t] == x, back(t)))
 DRAW_RAT = [instances(40, using={k: integer(-1, 1), u: scalar(), y: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: y}), instances(40)]
@@ -160,7 +157,6 @@ claim("BLM91-T4.1.2a", "periodic exactly for rational angles", PERIODIC, over={*
                               prose="alpha_t = alpha_0 says (w^t - w^(-t)) phi = 0, w + 1/w = -2/kappa; w^(2t) = 1 means that theta is a rational multiple of pi"),
                         *DRAW_RAT, example(alpha0="1/2", gamma0=0, x=0)]),
       note="On rational data, where the rational angles with |kappa| > 1 are those with 1/kappa = 1/2, -1/2 (period 3) and 0 (period 2): back(t). alpha_0 not 0.")
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
 BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1), standing("the solution exists", defined(pit[d]))]
 claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 8), nn: integer(1, 7), x: integer(2, 4)}, where=BY_ANGLE, given=LOW,

@@ -41,7 +41,6 @@ INNER = dict(using={u: nonzero(), w: scalar(), y: scalar(), p: nonzero()}, made_
     p: SHARE, **LINE_P, x: 1 - al0 / (p + (1 / p - p) / (1 + w**2)), sec: w * (1 / p - p) / (1 + w**2)})
 DATA_BAR = {**POINT, x: scalar(), sec: scalar()}
 GIVEN_NOTE = "x = pi_0; gamma_bar is either root of phi(pi_0)/(1 - pi_0)^2 up to sign, so that the sign of the print's square root is included. m is the time."
-HAMMER = ["lines through a point of a conic reach every other point of it"]
 
 # ---------------------------------------------------------------------- Corollary 4.3
 claim("BLM91-E4.14", "(4.14) is (3.10)", always(t, (al[t] == bal[t]) & (ga[t] == bga[t])), over={al0: scalar(), ga0: scalar()},
@@ -63,7 +62,6 @@ claim("BLM91-C4.3.1", "phi >= 0: the orbit on the hyperbola and the solution", C
       by=[steps("BLM91-E4.15", "BLM91-E5.4", prose="alpha_t obeys the slope map on the curve, and so does alpha_0/(1 - pi_t), from the same start"), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-C4.3.2", "phi <= 0: the orbit on the other curve and the solution", CURVE_M & SOLVED, sizes=["m"], over=DATA_BAR, where=[*MINUS_W, *MAP], given=[ROOT_MINUS],
       by=[steps("BLM91-E4.18", "BLM91-E5.4", prose="on the curve alpha/(1 + gamma^2) = 1/(2 lambda - alpha), the slope map"), *BY_MINUS], note=GIVEN_NOTE)
-bal2, two = symbols("alpha_other both")
 claim("BLM91-E4.16", "the solution by either orbit", SOLVED, sizes=["m"], over={**DATA_BAR, k: integer(0, 1)},
       where=[FIRST_BAR, PHI, *MAP, rec(al, t, first, al[t] / (1 - (2 * k - 1) * ga[t] ** 2)), rec(ga, t, sec, -al[t] * ga[t] / (1 - (2 * k - 1) * ga[t] ** 2))],
       given=[given("gamma_bar", sec**2 * (1 - x) ** 2 == (2 * k - 1) * phi_)],
@@ -173,7 +171,6 @@ claim("BLM91-R4.6.2", "crossing the infinite line", CROSS & (cited == defining),
       note="In discrete time a slope beyond 2/kappa goes from positive to negative without being infinite. The last conjunct compares the number of the remark named with that meant.")
 
 # ---------------------------------------------------------------------- the error covariance
-P0 = sym("P")
 F1 = (let(n, 1), let(F, rows([[-a]])), let(h, Identity(1)))
 SYS1 = {a: scalar(), g: vector(1), P: symmetric_matrix(1)}
 xh, Ys = symbols("x_hat y_past")
@@ -189,7 +186,6 @@ rec_p = sym("p_riccati")
 claim("BLM91-E4.27", "p_t is the covariance of the error", forall(t, 0, m, rec_p[t] == err(t)), sizes=["m"], over=SYS1,
       where=[*PROJECT, rec(rec_p, t, P[1, 1], a**2 * rec_p[t] - (a * rec_p[t] - S1) ** 2 / (rec_p[t] + R1) + Q1)], by=BY_M, note="p_riccati solves (4.26) from the state covariance P; err is E(x_t - x_t^)^2.")
 claim("BLM91-E4.28", "p_t and pi_t", forall(t, 0, m, err(t) == P[1, 1] - pit[t]), sizes=["m"], over=SYS1, where=[*PROJECT, rec(pit, t, 0, a**2 * pit[t] + (g[1] + a * pit[t]) ** 2 / (1 - pit[t]))], by=BY_M)
-PSI = function(v, [y], p - y)
 GOF = function(mob, [y], a**2 * y - (a * y - (ga0 + a * p)) ** 2 / (y + (1 - p)) + (1 - a**2) * p)
 AF, AG, TT = rows([[1, -1], [ga0**2, (a + ga0) ** 2 - ga0**2]]), symbols("A_g")[0], rows([[1, 0], [p, -1]])
 claim("BLM91-S52", "topological conjugacy of the two equations", (p - fx == gx) & ((AG[2, 1] + AG[2, 2] * Z) / (AG[1, 1] + AG[1, 2] * Z) == mob(Z)), over={a: scalar(), ga0: scalar(), p: scalar(), x: scalar()},

@@ -25,8 +25,7 @@ from exactkf.evidence import combination, evaluation, example, identity, inducti
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-A, V, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, num, al1 = symbols(
-    "A v p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i N alpha_i")
+A, V, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 A_KAPPA = let(A, rows([[2 / kap, -1], [1, 0]]))
 #: 0 < kappa < 1 by the smaller eigenvalue p, and the slope map

@@ -25,8 +25,8 @@ from exactkf.evidence import evaluation, example, identity, induction, instances
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-A, A1, B, p, q, y, f, bp, bm, vp, vm, V, Lp, Lm, be, v, al1, pit, phi_, Rot, Pb, Pw = symbols("A A1 B p q y f beta_plus beta_minus v_plus v_minus v L_plus L_minus b v_i alpha_i pi_t phi_pi Rot P Apow")
-gcd, d, odd, back, whole, far, flag, fx, near, away, cs, sn, am, b_, ch, sh, w0, nn = symbols("gcd d between back whole far region f_x image stays cos sin a_t b_point ch sh w n_angle")
+A, B, p, y, bp, bm, vp, vm, V, Lp, Lm, be, v, pit, phi_, Rot, Pb, Pw = symbols("A B p y beta_plus beta_minus v_plus v_minus v L_plus L_minus b v_i pi_t phi_pi Rot P Apow")
+gcd, d, odd, back, whole, far, flag, fx, near, away, cs, sn, nn = symbols("gcd d between back whole far region f_x image stays cos sin n_angle")
 A_KAPPA = let(A, rows([[2 / kap, -1], [1, 0]]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
@@ -71,7 +71,6 @@ claim("BLM91-S71", "powers of A in complex eigenvectors", always(t, V[t] == bp *
       note="An identity of rational functions of p: it holds for p = exp(-i theta) too, where kappa = 2p/(1 + p^2) = 1/cos(theta); v_+, v_- and L_+, L_- are then conjugate, and a real "
            "vector has conjugate coefficients.")
 many = sym("divides")
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 TURNS = (rec(cs, t, 1, lam * cs[t] - (1 - lam**2) * sn[t]), rec(sn, t, 0, cs[t] + lam * sn[t]))
 SPECIAL = let(whole, exists(k, -2, 2, 2 * lam == k))
 claim("BLM91-S72", "finite and dense orbits on the circle",
@@ -103,7 +102,6 @@ claim("BLM91-S74", "slopes: periodic or dense, with theta of (5.3)", iff(back, w
       note="On rational 1/kappa, where the rational angles are those with 1/kappa = 0, 1/2, -1/2; the last conjunct compares the number of the display cited with that of the display that defines theta_kappa.")
 ANGLE = {d: integer(2, 24), nn: integer(1, 23)}
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
 POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[t]), function(back, [t], Pw[t] == Pw[t][1, 1] * Identity(2)))
 claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
       by=[example(d=3, n_angle=1, p=2), instances()],

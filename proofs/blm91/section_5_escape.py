@@ -10,15 +10,12 @@ from exactkf.language import *
 from proofs.blm91.notation import *
 
 A, A1, p, q, y, be, v, al1, av, mate = symbols("A A1 p q y b v_i alpha_i a_t mate")
-gcd, d, odd, back, whole, flag, fx, alternative, found, pi, count, time, st, gt, nn, many, Rot = symbols(
-    "gcd d odd back whole region f_x given_by_p found pi count time alpha_i gamma_i n_angle divides R")
+gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, nn, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i n_angle divides")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
 ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)
-GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
-MANY = function(many, [k, t], exists(i, 1, t, k * i == t))
 FINITE = [standing("|kappa| > 1", abs(lam) < 1)]
 DRAW_L = dict(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y})
 
@@ -60,7 +57,7 @@ claim("BLM91-F8", "the hyperbola in the coordinates a, b", 1 + av * mate == lam 
 claim("BLM91-E5.8", "the matrix of the step in a", (A1 * rows([[1], [x]]))[2, 1] / (A1 * rows([[1], [x]]))[1, 1] == (x - 1) / (x - 2 * lam + 1), over={lam: scalar(), x: scalar()}, where=[ONE_LESS_A],
       by=[identity(), instances()], note="Slope v_2/v_1, as in (4.24).")
 claim("BLM91-S80", "characteristic polynomial of A_1", charpoly(A1) == Z**2 - 2 * Z + 2 + lam * (2 * Z - 2), over={lam: scalar()}, where=[ONE_LESS_A], by=[identity(), instances()])
-LOCUS = dict(over={lam: nonzero()}, where=[ONE_LESS_A])
+far_ = sym("bound")
 right, left, upper = symbols("right left positive")
 SIDE = [ONE_LESS_A, let(right, trace(A1) / 2 > 1), let(left, trace(A1) / 2 < 1), let(upper, lam > 0)]
 claim("BLM91-F9", "sides of the root locus", iff(right, upper) & (charpoly(A1) == Z**2 - 2 * Z + 2 + lam * (2 * Z - 2)), over={lam: nonzero()}, where=SIDE, given=[standing("complex roots", abs(lam) < 1)],
@@ -70,11 +67,10 @@ claim("BLM91-F9", "sides of the root locus", iff(right, upper) & (charpoly(A1) =
                     by=[steps("BLM91-S80", prose="complex roots have half the trace as real part"), instances(using={u: nonzero()}, made_by={lam: u / (1 + abs(u))})]),
       note="Halves with respect to the vertical line through the roots for lambda = 0; the figure itself is not in the text.")
 claim("BLM91-S81", "complex eigenvalues", iff(back, found) & iff(whole, found) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()},
-      where=[ONE_LESS_A, A_LAMBDA, let(far_ := sym("bound"), 10 + 4 * abs(lam)), let(back, real_roots(charpoly(A1), -far_, far_) == 0), let(whole, real_roots(charpoly(A), -far_, far_) == 0), let(found, abs(lam) < 1)],
+      where=[ONE_LESS_A, A_LAMBDA, let(far_, 10 + 4 * abs(lam)), let(back, real_roots(charpoly(A1), -far_, far_) == 0), let(whole, real_roots(charpoly(A), -far_, far_) == 0), let(found, abs(lam) < 1)],
       by=[steps("BLM91-S80", facts=["a quadratic polynomial has no real zero exactly when its discriminant is negative"], prose="both discriminants are 4(lambda^2 - 1)"),
           instances(), example({"lambda": 1}), example({"lambda": -1}), example({"lambda": "99/100"}), example({"lambda": "-101/100"})],
       note="The print names (5.5), which is about the matrix of the Riccati equation, similar to A; the root locus before it is that of (5.8). The statement is right for both, and both are checked.")
-RETURNS = (SPECIAL := let(whole, exists(k, -1, 1, 2 * lam == k)))
 AMAP = rec(av, t, x, (av[t] - 1) / (av[t] - 2 * lam + 1))
 claim("BLM91-S82", "in the coordinate a: all periodic or all dense",
       forall(t, 1, 12, iff(av[t] == x, back(t))), over={lam: scalar(), x: scalar()},

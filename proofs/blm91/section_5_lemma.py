@@ -19,9 +19,10 @@ The paper argues with a prime p' between [p/4] and 2[p/4] (Bertrand), and with p
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, identity, instances, steps
 from exactkf.language import *
+from proofs.blm91.notation import GCD, gcd
 
 p, q, d, j, k, r, s, x, pi, kappa, A, v, alpha1 = symbols("p q d j k r s x pi kappa A v alpha1")
-coprime_, divides, prime, good, bad, inside, lo, hi, last, down, m = symbols("coprime divides prime good bad inside lo hi last down m")
+coprime_, divides, prime, good, bad, inside, lo, hi, last, down = symbols("coprime divides prime good bad inside lo hi last down")
 
 #: d divides x; q and p have no common divisor but 1; x is prime
 DIVIDES = function(divides, [d, x], exists(k, 1, x, k * d == x))
@@ -57,8 +58,7 @@ claim("BLM91-L5.1.2", "no such q for p = 1, 2, 6",
       repair=repair("factor", "(5.9) has lost a factor pi on its left: with 1/4 <= q pi/p the number q = 1 serves for p = 6; with 1/4 <= q/p, that is pi/4 <= q pi/p, there is none",
                     NONE, where=[*COPRIME], by=[evaluation()]),
       note="Such q is read as: coprime to p, 1 <= q < p, with (5.9) as printed; pi enters by rational bounds. The lemma itself refers to (5.6).")
-gcd, count = symbols("gcd count")
-GCD = function(gcd, [r, s], when(r == s, r, when(r > s, gcd(r - s, s), gcd(r, s - r))))
+count = sym("count")
 COUNT = function(count, [p], sum_of(q, 1, p - 1, when((p <= 4 * q) & (2 * q < p), when(gcd(p, q) == 1, 1, 0), 0)))
 claim("BLM91-L5.1", "coprime fractions, both parts",
       iff(exists(q, 1, p - 1, coprime_(p, q) & PRINTED), ~((p == 1) | (p == 2) | (p == 6))), over={p: integer(1, 40), **PI}, where=[*COPRIME], given=PI_BOUNDS,
