@@ -100,7 +100,7 @@ claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa *
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 D1 = let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z)))
 claim("BLM91-S8", "excursions, periods, and returns to the classical region",
-      forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 8), u: integer(2, 3)},
+      forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 7), u: integer(2, 3)},
       where=[let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
              let(hits, sum_of(t, 1, 60, when(abs(alb[t]) > 5, 1, 0))), rec(alc, t, 1, alc[t] / (1 - gac[t] ** 2)), rec(gac, t, 3, -gac[t] * alc[t] / (1 - gac[t] ** 2)), let(flag, abs(alc[1]) + abs(gac[1]) < 1)],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
@@ -108,7 +108,7 @@ claim("BLM91-S8", "excursions, periods, and returns to the classical region",
       note="Period k for 1/kappa = -cos(2 pi/k); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
 LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]
 ROOTS = (D1, let(poly, al0 * Z**2 + (1 + al0**2 - ga0**2) * Z + al0), let(bound, 2 + abs((1 + al0**2 - ga0**2) / al0)), let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(real, real_roots(poly, -bound, bound) >= 1))
-claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & (ga[1] ** 2 * al0**2 == ga0**2 * al[1] ** 2 * al0**2), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT],
+claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & (ga[1] == -(ga0 * al[1])), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT],
       by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative"],
                 prose="a limit is a fixed point (alpha, 0) of the hyperbola, a real zero of alpha^2 - (2/kappa) alpha + 1; where there is one, every orbit that does not end converges (S39)"), instances(60), *LISTED],
       note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: the fixed point equation has real zeros.")
