@@ -44,7 +44,7 @@ from flint import arb, fmpq, fmpz
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.spectral_factor import number_json, spectral_factor
-from exactkf.dynamics.wandering import aperiodic_modulus, escapes_before, modulus_without_escape, prime_without_singularity, torus_evidence
+from exactkf.dynamics.wandering import aperiodic_modulus, apparent_orders, escapes_before, modulus_without_escape, no_escape_modulo, prime_without_singularity, torus_evidence
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.numbers import sign
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, step
@@ -56,6 +56,7 @@ from exactkf.theory.orbits import first_escape, integer_orbit
 __all__ = ["LimitDigits", "decide", "limit_digits"]
 
 MAX_STEPS = 2000
+_LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
@@ -178,7 +179,7 @@ def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str =
 
 def _question(case: _Case) -> dict[str, Any]:
     if case.rational:
-        return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g]}
+        return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g], "field": None}
     field = case.a[0].field
     return {"order": len(case.a), "a": [_coefficients(x) for x in case.a], "g": [_coefficients(x) for x in case.g], "field": _field_json(field)}
 
@@ -266,8 +267,6 @@ def _pairs(case: _Case) -> Any:
     if case.rational:
         for Q, S in integer_orbit(case.a, case.g):
             yield list(Q[::-1]), [*S[::-1], fmpz(0)]
-        yield from ()
-        # the pair that escapes is the last one; integer_orbit yields it
         return
     Q, S = case.Q, case.S
     while True:
@@ -303,7 +302,7 @@ def _quotient(p: list, q: list) -> list:
 def _period(case: _Case) -> int | None:
     """Return the least p with z^p = 1 modulo D, if there is one."""
     if case.rational:
-        D = [Fraction(int(x.p), int(x.q)) for x in case.D]
+        D = [Fraction(int(x.numerator), int(x.denominator)) for x in case.D]
         if aperiodic_modulus(D) is not None:
             return None
         order = common_order(len(D) - 1)
@@ -341,7 +340,7 @@ def _wandering(case: _Case, max_steps: int) -> Answer:
     t = first_escape(case.a, case.g, max_steps)
     if t is not None:
         return _escaped(case, t)
-    rational = [[Fraction(int(x.p), int(x.q)) for x in v] for v in (case.Q, case.S, case.reduced.Q, case.reduced.S, case.D)]
+    rational = [[Fraction(int(x.numerator), int(x.denominator)) for x in v] for v in (case.Q, case.S, case.reduced.Q, case.reduced.S, case.D)]
     Q, S, q, s, D = rational
     before = escapes_before(q, s)
     modulus = prime_without_singularity(q, s, D, before) if before else modulus_without_escape(Q, S, D)
@@ -361,17 +360,16 @@ def _wandering(case: _Case, max_steps: int) -> Answer:
 
 
 def _undecided(case: _Case, steps: int, reason: str) -> Answer:
-    return _answer(case, "undecided", {"searched": steps}, reason)
+    evidence: dict[str, Any] = {"searched": steps}
+    if case.rational and steps:
+        modulus = next((N for N in _LARGE if no_escape_modulo(case.Q, case.S, steps, N)), None)
+        evidence.update({"modulus": modulus} if modulus else {})
+    return _answer(case, "undecided", evidence, reason)
 
 
 def _guess_order(D: list) -> int | None:
     """Return a common multiple of the orders that the zeros of D seem to have as roots of unity, from balls."""
-    m = len(D) // 2
-    x = [arb(0)] if m == 0 else []
-    from exactkf.dynamics.angles import rational_angles
-
-    found = rational_angles(D)
-    del x
+    found = apparent_orders(D)
     return None if found is None else lcm(*found)
 
 

@@ -32,15 +32,16 @@ from fractions import Fraction
 from math import gcd
 from typing import Any
 
-from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
+from flint import acb, acb_poly, arb, fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
 
 from exactkf.dynamics.spectral_factor import zeros
 from exactkf.exact.balls import precision
+from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import are_related, backward, check_independent, check_never_singular, has_infinite_order, modular_step, wandering_factor
 
-__all__ = ["aperiodic_modulus", "escapes_before", "modulus_without_escape", "prime_without_singularity", "primes", "torus_evidence"]
+__all__ = ["aperiodic_modulus", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "prime_without_singularity", "primes", "torus_evidence"]
 
 _SMALL, _PRIME_BOUND = 60, 30_000
 _PADIC_BOUND = 2000
@@ -99,6 +100,18 @@ def _comes_back(q: list[int], s: list[int], p: int) -> bool:
     return False
 
 
+def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p: int) -> bool:
+    """Return whether no 1 - gamma^2 of the first `steps` steps vanishes modulo the prime `p`."""
+    q, s = _residues(Q, p), _residues(S, p)
+    if q is None or s is None:
+        return False
+    for _ in range(steps):
+        if (1 - s[-2] * s[-2]) % p == 0:
+            return False
+        q, s = modular_step(q, s, p)
+    return True
+
+
 def _of_small_order(f: fmpz_poly, p: int) -> bool:
     if int(f.leading_coefficient()) % p == 0:
         return False
@@ -154,6 +167,27 @@ def aperiodic_modulus(D: Sequence[Fraction]) -> int | None:
         except Undefined:  # the prime divides a denominator
             continue
     return None
+
+
+def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:
+    """Return the orders that the zeros of `D` seem to have as roots of unity, or None if one seems to be none.
+
+    The coefficients are elements of one real number field.  Nothing rests on the result.
+    """
+    with precision(300):
+        f = acb_poly([acb((x.enclose(80) if isinstance(x, RealNumber) else arb(x)).mid()) for x in D])
+        try:
+            found = f.roots(tol=arb(2) ** -150)
+        except ValueError:  # zeros that the precision does not separate
+            return None
+        orders = []
+        for z in found:
+            turn = Fraction(str((z.log().imag / (2 * arb.pi())).mid().fmpq())).limit_denominator(bound)
+            difference = abs(acb(2 * arb(fmpq(turn.numerator, turn.denominator))).exp_pi_i() - z)
+            if not difference < arb(2) ** -100:
+                return None
+            orders.append(turn.denominator)
+    return orders
 
 
 def torus_evidence(D: Sequence[Fraction]) -> tuple[int | None, dict[str, Any], str]:

@@ -48,7 +48,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.numbers import Laurent, Undefined, sign
+from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
@@ -132,7 +132,8 @@ def step(Q: list, S: list, g: Any) -> tuple[list, list]:
     """The next monic pair."""
     r = 1 - g * g
     moved = [S[-1], *S[:-1]]
-    return [(x - g * y) / r for x, y in zip(Q, moved, strict=True)], [(y - g * x) / r for x, y in zip(Q, moved, strict=True)]
+    pairs = list(zip(Q, moved, strict=True))
+    return [divide(x - g * y, r) for x, y in pairs], [divide(y - g * x, r) for x, y in pairs]
 
 
 def states(Q: list, S: list) -> Iterator[tuple[list, list]]:
@@ -239,7 +240,8 @@ def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
     _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
     _need(answer["period"] in (None, 1), "an equilibrium has period one")
     _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
-    _limit(reduced, D, answer["limit"], evidence)
+    if answer["limit"] is not None:
+        _limit(reduced, D, answer["limit"], evidence)
 
 
 def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
@@ -377,7 +379,7 @@ _CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic,
            "not convergent, not periodic": _wanders, "undecided": _undecided}
 # fields that go with a behaviour, and fields that may
 _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
-    "escapes": ({"escape"}, set()), "converges": ({"limit", "enters_positive_real"}, {"period"}), "periodic": ({"period"}, set()),
+    "escapes": ({"escape"}, set()), "converges": ({"enters_positive_real"}, {"limit", "period"}), "periodic": ({"period"}, set()),
     "not convergent, not periodic": (set(), {"torus_dimension"}), "undecided": (set(), set()),
 }
 
