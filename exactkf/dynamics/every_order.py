@@ -327,7 +327,7 @@ def _returning(case: _Case, period: int) -> Answer:
     since = f" from step {start} on" if start else ""
     case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: the orbit has the period {period}{since}.",
                            f"$S^{{{period}}} = I$: the orbit has the period ${period}${since}."))
-    return _answer(case, "periodic", {}, never_escapes=True, period=period)
+    return _answer(case, "periodic", {} if case.rational else {"bits": 256 + 4 * period}, never_escapes=True, period=period)
 
 
 def _wandering(case: _Case, max_steps: int) -> Answer:

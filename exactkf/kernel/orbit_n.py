@@ -48,6 +48,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.intervals import does_not_escape
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
@@ -322,11 +323,15 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
     D = spectral_polynomial(reduced.Q, reduced.S)
+    D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
     primes = [q for q in range(2, p + 1) if p % q == 0 and all(q % r for r in range(2, q))]
     _need(all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
-    count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
-    _need(count == p + 1, "the orbit escapes within a period")
+    if isinstance(D[-1], Algebraic):
+        _need(reduced.start == 0 and does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
+    else:
+        count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
+        _need(count == p + 1, "the orbit escapes within a period")
 
 
 def power_of_z(k: int, modulus: list) -> list:
