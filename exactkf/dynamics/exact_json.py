@@ -150,7 +150,7 @@ def _isolated(p: fmpq_poly, enclosed: Any) -> Any:
 # ---------------------------------------------------------------------- text
 def number_words(x: Scalar) -> str:
     """Return the number as text; theta is the generator of its field."""
-    return x.poly.str().replace("x", "theta") if isinstance(x, RealNumber) else str(x)
+    return str(_rational(x)) if not isinstance(x, RealNumber) or x.is_rational() else x.poly.str().replace("x", "theta")
 
 
 def number_latex(x: Scalar) -> str:

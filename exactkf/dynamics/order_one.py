@@ -77,9 +77,12 @@ BLM91 (3.10), (3.13), (4.7), (4.11), (5.1), Theorems 3.5, 3.7, 4.1, Corollaries 
 
 from __future__ import annotations
 
+import gc
 import multiprocessing
-from collections.abc import Iterable, Sequence
+import threading
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -347,12 +350,33 @@ def decide_many(starts: Iterable[Sequence[Any]], jobs: int = 1) -> list[Answer]:
     wrong = next((k for k, s in enumerate(listed) if len(s) not in (2, 3)), None)
     if wrong is not None:
         raise BadInput(f"starts[{wrong}] = {listed[wrong]}: not (alpha0, gamma0) or (alpha0, gamma0, pi0); pass two or three numbers")
-    if jobs == 1 or len(listed) < 2 * jobs:
-        return [_decide(s) for s in listed]
-    # a fresh interpreter, as a fork of a process with threads can hang
-    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
-        return list(pool.map(_decide, listed, chunksize=max(1, len(listed) // (8 * jobs))))
+    with _no_garbage():
+        return _decide_all(listed) if jobs == 1 else _shared(listed, jobs)
 
 
-def _decide(start: tuple) -> Answer:
-    return decide_order_one(*start) if len(start) == 2 else decide_riccati_one(*start)
+def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
+    """This process works too: it takes pieces from the end while the others take them from the front."""
+    size = max(1, len(starts) // (32 * jobs))
+    pieces = [starts[k : k + size] for k in range(0, len(starts), size)]
+    # a fork of a process with threads can hang; without threads it saves the start of an interpreter
+    forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
+    with ProcessPoolExecutor(jobs - 1, mp_context=multiprocessing.get_context("fork" if forks else "spawn")) as pool:
+        tasks = [pool.submit(_decide_all, piece) for piece in pieces]
+        mine = {k: _decide_all(pieces[k]) for k in reversed(range(len(pieces))) if tasks[k].cancel()}
+        return [answer for k, task in enumerate(tasks) for answer in (mine[k] if k in mine else task.result())]
+
+
+@contextmanager
+def _no_garbage() -> Iterator[None]:
+    """No search for cycles for a while: answers have none, and thousands of them make the search slow."""
+    was = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was:
+            gc.enable()
+
+
+def _decide_all(starts: list[tuple]) -> list[Answer]:
+    return [decide_order_one(*s) if len(s) == 2 else decide_riccati_one(*s) for s in starts]

@@ -36,6 +36,7 @@ L. Kronecker, J. reine angew. Math. 53 (1857); I. Niven, Irrational Numbers (195
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
 from math import isqrt
@@ -151,30 +152,26 @@ def zero_index(x: Scalar, a: Scalar, stop: int | None = None) -> int | None:
     return next((t for t in range(2, stop + 1) if value(x, a, t) == 0), None)
 
 
-def _scan_rational(x: fmpq, a: fmpq, stop: int, p: int) -> list[int]:
-    """The indices at which the sequence vanishes modulo a prime."""
+def _scan_rational(x: fmpq, a: fmpq, stop: int, p: int) -> Iterator[int]:
+    """Yield the indices at which the sequence vanishes modulo a prime."""
     x0, before, now = (int(s.p) * pow(int(s.q), -1, p) % p for s in (x, a, fmpq(1)))
-    found = []
     for t in range(2, stop + 1):
         before, now = now, (x0 * now - before) % p
         if now == 0:
-            found.append(t)
-    return found
+            yield t
 
 
-def _scan(x: Scalar, a: Scalar, stop: int, p: int) -> list[int]:
+def _scan(x: Scalar, a: Scalar, stop: int, p: int) -> Iterator[int]:
     """The same in the ring of integers of a field modulo a prime; the polynomials are irreducible over Q."""
     def read(coefficients: list[fmpq]) -> nmod_poly:
         return nmod_poly([int(c.p) * pow(int(c.q), -1, p) % p for c in coefficients], p)
 
     m = read(_modulus(x, a))
     x0, before, now = read(_coefficients(x)), read(_coefficients(a)), nmod_poly([1], p)
-    found = []
     for t in range(2, stop + 1):
         before, now = now, x0 * now % m - before
         if now.degree() < 0:
-            found.append(t)
-    return found
+            yield t
 
 
 def _enclosed(x: Scalar, bits: int) -> arb:

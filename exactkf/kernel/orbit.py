@@ -164,7 +164,7 @@ def _filter(alpha: Any, gamma: Any, answer: Mapping[str, Any], field: AlgebraicF
         found = {**_BLANK, "behaviour": "converges", "monotone_from": 0, "period": 1, "region": region, "enters_positive_real": 0 if inside else None}
         return found, {"alpha": _number(alpha), "gamma": _number(Fraction(0))}, None
     if c * c < 1:
-        return _turning(c, alpha, field, "corridor", 2), None, None
+        return _turning(c, alpha, answer["escape"], field, "corridor", 2), None, None
     s = sign(c)
     outside = "III" if square > 1 else "IV"
     region = ("boundary of " if c * c == 1 else "") + ("II" if s * alpha < 0 else "I" if s * alpha < 1 else outside) + ("+" if s > 0 else "-")
@@ -202,7 +202,7 @@ def _riccati(alpha: Any, gamma: Any, pi: Any, answer: Mapping[str, Any], field: 
         return {**_BLANK, "behaviour": "converges", "monotone_from": 0, "period": 1, "region": region}, {"pi": _number(pi)}, None
     a = alpha / (1 - pi)
     if c * c < 1:
-        return _turning(c, a, field, region, 1), None, None
+        return _turning(c, a, answer["escape"], field, region, 1), None, None
     s = sign(c)
     m, zero = -1, False
     if form > 0:
@@ -233,14 +233,18 @@ def abs_(x: Any) -> Any:
 
 
 # ---------------------------------------------------------------------- the two kinds of maps
-def _turning(c: Any, a: Any, field: AlgebraicField | None, region: str, sheets: int) -> dict[str, Any]:
+def _turning(c: Any, a: Any, escape: Any, field: AlgebraicField | None, region: str, sheets: int) -> dict[str, Any]:
     """|c| < 1. The filter moves on a curve that covers the line of a twice (``sheets``), the Riccati equation on the line."""
     period = order(-2 * c, field)
     halved = period if period is None or period % 2 else period // 2
     stop = zero_bound(coefficients(2 * c), coefficients(a), modulus(field)) if halved is None else halved
+    if type(escape) is int:  # nothing beyond the time given need be looked at
+        stop = min(stop, escape + sheets)
     zero = first_zero(2 * c, a, stop, field)
     if zero is not None:
         return {**_BLANK, "behaviour": "escapes", "escape": zero - sheets, "never_escapes": False, "region": region}
+    if escape is not None:
+        raise Undefined("the sequence does not vanish at the time given")
     if period is None:
         return {**_BLANK, "behaviour": "dense", "torus_dimension": 1, "region": region}
     return {**_BLANK, "behaviour": "periodic", "period": period if sheets == 2 else halved, "region": region}
