@@ -43,11 +43,20 @@ from flint import arb, fmpq, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
-from exactkf.dynamics.spectral_factor import number_json, spectral_factor
-from exactkf.dynamics.wandering import aperiodic_modulus, apparent_orders, escapes_before, modulus_without_escape, no_escape_modulo, prime_without_singularity, torus_evidence
+from exactkf.dynamics.exact_json import element_json, field_json, number_json
+from exactkf.dynamics.spectral_factor import spectral_factor
+from exactkf.dynamics.wandering import (
+    aperiodic_modulus,
+    apparent_orders,
+    escapes_before,
+    modulus_without_escape,
+    no_escape_modulo,
+    prime_without_singularity,
+    torus_evidence,
+)
 from exactkf.exact.numberfield import RealField, RealNumber
-from exactkf.kernel.numbers import sign
-from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, step
+from exactkf.kernel.intervals import does_not_escape
+from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
 from exactkf.kernel.orbit_wandering import common_order
 from exactkf.kernel.replay import seal
 from exactkf.theory._scalars import Scalar, check_length, unify
@@ -125,15 +134,17 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     return _wandering(case, max_steps)
 
 
-def _case(a: Sequence[Scalar], g: Sequence[Scalar]) -> _Case:
-    a, g = unify(a=a, g=g)
+def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
+    a: Any
+    g: Any
+    a, g = unify(a=a_0, g=g_0)
     check_length("g", g, len(a), "a")
     if not a:
         raise BadInput("a = (): the filter needs n >= 1; pass at least one coefficient")
     algebraic = isinstance(a[0], RealNumber)
     for name, vector in (("a", a), ("g", g)):
         for i, x in enumerate(vector):
-            if not isinstance(x, RealNumber if algebraic else (fmpq, Fraction)) or algebraic and x.field != a[0].field:
+            if not isinstance(x, RealNumber if algebraic else (fmpq, Fraction)) or isinstance(x, RealNumber) and x.field != a[0].field:
                 raise BadInput(f"{name}[{i}] = {x}: not in the field of a[0]; pass rationals, or elements of one RealField")
     if not algebraic:
         a, g = (tuple(fmpq(x.numerator, x.denominator) for x in v) for v in (a, g))
@@ -181,19 +192,7 @@ def _question(case: _Case) -> dict[str, Any]:
     if case.rational:
         return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g], "field": None}
     field = case.a[0].field
-    return {"order": len(case.a), "a": [_coefficients(x) for x in case.a], "g": [_coefficients(x) for x in case.g], "field": _field_json(field)}
-
-
-def _coefficients(x: Any) -> Any:
-    return [str(c) for c in x.poly.coeffs()] if isinstance(x, RealNumber) else str(x)
-
-
-def _field_json(field: RealField | None) -> Any:
-    """The minimal polynomial and an open interval that isolates the generator."""
-    if field is None:
-        return None
-    lo, hi = field.root.lo, field.root.hi
-    return [[str(c) for c in field.minpoly.coeffs()], str(lo - (lo == hi)), str(hi + (lo == hi))]
+    return {"order": len(case.a), "a": [element_json(x) for x in case.a], "g": [element_json(x) for x in case.g], "field": field_json(field)}
 
 
 def _escaped(case: _Case, t: int) -> Answer:
@@ -216,17 +215,17 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         field = factor.field if factor else None
         full = _product(w, case.reduced.removed)
         alpha = [number_json(x) for x in reversed(full[:-1])]
-        evidence: dict[str, Any] = {"field": _field_json(field), "factor": [_coefficients(x) for x in w]}
+        evidence: dict[str, Any] = {"field": field_json(field), "factor": [element_json(x) for x in w]}
         fields["limit"] = {"alpha": alpha, "gamma": "0"}
     elif len(case.D) == 1:
         field = case.a[0].field
         full = [x * field(1) for x in case.reduced.removed]
-        evidence = {"field": _field_json(field), "factor": [["1"]]}
+        evidence = {"field": field_json(field), "factor": [["1"]]}
         fields["limit"] = {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
     else:
         evidence = {}
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
-                           r"$\alpha_\infty(z) = \tilde\alpha_\infty(z)\theta(z)$, $D$ proportional to $\tilde\alpha_\infty(z)\tilde\alpha_\infty(1/z)\theta(z)\theta(1/z)$."))
+                           r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
     return _answer(case, "converges", evidence, **fields)
 
 
@@ -265,8 +264,8 @@ def _entry(case: _Case, max_steps: int) -> int | Answer:
 def _pairs(case: _Case) -> Any:
     """Yield the orbit as polynomials from z^0 up, as integers up to a factor if it is rational."""
     if case.rational:
-        for Q, S in integer_orbit(case.a, case.g):
-            yield list(Q[::-1]), [*S[::-1], fmpz(0)]
+        for lead_first, star in integer_orbit(case.a, case.g):
+            yield list(lead_first[::-1]), [*star[::-1], fmpz(0)]
         return
     Q, S = case.Q, case.S
     while True:
@@ -325,9 +324,14 @@ def _returning(case: _Case, period: int) -> Answer:
         if Q[-1] * Q[-1] == S[-2] * S[-2]:
             return _escaped(case, t)
     since = f" from step {start} on" if start else ""
-    case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: the orbit has the period {period}{since}.",
+    case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: "
+                           f"the orbit has the period {period}{since}.",
                            f"$S^{{{period}}} = I$: the orbit has the period ${period}${since}."))
-    return _answer(case, "periodic", {} if case.rational else {"bits": 256 + 4 * period}, never_escapes=True, period=period)
+    evidence: dict[str, Any] = {}
+    if not case.rational:
+        Q, S = start_pair(_question(case))
+        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, period, bits := (256 + 4 * period) << k))
+    return _answer(case, "periodic", evidence, never_escapes=True, period=period)
 
 
 def _wandering(case: _Case, max_steps: int) -> Answer:
@@ -335,18 +339,18 @@ def _wandering(case: _Case, max_steps: int) -> Answer:
         for t, (Q, S) in zip(range(min(max_steps, 100) + 1), _pairs(case), strict=False):
             if Q[-1] * Q[-1] == S[-2] * S[-2]:
                 return _escaped(case, t)
-        return _undecided(case, min(max_steps, 100), "D changes sign on the circle, so the orbit does not converge; for irrational data nothing here excludes "
-                          "that it escapes later or, if it does not, that it repeats with a long period")
-    t = first_escape(case.a, case.g, max_steps)
-    if t is not None:
-        return _escaped(case, t)
+        return _undecided(case, min(max_steps, 100), "D changes sign on the circle, so the orbit does not converge; "
+                          "for irrational data nothing here excludes that it escapes later or, if it does not, that it repeats with a long period")
+    escape = first_escape(case.a, case.g, max_steps)
+    if escape is not None:
+        return _escaped(case, escape)
     rational = [[Fraction(int(x.numerator), int(x.denominator)) for x in v] for v in (case.Q, case.S, case.reduced.Q, case.reduced.S, case.D)]
     Q, S, q, s, D = rational
     before = escapes_before(q, s)
     modulus = prime_without_singularity(q, s, D, before) if before else modulus_without_escape(Q, S, D)
     if modulus is None:
-        return _undecided(case, max_steps, f"D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, so it does "
-                          f"not repeat; it does not escape in {max_steps} steps, but no modulus was found that excludes a later escape")
+        return _undecided(case, max_steps, "D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, "
+                          f"so it does not repeat; it does not escape in {max_steps} steps, but no modulus was found that excludes a later escape")
     dimension, torus, reason = torus_evidence(D)
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
     case.facts.append(Fact(f"The orbit does not escape modulo {modulus}{'^2' if before else ''}, so it never does.",
@@ -354,7 +358,8 @@ def _wandering(case: _Case, max_steps: int) -> Answer:
     if dimension is None:
         case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
     else:
-        case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.", f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
+        case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
+                               f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
     evidence = {"aperiodic": aperiodic_modulus(D), "modulus": modulus, "torus": torus, **({"before": before} if before else {})}
     return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
 

@@ -8,7 +8,6 @@ Main definitions
 ----------------
 ``spectral_factor``   the coefficients of `w` in a real number field
 ``Factor``            the result
-``number_json``       a real algebraic number as plain data
 
 Main statements
 ---------------
@@ -41,10 +40,10 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from exactkf._errors import Unsupported
 from exactkf.exact.balls import precision
-from exactkf.exact.numberfield import RealField, RealNumber
-from exactkf.exact.polynomials import count_real_roots, count_roots
+from exactkf.exact.numberfield import RealField
+from exactkf.exact.polynomials import count_roots
 
-__all__ = ["Factor", "number_json", "spectral_factor", "zeros"]
+__all__ = ["Factor", "spectral_factor", "zeros"]
 
 _BOUND = 1 << 15
 
@@ -68,7 +67,8 @@ def zeros(f: fmpz_poly) -> tuple[list[acb], list[acb], list[acb]]:
     """
     on = count_roots(_distinct(f)).on
     found: tuple[list[acb], list[acb], list[acb]] = ([], [], [])
-    for z, _ in f.complex_roots():
+    roots: Any = f.complex_roots()  # pairs of a ball and a multiplicity
+    for z, _ in roots:
         modulus = z.abs_upper(), z.abs_lower()
         found[0 if modulus[0] < 1 else 2 if modulus[1] > 1 else 1].append(z)
     if len(found[1]) != on:
@@ -149,6 +149,7 @@ def _with_field(w: fmpq_poly, mixed: list[tuple[fmpz_poly, int]]) -> Factor:
     orbit = [i for i, beta in enumerate(betas) if M(beta).contains(0)]
     if len(orbit) != M.degree():
         raise Unsupported("the precision does not separate the conjugates")
+    theta: Any
     if M.degree() == 1:
         field, theta = None, fmpq(-M[0], M[1])
     else:
@@ -236,18 +237,3 @@ def _times(p: list, q: list) -> list:
         for j, y in enumerate(q):
             out[i + j] = out[i + j] + x * y
     return out
-
-
-def number_json(x: Any) -> Any:
-    """Return a rational number or an element of a real number field as the data `Answer` holds."""
-    if not isinstance(x, RealNumber):
-        return str(fmpq(x))
-    if x.is_rational():
-        return str(x.rational_value())
-    p, bits = x.minimal_polynomial(), 4
-    while True:  # the shortest dyadic interval will do
-        ball = x.enclose(bits)
-        lo, hi = (fmpq(end.floor().unique_fmpz() + k, 1 << bits) for k, end in enumerate((ball.lower() * (1 << bits), ball.upper() * (1 << bits))))
-        if count_real_roots(p, lo, hi) == 1 and p(lo) != 0 and p(hi) != 0:
-            return {"minpoly": [str(c) for c in p.coeffs()], "interval": [str(lo), str(hi)]}
-        bits *= 2

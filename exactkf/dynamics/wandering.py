@@ -41,7 +41,8 @@ from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import are_related, backward, check_independent, check_never_singular, has_infinite_order, modular_step, wandering_factor
 
-__all__ = ["aperiodic_modulus", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "prime_without_singularity", "primes", "torus_evidence"]
+__all__ = ["aperiodic_modulus", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "prime_without_singularity",
+           "primes", "torus_evidence"]
 
 _SMALL, _PRIME_BOUND = 60, 30_000
 _PADIC_BOUND = 2000
@@ -228,7 +229,7 @@ def _relation(f: fmpq_poly) -> list[int] | None:
         scaled = [(x * arb(2) ** bits).mid().floor().unique_fmpz() for x in angles]
     if len(scaled) != 2 or None in scaled:
         return None
-    rows = [[1, 0, 0, scaled[0]], [0, 1, 0, scaled[1]], [0, 0, 1, fmpz(2) ** bits]]
+    rows: Any = [[1, 0, 0, scaled[0]], [0, 1, 0, scaled[1]], [0, 0, 1, fmpz(2) ** bits]]
     first = fmpz_mat(rows).lll().tolist()[0]
     a, b = abs(int(first[0])), abs(int(first[1]))
     return [a, b] if 0 < a < 100 and 0 < b < 100 and abs(int(first[3])) < 1 << (bits // 2) else None

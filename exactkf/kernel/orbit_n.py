@@ -54,7 +54,7 @@ from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_sing
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
 __all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
-           "states", "step"]
+           "start_pair", "states", "step"]
 
 _FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period",
            "torus_dimension", "enters_positive_real")
@@ -89,7 +89,7 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
         With the step that does not follow.
     """
     _need(set(answer) == set(_FIELDS), "the answer does not have the fields of an answer")
-    Q, S = _start(question)
+    Q, S = start_pair(question)
     n = len(Q) - 1
     _need(type(answer["order"]) is int and answer["order"] == n, f"the order is {n}")
     _need(answer["rate"] is None and answer["monotone_from"] is None and answer["region"] == "", "a field that is not decided is filled")
@@ -119,7 +119,8 @@ def _field(data: Any) -> AlgebraicField | None:
     return AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
 
 
-def _start(question: Mapping[str, Any]) -> tuple[list, list]:
+def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
+    """The two polynomials of a question."""
     _need({"a", "g"} <= set(question) <= {"a", "g", "field", "order"}, "the question is not a pair a, g")
     field = _field(question.get("field"))
     a, g = ([_number(x, field) for x in question[k]] for k in ("a", "g"))
@@ -170,12 +171,13 @@ def states(Q: list, S: list) -> Iterator[tuple[list, list]]:
 
 def reduce_pair(Q: list, S: list) -> Reduced:
     """Take out common factors and step while Q(0) = 0."""
-    removed, t = [1], 0
+    zero, t = Q[-1] - Q[-1], 0
+    removed = [zero + 1]
     while True:
         common = gcd_poly(Q, S)
         removed = _product(removed, common)
-        Q = divmod_poly(Q, common)[0]
-        S = _padded(divmod_poly(S, common)[0] if any(x != 0 for x in S) else [], len(Q))
+        Q = [zero + x for x in divmod_poly(Q, common)[0]]
+        S = [zero + x for x in _padded(divmod_poly(S, common)[0] if any(x != 0 for x in S) else [], len(Q))]
         if len(Q) == 1 or Q[0] != 0:
             return Reduced(t, Q, S, removed, None)
         g = S[-2]
