@@ -14,10 +14,11 @@ With :math:`A = J - qh'`, :math:`u = P_T h` and the columns of :math:`S^T(I; 0)`
 .. math:: X'(u, w) = (Y'h, g), \qquad r_T = 1 - u_1, \qquad
           q(T) = a + (g - Fu)/r_T, \qquad g(T) = w / r_T
 
-(see `exactkf.theory.power_method`).  A ball around :math:`S^T` gives balls around the state; the
-working precision doubles until they are small enough.  A ball around the state exists only if X and
-:math:`r_T` are not singular, so that :math:`P_T` is the plane :math:`S^T \operatorname{Im}(I; 0)`.  The orbit
-may all the same have escaped before `T`; that is what `decide` excludes.
+(see `exactkf.theory.power_method`).  The columns of :math:`S^T` become parallel where the orbit
+converges, so the balls are around :math:`X^{-1}`, :math:`X^{-1}B` and :math:`P = YX^{-1}`, B the upper
+right block: these compose by the star product, with
+:math:`X = X_2(I + G_2P_1)X_1`, and stay bounded.  The working precision doubles until the balls are small
+enough.  They exist only if no X at the times composed is singular; an escape in between is what `decide` excludes.
 
 Notation
 --------
@@ -25,7 +26,8 @@ As in `exactkf.theory.fast_filter`.
 
 References
 ----------
-BLZ94 (2.2), (2.8), (2.17), (6.4)-(6.17).
+BLZ94 (2.2), (2.8), (2.17), (6.4)-(6.17).  R. Redheffer, On a certain linear fractional transformation,
+J. Math. and Phys. 39 (1960).
 """
 
 from __future__ import annotations
@@ -46,7 +48,7 @@ from exactkf.theory.power_method import Arrival, state_after, symplectic_matrix_
 
 __all__ = ["DigitsAhead", "digits_ahead", "state_ahead"]
 
-_BOUND = 1 << 20
+_BOUND = 1 << 17
 
 
 class DigitsAhead(NamedTuple):
@@ -89,7 +91,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     BadInput
         If the entries are not rational, the lengths differ, `T` is negative or `digits` is not positive.
     Unsupported
-        If the precision needed is above 2**20 bits, as for a state at or next to an escape.
+        If the precision needed is above 2**17 bits, as for a state at or next to an escape.
 
     Examples
     --------
@@ -136,15 +138,15 @@ def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tu
     m = len(Q) - 1
     g = [fmpq(x) for x in S[-2::-1]]
     a = [fmpq(x) - y for x, y in zip(Q[-2::-1], g, strict=True)]
-    matrix = arb_mat([[arb(x) for x in row] for row in symplectic_matrix_of(a, g).tolist()])
-    rows = (matrix**T).tolist()
-    top = arb_mat([[rows[j][i] for j in range(m)] for i in range(m)])  # X'
-    right = arb_mat([[rows[m][i], arb(g[i])] for i in range(m)])
+    rows = [[arb(x) for x in row] for row in symplectic_matrix_of(a, g).tolist()]
+    block = [arb_mat([row[k : k + m] for row in rows[i : i + m]]) for i in (0, m) for k in (0, m)]
     try:
-        solution = top.solve(right).tolist()
+        inverse = block[0].inv()
+        total = _repeated(_Scattering(inverse, inverse * block[1], block[2] * inverse), T)
     except ZeroDivisionError:
         return None
-    u, w = [row[0] for row in solution], [row[1] for row in solution]
+    u = [row[0] for row in total.P.tolist()]
+    w = [row[0] for row in (total.phi.transpose() * arb_mat([[arb(x)] for x in g])).tolist()]
     r = 1 - u[0]
     if r.contains(0) or not all(x.is_finite() for x in (*u, *w)):
         return None
@@ -152,6 +154,33 @@ def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tu
     # F u = J u - a u_1, so q(T) r_T = a r_T + g - F u = a + g - J u
     q_T = [(x + y - z) / r for x, y, z in zip(a, g, [*u[1:], arb(0)], strict=True)]
     return _with_factor([x - y for x, y in zip(q_T, g_T, strict=True)], g_T, removed)
+
+
+class _Scattering(NamedTuple):
+    """A power of S with blocks X, B, Y, D as X^-1, X^-1 B and Y X^-1, which stay bounded where the orbit converges."""
+
+    phi: arb_mat
+    G: arb_mat
+    P: arb_mat
+
+
+def _after(second: _Scattering, first: _Scattering) -> _Scattering:
+    """Return the product of two powers, by Redheffer's star product: X = X2 (I + G2 P1) X1."""
+    m = first.P.nrows()
+    eye = arb_mat([[int(i == j) for j in range(m)] for i in range(m)])
+    middle = (eye + second.G * first.P).inv()
+    return _Scattering(first.phi * middle * second.phi,
+                       first.G + first.phi * middle * second.G * first.phi.transpose(),
+                       second.P + second.phi.transpose() * first.P * middle * second.phi)
+
+
+def _repeated(one: _Scattering, T: int) -> _Scattering:
+    total = one
+    for bit in bin(T)[3:]:
+        total = _after(total, total)
+        if bit == "1":
+            total = _after(one, total)
+    return total
 
 
 def _with_factor(a: list[arb], g: list[arb], removed: list[Any]) -> tuple[tuple[arb, ...], tuple[arb, ...]]:

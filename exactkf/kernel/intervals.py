@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Orbits of algebraic pairs in interval arithmetic.
+"""Orbits and zeros over real number fields in interval arithmetic.
 
 An interval is a pair of integers (lo, hi) that stands for [lo, hi] / 2^bits; every operation
 rounds outwards. What an interval excludes is excluded.
@@ -14,7 +14,7 @@ from typing import Any
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["does_not_escape", "enclosed", "generator"]
+__all__ = ["does_not_escape", "enclosed", "generator", "is_schur"]
 
 Interval = tuple[int, int]
 
@@ -82,16 +82,40 @@ def _inverse(x: Interval, bits: int) -> Interval:
     return one // x[1], -(-one // x[0])
 
 
+def is_schur(p: list) -> bool:
+    """Whether all zeros of a monic polynomial over a real number field lie inside the circle; none may lie on it.
+
+    By the recursion of Schur and Cohn: p is one if and only if |p(0)| < 1 and (p - p(0) z^n p(1/z)) / z is one.
+    """
+    bits = 128
+    while bits < 1 << 16:
+        one = 1 << bits
+        rest = [enclosed(x, bits) if isinstance(x, Algebraic) else _rational(x, bits) for x in p]
+        while len(rest) > 1:
+            k = rest[0]
+            if k[0] > one or k[1] < -one:
+                return False
+            if not (-one < k[0] and k[1] < one):
+                break  # undecided at this precision
+            u = _inverse(_minus((one, one), _times(k, k, bits)), bits)
+            rest = [_times(_minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
+        else:
+            return True
+        bits *= 2
+    raise Undefined("the zeros of a polynomial could not be separated from the circle")
+
+
+def _rational(x: Any, bits: int) -> Interval:
+    return (x.numerator << bits) // x.denominator, -((-x.numerator << bits) // x.denominator)
+
+
 def does_not_escape(Q: list, S: list, steps: int, bits: Any) -> bool:
     """Whether 1 - g^2 excludes zero at all steps before the given one, for a monic pair; see `exactkf.kernel.orbit_n`."""
     if type(bits) is not int or not 0 < bits < 10**6:
         raise Undefined("the number of bits is not a positive integer")
     one = 1 << bits
 
-    def read(x: Any) -> Interval:
-        return enclosed(x, bits) if isinstance(x, Algebraic) else (x.numerator * one // x.denominator, -(-x.numerator * one // x.denominator))
-
-    q, s = [read(x) for x in Q], [read(x) for x in S]
+    q, s = ([enclosed(x, bits) if isinstance(x, Algebraic) else _rational(x, bits) for x in p] for p in (Q, S))
     for _ in range(steps):
         g = s[-2]
         r = _minus((one, one), _times(g, g, bits))

@@ -48,7 +48,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.intervals import does_not_escape
+from exactkf.kernel.intervals import does_not_escape, is_schur
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
@@ -297,7 +297,9 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     _need(w[0] != 0, "the spectral factor vanishes at zero")
     square = _product(w, w[::-1])
     _need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
-    _need(len(w) == 1 or count_circle(w)[2] == 0, "the spectral factor has a zero outside the closed disc")
+    if len(w) > 1:
+        stable = is_schur(w) if field is not None and spectral_sign(D) in ("+", "-") else count_circle(w)[2] == 0
+        _need(stable, "the spectral factor has a zero outside the closed disc")
     full = _product(w, [one * x for x in reduced.removed])
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
