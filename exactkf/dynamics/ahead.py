@@ -5,6 +5,7 @@ Main definitions
 ----------------
 ``state_ahead``    the exact state after `T` steps, as `exactkf.theory.power_method.state_after`
 ``digits_ahead``   the same state to a number of digits, for `T` as large as :math:`10^{12}`
+``ahead_lines``    the same as text
 ``DigitsAhead``    its result
 
 Main statements
@@ -46,9 +47,10 @@ from exactkf.theory._scalars import Scalar, check_length, unify
 from exactkf.theory.orbits import exact_orbit
 from exactkf.theory.power_method import Arrival, state_after, symplectic_matrix_of
 
-__all__ = ["DigitsAhead", "digits_ahead", "state_ahead"]
+__all__ = ["DigitsAhead", "ahead_lines", "digits_ahead", "state_ahead"]
 
 _BOUND = 1 << 17
+_SHORT = 50
 
 
 class DigitsAhead(NamedTuple):
@@ -121,6 +123,20 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
             return DigitsAhead(*found, None, answer.never_escapes)
         bits *= 2
     raise Unsupported(f"the state after {T} steps needs more than {_BOUND} bits; it is next to an escape, or is one")
+
+
+def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> list[str]:
+    """Return the state after `T` steps as lines of text: exactly as long as it is short, and in digits; arguments and errors as `digits_ahead`."""
+    found = digits_ahead(a, g, T, digits)
+    if found.escape is not None:
+        return [f"no state after {T} steps: the orbit escapes at step {found.escape}"]
+    exact = state_ahead(a, g, T).state if T <= _SHORT else None
+    lines = []
+    for name, balls, values in (("a", found.a, exact and exact[0]), ("g", found.g, exact and exact[1])):
+        for i, x in enumerate(balls):
+            text = str(values[i]) if values else ""
+            lines.append(f"{name}_{i + 1}({T}) = {text if 0 < len(text) <= 60 else x.str(digits, radius=False)}")
+    return lines if found.never_escapes else [*lines, "(an escape before that step is not excluded)"]
 
 
 def _at(a: Sequence[fmpq], g: Sequence[fmpq], T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:

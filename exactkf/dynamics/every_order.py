@@ -306,8 +306,8 @@ def _period(case: _Case) -> int | None:
             return None
         order = common_order(len(D) - 1)
         return _least(order, D) if power_of_z(order, D) == [1] else None
-    order = _guess_order(case.D)
-    return _least(order, case.D) if order and power_of_z(order, case.D) == [1] else None
+    guess = _guess_order(case.D)
+    return _least(guess, case.D) if guess and power_of_z(guess, case.D) == [1] else None
 
 
 def _least(order: int, D: list) -> int:

@@ -20,8 +20,8 @@ from exactkf.dynamics.structure import structure
 from exactkf.dynamics.wandering import torus_evidence
 from exactkf.exact import cyclotomic_real, sqrt_field
 from exactkf.kernel.replay import Rejected, digest, replay
-from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag
-from exactkf.theory.invariants import pseudo_polynomial
+from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag, step_alpha_gamma
+from exactkf.theory.invariants import pseudo_polynomial, pseudo_polynomial_from_parameters
 
 STEPS = 40
 #: points of the unit circle with rational coordinates
@@ -251,6 +251,20 @@ def test_equilibria_in_and_out_of_the_triangle(alpha, inside):
     assert near.behaviour == "converges"
     gap = max(abs(float(x - fmpq_of(y))) for x, y in zip(alpha, limit_digits(near, 20).alpha, strict=True))
     assert (gap < 0.01) == inside
+
+
+def test_the_printed_recursion_and_invariants_of_order_two():
+    """(8.5) is the step of the filter, and (8.6) its invariants, as printed, at random points."""
+    rng = random.Random(8)
+    for _ in range(20):
+        (a1, a2), (g0, g1) = ([fmpq(rng.randint(-9, 9), rng.randint(2, 7)) for _ in range(2)] for _ in range(2))
+        if g0 * g0 == 1 or g1 * g1 == 1:
+            continue
+        r1, r2 = 1 - g0 * g0, (1 - g0 * g0) * (1 - g1 * g1)
+        new_a1, new_a2 = a1 / (1 - g1 * g1) + g1 / (1 - g1 * g1) * g0 / (1 - g0 * g0) * a2, a2 / (1 - g0 * g0)
+        assert step_alpha_gamma([a1, a2], [g0, g1]) == ((new_a1, new_a2), (g1, -new_a1 * g1 - new_a2 * g0))
+        d0, d1, d2 = pseudo_polynomial_from_parameters([a1, a2], [g0, g1])
+        assert (d0, d1, d2) == (a2 * a2 + r1 * a1 * a1 + r2, r1 * a1 + a1 * a2 + g0 * g1 * a2, a2)
 
 
 def test_order_two_falls_back_to_order_one_when_kappa_2_is_zero():
