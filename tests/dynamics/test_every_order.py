@@ -19,6 +19,8 @@ from exactkf.dynamics.order_one import decide_order_one
 from exactkf.dynamics.structure import structure
 from exactkf.dynamics.wandering import torus_evidence
 from exactkf.exact import cyclotomic_real, sqrt_field
+from exactkf.kernel.algebraic import AlgebraicField
+from exactkf.kernel.intervals import is_schur
 from exactkf.kernel.replay import Rejected, digest, replay
 from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag, step_alpha_gamma
 from exactkf.theory.invariants import pseudo_polynomial, pseudo_polynomial_from_parameters
@@ -393,3 +395,23 @@ def test_broken_evidence_is_rejected(answer: Answer, path, value):
     """Evidence that does not do is rejected, also where the answer is right."""
     with pytest.raises(Rejected):
         replay(edited(answer.certificate, ("evidence", *path), value))
+
+
+def test_the_unstable_spectral_factor_is_rejected():
+    """The factor of D with its zero outside the circle is no limit, though its product with its reversal is right."""
+    answer = decide(*with_spectrum(random.Random(4), self_product([fmpq(1), fmpq(1, 2)])))
+    assert (answer.behaviour, answer.limit["alpha"]) == ("converges", ["1/2"])
+    changed = edited(answer.certificate, ("statement", "answer", "limit", "alpha"), ["2"])
+    changed = edited(changed, ("evidence", "factor"), ["2", "1"])
+    with pytest.raises(Rejected, match="outside the closed disc"):
+        replay(changed)
+
+
+def test_schur_polynomials_over_a_field_by_intervals():
+    """z - (sqrt 2 - 1) z^0 is Schur and z - sqrt 2 is not, also when they multiply."""
+    field = AlgebraicField([Fraction(-2), Fraction(0), Fraction(1)], Fraction(1), Fraction(2))
+    root, one = field.element([Fraction(0), Fraction(1)]), field.element([Fraction(1)])
+    assert is_schur([1 - root, one])
+    assert not is_schur([-root, one])
+    assert not is_schur([root * (root - 1), 1 - 2 * root, one])
+    assert is_schur([(root - 1) * (root - 1), 2 - 2 * root, one])
