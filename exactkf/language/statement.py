@@ -113,6 +113,9 @@ class Statement:
         From `let`, `function`, `rec`; each may use those before it (and itself).
     given : sequence of hypotheses
         From `given` and `standing`; a mapping of label to formula is read as `given`.
+    tex : mapping of name to LaTeX
+        How names are printed, where that differs from `exactkf.language.names`. It is no part of the JSON: what is
+        checked does not depend on it.
     """
 
     says: Any
@@ -179,6 +182,9 @@ def as_tuples(value: Any) -> Any:
 
 def _check(statement: Statement) -> None:
     known = set(statement.sizes) | {n for n, _ in statement.over} | {d[1] for d in statement.where}
+    for name in statement.tex:
+        if name not in known:
+            raise BadInput(f"argument 'tex' = {dict(statement.tex)!r} prints {name!r}, which the statement does not have; leave it out")
     for name, type_ in statement.over:
         if type_[0] not in TYPES or len(type_) != TYPES[type_[0]] + 1:
             raise BadInput(f"variable {name!r} has unknown type {type_!r}; see exactkf.language.TYPES")
