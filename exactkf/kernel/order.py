@@ -30,11 +30,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import ONE, Blocks, Poly, Reader, add, multiply, relations, residual_blocks
+from exactkf.kernel.reader import Reader, relations, residual_blocks
+from exactkf.kernel.words import Blocks, Relation, add
 
 __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 
@@ -42,11 +42,11 @@ __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 # ---------------------------------------------------------------------- taking a conclusion apart
 def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
     """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
-    own = [statement["says"], *(formula for _, formula, _ in statement["given"])]
+    own = [statement["says"]]
     for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
             yield from _leaves({**case, "lemma": True}, lemma)
-            case = _assume(case, f"lemma {len(case['given'])}", lemma)
+            case = {**_assume({**case, "lemma": True}, f"lemma {len(case['given'])}", lemma), "lemma": False}
         yield from _leaves(case, statement["says"])
 
 
@@ -63,11 +63,16 @@ def _cases(statement: dict, rest: list) -> Iterator[dict]:
 
 
 def _assume(statement: dict, label: str, formula: Any) -> dict:
+    """A formula of the statement that is true has a value, and so have its inverses; those of a lemma need a reason."""
     if formula[0] == "and":
         for n, part in enumerate(formula[1:]):
             statement = _assume(statement, f"{label}.{n}", part)
         return statement
-    return {**statement, "given": [*statement["given"], [label, formula, "standing"]]}
+    return _evaluated({**statement, "given": [*statement["given"], [label, formula, "standing"]]}, formula)
+
+
+def _evaluated(statement: dict, formula: Any) -> dict:
+    return statement if statement.get("lemma") else {**statement, "own": [*statement["own"], formula]}
 
 
 def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
@@ -78,7 +83,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
             if part[0] in ("psd", "pd", "invertible"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
     elif formula[0] == "=>":
-        yield from _leaves(_assume(statement, label, formula[1]), formula[2])
+        yield from _leaves(_evaluated(_assume(statement, label, formula[1]), formula[2]), formula[2])
     elif formula[0] == "<=>":
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
@@ -105,7 +110,7 @@ class Leaf:
     ----------
     goals : list of (polynomial, rows, columns)
         To be made of the polynomials that `assumed` gives.
-    known : list of (polynomial, letter)
+    known : list of (term, inverse)
         Inverses of the statement.
 
     Raises
@@ -124,15 +129,15 @@ class Leaf:
             raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
-            if not isinstance(found[0], Blocks) or len(found[0].rows) != 1 or found[0].rows != found[0].cols:
-                raise Unknown("invertibility of block matrices or scalars")
+            if not isinstance(found[0], Blocks) or reader._total(found[0].rows) != reader._total(found[0].cols):
+                raise Unknown("invertibility of scalars or of matrices that are not square")
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
         relations(reader)
-        self.extra: dict[str, Poly] = {}
+        self.extra: dict[str, Relation] = {}
         for name, tree in roots:
             self._root(name, tree)
         for tree in terms:
@@ -141,8 +146,7 @@ class Leaf:
         if op == "invertible":
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
-            unit = Blocks(found[0].rows, found[0].cols, [[dict(ONE)]])
-            found = [reader._times(found[0], reader.read(terms[0])).plus(unit, -1)]
+            found = [reader._plus(reader._times(found[0], reader.read(terms[0])), Blocks.unit(found[0].rows), -1)]
         elif wanted:
             levels = [definiteness(reader, tree) for tree in terms]
             if 0 in levels or wanted > max(levels, default=1):
@@ -155,8 +159,7 @@ class Leaf:
         else:
             for tree in terms:
                 reader.read(tree)
-        self.goals = [(p, b.rows[i], b.cols[j])
-                      for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+        self.goals = [cell for b in found for cell in b.cells()]
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
@@ -167,8 +170,7 @@ class Leaf:
         square = reader.read(tree)
         reader.kinds[name] = ["psd"]
         reader._letter(name, square.rows[0], square.rows[0], True)
-        letter: Poly = {((), (name,)): Fraction(1)}
-        self.extra[f"root {name}"] = add(multiply(letter, letter), square.grid[0][0], -1)
+        self.extra[f"root {name}"] = Relation(add({((), (name, name)): 1}, square.grid[0][0], -1), square.rows[0], square.rows[0])
 
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
@@ -178,17 +180,19 @@ class Leaf:
             raise Unknown("no hypothesis Kx = 0")
         *factors, x = equation[1][1:]
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
-        self.vanishing: dict[str, Poly] = {}
+        self.vanishing: dict[str, Relation] = {}
         for n, tree in enumerate(terms):
             if not definiteness(reader, tree):
                 raise Unknown("a term is not semidefinite by its form")
             rest = reader._plus(rest, reader.read(tree), -1)
             for m, part in enumerate(_halves(reader, tree)):
-                p = reader._times(reader.read(part), reader.read(x)).grid[0][0]
-                self.vanishing[f"null {n}/{m}"], self.vanishing[f"null {n}/{m}'"] = p, reader.transpose_poly(p)
+                zero = reader._times(reader.read(part), reader.read(x))
+                for k, (p, rows, cols) in enumerate(zero.cells()):
+                    self.vanishing[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
+                    self.vanishing[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
         return rest
 
-    def assumed(self, goal: int) -> dict[str, Poly]:
+    def assumed(self, goal: int) -> dict[str, Relation]:
         """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
         return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
 
@@ -215,8 +219,11 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
 
 
 def _register_inverses(reader: Reader, tree: Any) -> None:
-    """Let the reader meet every inverse that a tree of the statement writes down."""
+    """Let the reader meet every inverse that a tree of the statement writes down and that must exist for it to have a value."""
     if not isinstance(tree, (list, tuple)) or not tree:
+        return
+    if tree[0] in ("=>", "or"):  # what comes after the first part need not have a value
+        _register_inverses(reader, tree[1])
         return
     if tree[0] in ("inv", "/", "^"):
         with suppress(Unknown, Undefined, TypeError):
@@ -239,10 +246,9 @@ def exists(reader: Reader, tree: Any, known: list) -> bool:
         return len(reader.inverses) == before
     if tree and tree[0] == "inv":
         term = reader.read(tree[1])
-        found = term.grid[0][0] if isinstance(term, Blocks) and len(term.rows) == len(term.cols) == 1 else None
-        if found is None:
+        if not isinstance(term, Blocks):
             return False
-        if not any(found in (p, reader.transpose_poly(p)) for p, _ in known) and not _nonsingular(reader, tree[1]):
+        if not any(p in (term, reader.transpose(term)) for p, _ in known) and not _nonsingular(reader, tree[1]):
             return False
     if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
         return exists(reader, reader.lets[tree[1]][3], known)

@@ -165,8 +165,8 @@ def test_the_middle_of_a_congruence_need_not_be_semidefinite():
     terms = [list(statement["given"][0][1][1])]
     (case, formula), = leaves(statement)
     leaf = Leaf(case, formula, terms, (), "null")
-    vanishing = [p for k in range(len(leaf.goals)) for name, p in leaf.assumed(k).items() if name.startswith("null ")]
-    assert all(len(word) == 4 for p in vanishing for _, word in p)
+    vanishing = [r for k in range(len(leaf.goals)) for name, r in leaf.assumed(k).items() if name.startswith("null ")]
+    assert all(len(word) == 4 for relation in vanishing for _, word in relation.poly)
 
 
 def test_a_lemma_may_not_bring_in_an_inverse_that_need_not_exist():

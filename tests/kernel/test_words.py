@@ -9,8 +9,8 @@ import pytest
 
 from exactkf.finders.membership import find_membership
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.reader import Reader, residual_blocks
 from exactkf.kernel.replay import Rejected, replay, seal
-from exactkf.kernel.words import Reader, residual_blocks
 from exactkf.language import (
     Identity,
     Statement,
