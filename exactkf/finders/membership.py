@@ -159,8 +159,8 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
     given = [[f[1]] for _, f, _kind in case["given"] if f[0] in ("psd", "pd")]
     if op in ("psd", "pd"):
         return [[args[0]], *given]
-    if op == "loewner":
-        big, small = args
+    if op in ("loewner", "<", "<=", ">", ">=") and len(args) == 2:
+        big, small = reversed(args) if op in ("<", "<=") else args
         return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)], *given, []]
     return []
 

@@ -31,12 +31,12 @@ from typing import Any
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.words import ONE, Blocks, Poly, Relation, Size, Word, add, multiply, number, shape, text
 
-__all__ = ["Reader", "relations", "residual_blocks", "word_sizes"]
+__all__ = ["Reader", "hypotheses", "relations", "residual_blocks", "word_sizes"]
 
 _ONE_ROW: Size = (("", 1),)
 
 
-def _hypotheses(statement: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+def hypotheses(statement: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
     """The hypotheses with their labels, the members of a conjunction apart."""
     todo = [(label, formula) for label, formula, _ in reversed(statement["given"])]
     while todo:
@@ -61,7 +61,8 @@ class Reader:
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
-        symmetric = {f[1][1] for _, f in _hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
+        symmetric = {f[1][1] for _, f in hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
+        self.granted: tuple[list, list, set] = ([], [], set())  # inverses, quotients and units of the statement, see exactkf.kernel.definite
         for name, kind in statement["over"]:
             if kind[0] == "matrix":
                 self._letter(name, self.size(kind[1]), self.size(kind[2]), name in symmetric and kind[1] == kind[2])
@@ -248,7 +249,7 @@ class Reader:
         """A scalar monomial is turned over; a matrix gets letters for its inverse, a sum of scalars a name."""
         if not isinstance(x, Blocks):
             return self._quotient(x)
-        if self._total(x.rows) != self._total(x.cols):
+        if self.total(x.rows) != self.total(x.cols):
             raise Undefined(f"a {shape(x)} matrix is not square")
         if len(x.rows) == len(x.cols) == 1 and list(x.grid[0][0]) == [((), ())]:
             return x.map(lambda p: {((), ()): number(Fraction(1, p[(), ()]))})
@@ -309,16 +310,16 @@ class Reader:
         if (x.rows, x.cols) == (rows, cols) or len(x.rows) != 1 or len(x.cols) != 1:
             return x
         p = x.grid[0][0]
-        if not p and x.rows[0] == self._total(rows) and x.cols[0] == self._total(cols):
+        if not p and x.rows[0] == self.total(rows) and x.cols[0] == self.total(cols):
             return Blocks(rows, cols, [[{} for _ in cols] for _ in rows])
-        if list(p) == [((), ())] and x.rows[0] == self._total(rows) and rows == cols:
+        if list(p) == [((), ())] and x.rows[0] == self.total(rows) and rows == cols:
             return Blocks(rows, cols, [[dict(p) if i == j else {} for j in range(len(cols))] for i in range(len(rows))])
-        if list(p) == [((), ())] and x.rows[0] == self._total(rows) == self._total(cols):
+        if list(p) == [((), ())] and x.rows[0] == self.total(rows) == self.total(cols):
             finer = rows if len(rows) > len(cols) else cols
             return Blocks(finer, finer, [[dict(p) if i == j else {} for j in range(len(finer))] for i in range(len(finer))])
         return x
 
-    def _total(self, parts: tuple) -> Size:
+    def total(self, parts: tuple) -> Size:
         out: dict[str, int] = {}
         for part in parts:
             for n, c in part:
@@ -406,7 +407,7 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
 def relations(reader: Reader) -> dict[str, Relation]:
     """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
     out: dict[str, Relation] = {}
-    for label, formula in _hypotheses(reader.statement):
+    for label, formula in hypotheses(reader.statement):
         try:
             if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
                 formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
@@ -440,12 +441,12 @@ def _one_sided(reader: Reader, tree: Any, rank: Any) -> list[Blocks]:
     """A matrix whose rank is its number of columns has a left inverse, one whose rank is its number of rows a right one."""
     x, r = reader.read(tree), reader.size(rank)
     out = []
-    if isinstance(x, Blocks) and r in (reader._total(x.rows), reader._total(x.cols)):
+    if isinstance(x, Blocks) and r in (reader.total(x.rows), reader.total(x.cols)):
         v = next((v for y, v in reader.sides if y == x), None) or reader._letters(x, False, "side")
         reader.sides.append((x, v))
-        if r == reader._total(x.cols):
+        if r == reader.total(x.cols):
             out.append(v.times(x).plus(Blocks.unit(x.cols), -1))
-        if r == reader._total(x.rows):
+        if r == reader.total(x.rows):
             out.append(x.times(v).plus(Blocks.unit(x.rows), -1))
     return out
 
