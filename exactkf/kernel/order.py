@@ -157,6 +157,7 @@ class Leaf:
                 reader.read(tree)
         self.goals = [(p, b.rows[i], b.cols[j])
                       for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+        self.relations = relations(reader)  # every term has been read
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
@@ -184,13 +185,15 @@ class Leaf:
                 raise Unknown("a term is not semidefinite by its form")
             rest = reader._plus(rest, reader.read(tree), -1)
             for m, part in enumerate(_halves(reader, tree)):
-                p = reader._times(reader.read(part), reader.read(x)).grid[0][0]
-                self.vanishing[f"null {n}/{m}"], self.vanishing[f"null {n}/{m}'"] = p, reader.transpose_poly(p)
+                found = reader._times(reader.read(part), reader.read(x))
+                for i, j, p in ((i, j, p) for i, row in enumerate(found.grid) for j, p in enumerate(row) if p):
+                    at = f"null {n}/{m}" + (f"/{i}/{j}" if i or j else "")
+                    self.vanishing[at], self.vanishing[f"{at}'"] = p, reader.transpose_poly(p)
         return rest
 
     def assumed(self, goal: int) -> dict[str, Poly]:
         """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
-        return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
+        return {**self.relations, **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
 
 
 def _is_zero(tree: Any) -> bool:
