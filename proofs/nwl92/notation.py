@@ -179,31 +179,25 @@ GRAM = given("H has full column rank", invertible(T(H) * H))
 IMPLIED_GRAM = standing("H has full column rank", invertible(T(H) * H))
 
 
-def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
+def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any, gram: Expr | None = None) -> tuple[list, list]:
     """From ZGZ = Z with R >= 0 and invertible H'H to U'H = I and RU + HT = 0, with what each step needs.
 
-    With M = I - HU' and v = (WR - I)M', the three blocks of ZGZ = Z give RWH = 0 and U'H = I, then MRWRU = 0 and
-    v'Rv = 0, so that Rv = 0, that is MRW R = MR, and MRU = 0.
+    The columns [a; b] of I - GZ lie in the kernel of Z: Ra + Hb = 0 and H'a = 0. So a'Ra = -a'Hb = 0, hence Ra = 0
+    and Hb = 0, that is b = 0. Two block columns, two rounds.
     """
-    M, gram = Identity(p) - H * T(U), T(H) * H
-    v = (W * R - Identity(p)) * T(M)
-    steps = [
-        (R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R, []),
-        (R * W * H + H * T(U) * H == H, []),
-        (T(H) * W * H == Zero(n, n), []),
-        (T(H) * W * R * W * H * Identity(n) == Zero(n, n), []),
-        (R * W * H == Zero(p, n), [T(H) * W * R * W * H]),
-        (inv(gram) * T(H) * (H * T(U) * H - H) == Zero(n, n), []),
-        (T(U) * H == Identity(n), [inv(gram)]),
-        (M * R * W * R * U == Zero(p, n), []),
-        (R * W * R * W * R * T(M) == R * W * R * T(M), []),
-        (M * R * W * R * T(M) == M * R * T(M), []),
-        (T(v) * R * v * Identity(p) == Zero(p, p), []),
-        (R * v == Zero(p, p), [T(v) * R * v]),
-        (M * R * U == Zero(p, n), []),
-        (R * W * R * U == Zero(p, n), []),
-        (R * U + H * Tb == Zero(p, n), []),
-    ]
+    gram = T(H) * H if gram is None else gram
+    steps = []
+    for a, b, q, shown in ((-(W * H), Identity(n) - T(U) * H, n, T(U) * H == Identity(n)),
+                           (Identity(p) - W * R - U * T(H), -(T(U) * R + Tb * T(H)), p, R * U + H * Tb == Zero(p, n))):
+        steps += [
+            (R * a + H * b == Zero(p, q), []),
+            (T(H) * a == Zero(n, q), []),
+            (T(a) * R * a * Identity(q) == Zero(q, q), []),
+            (R * a == Zero(p, q), [T(a) * R * a]),
+            (H * b == Zero(p, q), []),
+            (inv(gram) * T(H) * (H * b) == Zero(n, q), []),
+            (shown, [inv(gram)]),
+        ]
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 
 
