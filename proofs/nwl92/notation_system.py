@@ -39,6 +39,7 @@ from exactkf.language import (
     nonsingular,
     positive_semidefinite,
     psd,
+    schur,
     standing,
     sym,
     symbols,
@@ -155,17 +156,17 @@ B0, X0, B1, M0, V0, Y1 = symbols("B0 X0 B1 M0 V0 Y1")
 _contraction, _first, _second, _frame, _inner = symbols("k0 k1 k2 V N")
 
 
-def solved() -> tuple[dict, dict]:
+def solved(similar: Expr | None = None) -> tuple[dict, dict]:
     """Systems for which a given P solves the algebraic Riccati equation, with l >= n: made_by and using.
 
     In coordinates in which (E; C) is [I; 0] and N is diag(P, *), the covariance of the noise is what k P k' leaves,
     k = [k1; k2], where k1 is a contraction in the norm of P. The frame V that leads back is drawn so that its last p
-    rows annihilate k; then Vk = [A; 0].
+    rows annihilate k; then Vk = [A; 0]. ``similar`` is a contraction that LA is to be similar to.
     """
     r = l + p - n
     k1, k2, V, N = _first, _second, _frame, _inner
     whole = V * N * T(V)
-    made = {P: B0 * T(B0), _contraction: X0 * (1 / (1 + trace(X0 * T(X0)))), k1: B0 * _contraction * inv(B0),
+    made = {P: B0 * T(B0), _contraction: X0 * (1 / (1 + trace(X0 * T(X0)))) if similar is None else similar, k1: B0 * _contraction * inv(B0),
             V: vstack(V0, Y1 * T(kernel_basis(T(vstack(k1, k2))))),
             N: block([[P - k1 * P * T(k1), -k1 * P * T(k2)],
                       [-k2 * P * T(k1), k2 * P * T(k1) * one_inverse(P - k1 * P * T(k1)) * k1 * P * T(k2) + M0]]),
@@ -175,7 +176,26 @@ def solved() -> tuple[dict, dict]:
     return made, using
 
 
-def solutions(count: int = 16, *, made_by: dict | None = None, using: dict | None = None, **sizes: Any) -> Evidence:
+def solutions(count: int = 16, *, similar: Expr | None = None, before: dict | None = None, made_by: dict | None = None,
+              using: dict | None = None, **sizes: Any) -> Evidence:
     """Systems with a solution P of the algebraic Riccati equation and a random (1)-inverse of their 3-block matrix."""
-    made, free = solved()
-    return drawn(count, before=made, made_by=made_by, using={**free, **(using or {})}, noise=False, **{"l": (1, 2, 3), **sizes})
+    made, free = solved(similar)
+    return drawn(count, before={**(before or {}), **made}, made_by=made_by, using={**free, **(using or {})}, noise=False, **{"l": (1, 2, 3), **sizes})
+
+
+# ------------------------------------------------------------------ detectable and stabilizable systems
+Le, Lc, Na, Nb, Ma, Mb, Mc, Md, H0 = symbols("Le Lc Na Nb Ma Mb Mc Md H0")
+#: detectability, said as in Lemma 4.1: a left inverse of (E; C) with stable Le A
+DETECTOR = {Le: matrix(n, l), Lc: matrix(n, p)}
+DETECTABLE = given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A))
+#: stabilizability, said in the same way for the transposed matrices
+STABILIZER = {Na: matrix(n, l), Nb: matrix(n, p), Ma: matrix(l, l), Mb: matrix(l, p), Mc: matrix(p, l), Md: matrix(p, p)}
+STABILIZABLE = given("stabilizable", (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])
+                                      == block([[Identity(l), Zero(l, p)], [Zero(p, l), Identity(p)]])) & schur(A * Na))
+#: both for the systems of `solved`, whose gains are a detector
+CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
+             H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(T(U1), T(U2))),
+             Ma: T(upper(l, p)) * H0 * upper(l, p), Mb: T(upper(l, p)) * H0 * lower(l, p),
+             Mc: T(lower(l, p)) * H0 * upper(l, p), Md: T(lower(l, p)) * H0 * lower(l, p)}
+CERTIFICATES = ("Detectability is said as in Lemma 4.1: (E; C) has a left inverse (Le Lc) with stable Le A; the converse is plain, as "
+                "(E - tA)x = 0 and Cx = 0 give x = t Le A x. Stabilizability is the same for the transposed matrices.")
