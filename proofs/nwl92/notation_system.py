@@ -36,23 +36,26 @@ from exactkf.language import (
     kernel_basis,
     let,
     matrix,
+    matrix_of,
     nonsingular,
     positive_semidefinite,
     psd,
     schur,
+    sequence,
     standing,
     sym,
     symbols,
     symmetric_matrix,
     trace,
     vstack,
+    when,
 )
 from proofs.nwl92.notation import any_one_inverse, block_identities, lower, one_inverse, upper
 
 # sizes: l equations, p measurements, m states before, n states after
 l, p, m, n, k = symbols("l p m n k")
 A, P, Q, S, R, E, C, L, K = symbols("A P Q S R E C L K")
-Om, Oi, G0, Y0 = symbols("Om Oi G0 Y0")
+Om, Oi, G0, Y0, Y2 = symbols("Om Oi G0 Y0 Y2")
 
 Blocks = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
 #: blocks W1, W2, W3, U1, U2, T of a (1)-inverse of the 3-block matrix, and of a second one
@@ -199,3 +202,41 @@ CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
              Mc: T(lower(l, p)) * H0 * upper(l, p), Md: T(lower(l, p)) * H0 * lower(l, p)}
 CERTIFICATES = ("Detectability is said as in Lemma 4.1: (E; C) has a left inverse (Le Lc) with stable Le A; the converse is plain, as "
                 "(E - tA)x = 0 and Cx = 0 give x = t Le A x. Stabilizability is the same for the transposed matrices.")
+
+
+# ------------------------------------------------------------------ two solutions of one Riccati equation
+Pa, Pb, Oma, Omb, Oia, Oib = symbols("Pa Pb Oma Omb Oia Oib")
+La, Ka, Lb, Kb = symbols("La Ka Lb Kb")
+_ROW_L, _ROW_K = vstack(Identity(l), Zero(p, l), Zero(n, l)), vstack(Zero(l, p), Identity(p), Zero(n, p))
+TWO_OVER = {**SYSTEM, Pa: positive_semidefinite(n), Pb: positive_semidefinite(n), **block_types(), **block_types(OTHER_INVERSE)}
+TWO_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE))]
+TWO_GAINS = [let(La, LAST * Oia * _ROW_L), let(Ka, LAST * Oia * _ROW_K), let(Lb, LAST * Oib * _ROW_L), let(Kb, LAST * Oib * _ROW_K)]
+TWO_INVERSES = [given("(2.20) for P1", Oma * Oia * Oma == Oma), given("(2.20) for P2", Omb * Oib * Omb == Omb)]
+TWO_IDENTITIES = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
+
+
+def riccati(P: Expr, L: Expr, K: Expr) -> Expr:
+    """P solves (4.31) with the gains L, K."""
+    return P == (L * A) * P * T(L * A) + hstack(L, K) * NOISE_G * vstack(T(L), T(K))
+
+
+_i, _j, _a, _s, _t = symbols("ii jj av sv tv")
+_T1, _T2, _Y, _X = symbols("F1 F2 F3 F4")
+
+
+def two_solutions(count: int = 16, **sizes: Any) -> Evidence:
+    """Systems with two solutions, with random (1)-inverses; l, p >= n.
+
+    Uncoupled states x+ = a x, y = x + r with |a| > 1 have the solutions 0 and 1 - 1/a^2 each; then coordinates of the state
+    are changed, rows are combined, and multiples of y are added to the dynamics.
+    """
+    factor = 1 + _a[_i] * _a[_i]
+    def chosen(which: Expr) -> Expr:
+        return _X * matrix_of(_i, _j, n, n, when((_i == _j) & (which[_i] > 0), 1 - 1 / (factor * factor), 0)) * T(_X)
+    made = {Pa: chosen(_s), Pb: chosen(_t), E: (_T1 + _Y * _T2) * inv(_X), C: _T2 * inv(_X),
+            A: _T1 * matrix_of(_i, _j, n, n, when(_i == _j, factor, 0)) * inv(_X), R: _T2 * T(_T2), Q: _Y * R * T(_Y), S: -_Y * R}
+    first, free = made_blocks(Oma)
+    second, more = made_blocks(Omb, OTHER_INVERSE, Y2)
+    return instances(count, made_by={**made, **first, **second},
+                     using={_T1: matrix(l, n), _T2: matrix(p, n), _Y: matrix(l, p), _X: nonsingular(n), _a: sequence(1, n), _s: sequence(1, n),
+                            _t: sequence(1, n), **free, **more}, **{"l": (1, 2), "p": (1, 2), "n": (1, 2), **sizes})

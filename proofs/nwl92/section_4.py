@@ -243,6 +243,10 @@ W_1, W_2, Z_1, Z_2 = v1 * (L * A), v2 * (L * A), a * v1 - b * v2, b * v1 + a * v
 REAL, IMAGINARY = "(4.40), real part", "(4.40), imaginary part"
 LYAPUNOV = [(v1, "(4.31)", T(v1)), (v2, "(4.31)", T(v2)), (1, REAL, P * T(W_1)), (Z_1 * P, REAL + "'", 1),
             (1, IMAGINARY, P * T(W_2)), (Z_2 * P, IMAGINARY + "'", 1)]
+#: not admissible: what (4.31), both parts of (4.40) and |lam| >= 1 are for
+ALONE = {**SMALL, A: [[0]], P: [[1]], a: 1, b: 0, v1: [[1]], v2: [[0]]}
+FOILS = [example({**SMALL, a: 1, b: 0, v1: [[1]], v2: [[0]]}), example(ALONE), example({**ALONE, v1: [[0]], v2: [[1]]}),
+         example({**ALONE, a: 0})]
 claim("NWL92-E4.41", "the solution of the Riccati equation along an eigenvector",
       (1 - (a * a + b * b)) * quadratic(P) == quadratic(GAIN * PRINTED_G * vstack(T(L), T(K))),
       sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER, given=EIGEN_GIVEN,
@@ -251,7 +255,7 @@ claim("NWL92-E4.41", "the solution of the Riccati equation along an eigenvector"
                     (1 - (a * a + b * b)) * quadratic(P) == quadratic(GAIN * NOISE_G * vstack(T(L), T(K))),
                     sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
                     given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN],
-                    by=[combination(LYAPUNOV, l=(1, 2), n=(1, 2), p=1), example({**NOISELESS, P: [[1]], A: [["1/2"]], a: "1/2"}),
+                    by=[combination(LYAPUNOV, l=(1, 2), n=(1, 2), p=1), *FOILS,
                         *eigenvalues(contracting, False), *eigenvalues(noiseless, True)]))
 
 UNSTABLE = given("|lam| >= 1", a * a + b * b >= 1)
@@ -263,7 +267,7 @@ claim("NWL92-E4.42", "v(L K) annihilates the noise",
                     (v1 * GAIN * NOISE_G == Zero(1, l + p)) & (v2 * GAIN * NOISE_G == Zero(1, l + p)),
                     sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
                     given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE],
-                    by=[*eigenvalues(noiseless, True), *eigenvalues(contracting, False)]),
+                    by=[*FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]),
       note="The scan has hyphens between the blocks of these matrices; they are read as space, as in (4.47).")
 
 claim("NWL92-E4.43", "lam vLE",
@@ -288,12 +292,16 @@ claim("NWL92-E4.44", "v(L K) annihilates the rows of the stabilizability matrix"
       by=[example({**NOISELESS, A: [[1]], a: 1}), *eigenvalues(noiseless, True)],
       repair=repair("sign", S_SIGN, annihilated(NOISE_G), sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
                     given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE],
-                    by=[*eigenvalues(noiseless, True), *eigenvalues(contracting, False)]))
+                    by=[*FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]))
 
+EIGEN_FORMULA = (v1 * (L * A) == Z_1) & (v2 * (L * A) == Z_2)
 NOT_ZERO = (v1 != Zero(1, n)) | (v2 != Zero(1, n))
-claim("NWL92-S38", "v(L K) is not zero, and so (4.44) contradicts stabilizability",
-      ((v1 * L != Zero(1, l)) | (v2 * L != Zero(1, l))) & ~annihilated(NOISE_G), sizes=["l", "n", "p"],
-      over={**SYSTEM, L: matrix(n, l), K: matrix(n, p), **VECTOR, **STABILIZER},
-      given=[given("v is not zero", NOT_ZERO), *[standing(label, Om) for label, Om in ()],
-             standing(REAL, v1 * (L * A) == Z_1), standing(IMAGINARY, v2 * (L * A) == Z_2), UNSTABLE, STABILIZABLE],
-      by=[*eigenvalues(reproducing, True)])
+claim("NWL92-S38", "vL and v(L K) are not zero",
+      ((v1 * L != Zero(1, l)) | (v2 * L != Zero(1, l))) & ((v1 * hstack(L, K) != Zero(1, l + p)) | (v2 * hstack(L, K) != Zero(1, l + p))),
+      sizes=["l", "n", "p"], over={A: matrix(l, n), L: matrix(n, l), K: matrix(n, p), **VECTOR},
+      given=[given("v is not zero", NOT_ZERO), given("(4.40)", EIGEN_FORMULA), UNSTABLE],
+      by=[example({"l": 1, "n": 1, "p": 1, A: [[0]], L: [[0]], K: [[0]], a: 0, b: 0, v1: [[1]], v2: [[0]]}),
+          example({"l": 1, "n": 1, "p": 1, A: [[1]], L: [[0]], K: [[0]], a: 1, b: 0, v1: [[1]], v2: [[0]]}),
+          *eigenvalues(reproducing, True)],
+      note=("A row vector w other than zero with w[lam E - A, Q, -S; lam C, -S', R] = 0 is what stabilizability rules out for |lam| >= 1. "
+            "The sign of S in (4.44) is dealt with there."))
