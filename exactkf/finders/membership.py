@@ -175,22 +175,39 @@ def _without(big: Any, small: Any) -> Any:
 def _complete(case: dict, formula: Any, terms: list, roots: Any, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
     equation = formula[0] in ("=", "symmetric", "symplectic")
-    nulls = [label for label, f, _ in reversed(case["given"]) if f[0] == "="] if equation and terms else []
-    for null in [*nulls, ""]:
+    nulls = [label for label, f, _ in reversed(case["given"]) if _says_null(f)] if equation and terms else []
+    for null in ["", *nulls] if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms) else [*nulls, ""]:
         try:
             leaf = Leaf(case, formula, terms, roots, null)
-            blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
+            blocks = _all_terms(leaf, degree, seconds)
         except (Unknown, Undefined):
             continue
-        if None not in blocks:
+        if blocks is not None:
             return {"sum": terms, "blocks": blocks} | ({"roots": [list(r) for r in roots]} if roots else {}) | ({"null": null} if null else {})
     return None
 
 
-def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
-    system = _System({name: _plain(p) for name, p in leaf.assumed(k).items()}, degree, time.perf_counter() + seconds)
-    found = system.express(_plain(leaf.goals[k][0]))
-    return None if found is None else [[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()]
+def _says_null(formula: Any) -> bool:
+    """An equation Kx = 0."""
+    op, *sides = formula
+    return op == "=" and len(sides) == 2 and isinstance(sides[0], list) and sides[0][0] == "*" and (
+        sides[1] == 0 or isinstance(sides[1], list) and sides[1][0] == "O")
+
+
+def _all_terms(leaf: Leaf, degree: int, seconds: float) -> list[list] | None:
+    """Terms for every goal of a leaf; goals with the same assumptions share what was completed."""
+    systems: dict[bool, _System] = {}
+    out = []
+    for k, (goal, _rows, _cols) in enumerate(leaf.goals):
+        after = k >= leaf.first > 0
+        if after not in systems:
+            systems[after] = _System({name: _plain(p) for name, p in leaf.assumed(k).items()}, degree, 0.0)
+        systems[after].deadline = time.perf_counter() + seconds
+        found = systems[after].express(_plain(goal))
+        if found is None:
+            return None
+        out.append([[str(c), list(left), name, list(right)] for (left, name, right), c in found.items()])
+    return out
 
 
 def _plain(p: dict) -> Poly:

@@ -136,7 +136,8 @@ class Leaf:
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
-        relations(reader)
+        self.relations = relations(reader)
+        met = len(reader.inverses)
         self.extra: dict[str, Poly] = {}
         for name, tree in roots:
             self._root(name, tree)
@@ -162,7 +163,8 @@ class Leaf:
                 reader.read(tree)
         self.goals = [(p, b.rows[i], b.cols[j])
                       for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
-        self.relations = relations(reader)  # every term has been read
+        if len(reader.inverses) > met:
+            self.relations = relations(reader)
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader

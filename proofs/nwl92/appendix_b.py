@@ -32,9 +32,11 @@ from proofs.nwl92.notation_system import (
     OMEGA,
     OMEGA_INVERSE,
     ONE_INVERSE,
+    OTHER_INVERSE,
     RANK,
     STEP,
     SYSTEM,
+    TWO_FOILS,
     TWO_GAINS,
     TWO_IDENTITIES,
     TWO_INVERSES,
@@ -94,7 +96,7 @@ claim("NWL92-EB.1", "the 3-block matrices of two solutions",
 
 claim("NWL92-EB.2", "difference of two solutions through the (1)-inverses",
       DIFFERENCE == LAST * (Oib - Oia) * BOTTOM, sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN,
-      by=[BOTH, two_solutions()])
+      by=[BOTH, *TWO_FOILS, two_solutions()])
 
 claim("NWL92-EB.3", "the last columns of the identity lie in the range of the 3-block matrix",
       Om * vstack(U1, U2, Tb) == BOTTOM, sizes=["l", "n", "p"], over=STEP, where=ONE, given=ONE_GIVEN,
@@ -127,7 +129,7 @@ claim("NWL92-EB.6", "the same from the left, as printed",
 
 claim("NWL92-EB.7", "difference of two solutions through the difference of the 3-block matrices",
       DIFFERENCE == LAST * Oib * (Oma - Omb) * Oia * BOTTOM, sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN,
-      by=[BOTH, two_solutions()])
+      by=[BOTH, *TWO_FOILS, two_solutions()])
 
 CHANGE = A * DIFFERENCE * T(A)
 claim("NWL92-EB.8", "difference of the 3-block matrices",
@@ -136,17 +138,23 @@ claim("NWL92-EB.8", "difference of the 3-block matrices",
       sizes=["l", "n", "p"], over={**SYSTEM, Pa: symmetric_matrix(n), Pb: symmetric_matrix(n)}, where=[TWO_LETS[0], TWO_LETS[2]],
       by=[instances(l=(1, 2), n=(1, 2), p=(1, 2))])
 
+#: l = n = p = 2, C = E and A = diag(2, 1)E: the states 2x and x, each measured, in other coordinates
+NOT_NORMAL = {"l": 2, "p": 2, "n": 2, E: [[1, -1], [0, 1]], C: [[1, -1], [0, 1]], A: [[2, -2], [0, 1]], Q: [[0, 0], [0, 0]], S: [[0, 0], [0, 0]],
+              R: [[1, 0], [0, 1]], Pa: [["3/4", 0], [0, 0]], Pb: [[0, 0], [0, 0]],
+              **dict(zip(INVERSE, ([["1/4", 0], [0, 1]], [["-1/4", 0], [0, -1]], [["1/4", 0], [0, 1]], [["1/4", 0], [1, 1]], [["3/4", 0], [0, 0]],
+                                   [["-3/4", 0], [0, 0]]), strict=True)),
+              **dict(zip(OTHER_INVERSE, ([[1, 0], [0, 1]], [[-1, 0], [0, -1]], [[1, 0], [0, 1]], [[1, 0], [1, 1]], [[0, 0], [0, 0]],
+                                         [[0, 0], [0, 0]]), strict=True))}
 TWICE = "the second bracket is transposed once too often: (I 0 0) times the (1)-inverse times the last columns is L' already"
-#: x1+ = 2 x1 + x2, x2+ = 3 x2, both measured with noise of covariance I: P1 and P2 = 0
 claim("NWL92-EB.9.1", "difference of two solutions through blocks of the (1)-inverses",
       DIFFERENCE == LAST * Oib * FIRST * CHANGE * T(T(FIRST) * Oia * BOTTOM),
-      sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[two_solutions(l=2, n=2, p=2)],
+      sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[example(NOT_NORMAL), two_solutions(l=2, n=2, p=2)],
       repair=repair("other", TWICE, DIFFERENCE == LAST * Oib * FIRST * CHANGE * (T(FIRST) * Oia * BOTTOM),
-                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, two_solutions()]))
+                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, two_solutions()]))
 
 claim("NWL92-EB.9", "difference of two solutions through the gains",
       DIFFERENCE == (Lb * A) * DIFFERENCE * (La * T(A)),
-      sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[two_solutions(l=2, n=2, p=2)],
+      sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[example(NOT_NORMAL), two_solutions(l=2, n=2, p=2)],
       repair=repair("other", "the transpose is that of the product L1 A, as in (4.45)",
                     DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A),
-                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, two_solutions()]))
+                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, two_solutions()]))

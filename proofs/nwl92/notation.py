@@ -23,6 +23,7 @@ from exactkf.language import (
     Zero,
     block,
     given,
+    hstack,
     integer,
     inv,
     invertible,
@@ -183,21 +184,20 @@ def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: An
     """From ZGZ = Z with R >= 0 and invertible H'H to U'H = I and RU + HT = 0, with what each step needs.
 
     The columns [a; b] of I - GZ lie in the kernel of Z: Ra + Hb = 0 and H'a = 0. So a'Ra = -a'Hb = 0, hence Ra = 0
-    and Hb = 0, that is b = 0. Two block columns, two rounds.
+    and Hb = 0, that is b = 0.
     """
     gram = T(H) * H if gram is None else gram
-    steps = []
-    for a, b, q, shown in ((-(W * H), Identity(n) - T(U) * H, n, T(U) * H == Identity(n)),
-                           (Identity(p) - W * R - U * T(H), -(T(U) * R + Tb * T(H)), p, R * U + H * Tb == Zero(p, n))):
-        steps += [
-            (R * a + H * b == Zero(p, q), []),
-            (T(H) * a == Zero(n, q), []),
-            (T(a) * R * a * Identity(q) == Zero(q, q), []),
-            (R * a == Zero(p, q), [T(a) * R * a]),
-            (H * b == Zero(p, q), []),
-            (inv(gram) * T(H) * (H * b) == Zero(n, q), []),
-            (shown, [inv(gram)]),
-        ]
+    a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
+    steps = [
+        (R * a + H * b == Zero(p, p + n), []),
+        (T(H) * a == Zero(n, p + n), []),
+        (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
+        (R * a == Zero(p, p + n), [T(a) * R * a]),
+        (H * b == Zero(p, p + n), []),
+        (inv(gram) * T(H) * (H * b) == Zero(n, p + n), []),
+        (T(U) * H == Identity(n), [inv(gram)]),
+        (R * U + H * Tb == Zero(p, n), [inv(gram)]),
+    ]
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 
 

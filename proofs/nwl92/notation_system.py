@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactkf.evidence import Evidence, instances, order
+from exactkf.evidence import Evidence, example, instances, order
 from exactkf.language import (
     Expr,
     Identity,
@@ -240,3 +240,13 @@ def two_solutions(count: int = 16, **sizes: Any) -> Evidence:
     return instances(count, made_by={**made, **first, **second},
                      using={_T1: matrix(l, n), _T2: matrix(p, n), _Y: matrix(l, p), _X: nonsingular(n), _a: sequence(1, n), _s: sequence(1, n),
                             _t: sequence(1, n), **free, **more}, **{"l": (1, 2), "p": (1, 2), "n": (1, 2), **sizes})
+
+
+#: x+ = x without noise, and a measurement that says nothing: every P is a solution
+_IDLE = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[0]], S: [[0]], R: [[1]], Pa: [[1]], Pb: [[0]],
+         **dict(zip(INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-1]]), strict=True)),
+         **dict(zip(OTHER_INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[0]]), strict=True))}
+#: instances that are not admissible: what (2.20) and (4.31) are for
+TWO_FOILS = [example(_IDLE), example({**_IDLE, U1: [[-1]], Tb: [[-5]]}), example({**_IDLE, OTHER_INVERSE[3]: [[-1]], OTHER_INVERSE[5]: [[5]]}),
+             example({**_IDLE, A: [[2]], Tb: [[-4]]}),
+             example({**_IDLE, A: [[2]], Pa: [[0]], Tb: [[0]], Pb: [[1]], OTHER_INVERSE[5]: [[-4]]})]
