@@ -36,6 +36,7 @@ from proofs.nwl92.notation_system import (
     RANK,
     STEP,
     SYSTEM,
+    TWO_DRAWN,
     TWO_FOILS,
     TWO_GAINS,
     TWO_IDENTITIES,
@@ -96,7 +97,7 @@ claim("NWL92-EB.1", "the 3-block matrices of two solutions",
 
 claim("NWL92-EB.2", "difference of two solutions through the (1)-inverses",
       DIFFERENCE == LAST * (Oib - Oia) * BOTTOM, sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN,
-      by=[BOTH, *TWO_FOILS, two_solutions()])
+      by=[BOTH, *TWO_FOILS, *TWO_DRAWN])
 
 claim("NWL92-EB.3", "the last columns of the identity lie in the range of the 3-block matrix",
       Om * vstack(U1, U2, Tb) == BOTTOM, sizes=["l", "n", "p"], over=STEP, where=ONE, given=ONE_GIVEN,
@@ -129,7 +130,7 @@ claim("NWL92-EB.6", "the same from the left, as printed",
 
 claim("NWL92-EB.7", "difference of two solutions through the difference of the 3-block matrices",
       DIFFERENCE == LAST * Oib * (Oma - Omb) * Oia * BOTTOM, sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN,
-      by=[BOTH, *TWO_FOILS, two_solutions()])
+      by=[BOTH, *TWO_FOILS, *TWO_DRAWN])
 
 CHANGE = A * DIFFERENCE * T(A)
 claim("NWL92-EB.8", "difference of the 3-block matrices",
@@ -150,11 +151,11 @@ claim("NWL92-EB.9.1", "difference of two solutions through blocks of the (1)-inv
       DIFFERENCE == LAST * Oib * FIRST * CHANGE * T(T(FIRST) * Oia * BOTTOM),
       sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[example(NOT_NORMAL), two_solutions(l=2, n=2, p=2)],
       repair=repair("other", TWICE, DIFFERENCE == LAST * Oib * FIRST * CHANGE * (T(FIRST) * Oia * BOTTOM),
-                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, two_solutions()]))
+                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, *TWO_DRAWN]))
 
 claim("NWL92-EB.9", "difference of two solutions through the gains",
       DIFFERENCE == (Lb * A) * DIFFERENCE * (La * T(A)),
       sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[example(NOT_NORMAL), two_solutions(l=2, n=2, p=2)],
       repair=repair("other", "the transpose is that of the product L1 A, as in (4.45)",
                     DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A),
-                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, two_solutions()]))
+                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, *TWO_DRAWN]))

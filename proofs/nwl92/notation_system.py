@@ -220,7 +220,7 @@ def riccati(P: Expr, L: Expr, K: Expr) -> Expr:
     return P == (L * A) * P * T(L * A) + hstack(L, K) * NOISE_G * vstack(T(L), T(K))
 
 
-_i, _j, _a, _s, _t = symbols("ii jj av sv tv")
+_i, _j, _a, _t = symbols("ii jj av tv")
 _T1, _T2, _Y, _X = symbols("F1 F2 F3 F4")
 
 
@@ -231,17 +231,19 @@ def two_solutions(count: int = 16, **sizes: Any) -> Evidence:
     are changed, rows are combined, and multiples of y are added to the dynamics.
     """
     factor = 1 + _a[_i] * _a[_i]
-    def chosen(which: Expr) -> Expr:
-        return _X * matrix_of(_i, _j, n, n, when((_i == _j) & (which[_i] > 0), 1 - 1 / (factor * factor), 0)) * T(_X)
-    made = {Pa: chosen(_s), Pb: chosen(_t), E: (_T1 + _Y * _T2) * inv(_X), C: _T2 * inv(_X),
+    both = 1 - 1 / (factor * factor)
+    made = {Pa: _X * matrix_of(_i, _j, n, n, when(_i == _j, both, 0)) * T(_X),
+            Pb: _X * matrix_of(_i, _j, n, n, when((_i == _j) & (_t[_i] > 0), both, 0)) * T(_X), E: (_T1 + _Y * _T2) * inv(_X), C: _T2 * inv(_X),
             A: _T1 * matrix_of(_i, _j, n, n, when(_i == _j, factor, 0)) * inv(_X), R: _T2 * T(_T2), Q: _Y * R * T(_Y), S: -_Y * R}
     first, free = made_blocks(Oma)
     second, more = made_blocks(Omb, OTHER_INVERSE, Y2)
     return instances(count, made_by={**made, **first, **second},
-                     using={_T1: matrix(l, n), _T2: matrix(p, n), _Y: matrix(l, p), _X: nonsingular(n), _a: sequence(1, n), _s: sequence(1, n),
-                            _t: sequence(1, n), **free, **more}, **{"l": (1, 2), "p": (1, 2), "n": (1, 2), **sizes})
+                     using={_T1: matrix(l, n), _T2: matrix(p, n), _Y: matrix(l, p), _X: nonsingular(n), _a: sequence(1, n),
+                            _t: sequence(1, n), **free, **more}, **{"l": (1, 2), "p": (1, 2), "n": 1, **sizes})
 
 
+#: for n = 1 and n = 2
+TWO_DRAWN = (two_solutions(8, l=2, p=2, n=2), two_solutions(12))
 #: x+ = x without noise, and a measurement that says nothing: every P is a solution
 _IDLE = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[0]], S: [[0]], R: [[1]], Pa: [[1]], Pb: [[0]],
          **dict(zip(INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-1]]), strict=True)),
