@@ -71,7 +71,7 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
     return found.terms if isinstance(found, Membership) else None
 
 
-def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
+def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 0, seconds: float = 5.0) -> list[dict] | None:
     """For every leaf of the lemmas and the conclusion the terms of a proof, or None.
 
     Parameters
@@ -82,7 +82,10 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         Names for symmetric square roots that the terms use.
     lemmas : sequence of formulas
         Shown first, used after.
+    degree : int
+        As in `search_membership`; 0 for the usual one, which is larger where lemmas lead the way.
     """
+    degree = degree or (12 if lemmas else 8)
     out = []
     for k, (case, formula) in enumerate(leaves(statement, lemmas)):
         for terms in [sums[k]] if k < len(sums) and sums[k] else _own_terms(case, formula):
