@@ -193,8 +193,9 @@ DETECTOR = {Le: matrix(n, l), Lc: matrix(n, p)}
 DETECTABLE = given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A))
 #: stabilizability, said in the same way for the transposed matrices
 STABILIZER = {Na: matrix(n, l), Nb: matrix(n, p), Ma: matrix(l, l), Mb: matrix(l, p), Mc: matrix(p, l), Md: matrix(p, p)}
-STABILIZABLE = given("stabilizable", (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])
-                                      == block([[Identity(l), Zero(l, p)], [Zero(p, l), Identity(p)]])) & schur(A * Na))
+STABILIZABLE_FORMULA = (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])
+                        == block([[Identity(l), Zero(l, p)], [Zero(p, l), Identity(p)]])) & schur(A * Na)
+STABILIZABLE = given("stabilizable", STABILIZABLE_FORMULA)
 #: both for the systems of `solved`, whose gains are a detector
 CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
              H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(T(U1), T(U2))),
@@ -212,6 +213,7 @@ TWO_OVER = {**SYSTEM, Pa: positive_semidefinite(n), Pb: positive_semidefinite(n)
 TWO_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE))]
 TWO_GAINS = [let(La, LAST * Oia * _ROW_L), let(Ka, LAST * Oia * _ROW_K), let(Lb, LAST * Oib * _ROW_L), let(Kb, LAST * Oib * _ROW_K)]
 TWO_INVERSES = [given("(2.20) for P1", Oma * Oia * Oma == Oma), given("(2.20) for P2", Omb * Oib * Omb == Omb)]
+TWO_STANDING = [standing("(2.20) for P1", Oma * Oia * Oma == Oma), standing("(2.20) for P2", Omb * Oib * Omb == Omb)]
 TWO_IDENTITIES = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
 
 

@@ -148,21 +148,22 @@ claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a 
                     by=[filter_identities(before=m), example({**SMALL, U1: [[2]]}), drawn(m=(1, 2))]),
       note="The error of the estimate (3.4) is the gain times the noise (A nu - u; r).")
 
+Rows = sym("Rows")
 PRINTED_ROWS = block([[A * P * T(A) + Q, S, E], [T(S), R, C]])
 RIGHT_ROWS = block([[A * P * T(A) + Q, -S, E], [-T(S), R, C]])
 ALONE = {**VARYING, P: positive_semidefinite(m)}
 B0 = sym("B0")
 claim("NWL92-T3.1.1", "full row rank without redundant perfect information makes the 3-block matrix invertible",
-      (rank(PRINTED_ROWS) == l + p) >> invertible(Om),
-      sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA], given=[NOISE, RANK],
+      (rank(Rows) == l + p) >> invertible(Om),
+      sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA, let(Rows, PRINTED_ROWS)], given=[NOISE, RANK],
       by=[example({"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[-1]]}),
           instances(made_by={Q: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Identity(l), Zero(p, l)),
                              S: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Zero(l, p), Identity(p)),
                              R: T(vstack(Zero(l, p), Identity(p))) * B0 * vstack(Zero(l, p), Identity(p))},
                     using={B0: positive_semidefinite(l + p)}, **VARYING_SIZES)],
       repair=repair("sign", "S must have the sign it has in the 3-block matrix: with S for -S the rank is another one",
-                    (rank(RIGHT_ROWS) == l + p) >> invertible(Om),
-                    sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA], given=[NOISE, RANK],
+                    (rank(Rows) == l + p) >> invertible(Om),
+                    sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA, let(Rows, RIGHT_ROWS)], given=[NOISE, RANK],
                     by=[instances(made_by={Q: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Identity(l), Zero(p, l)),
                                            S: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Zero(l, p), Identity(p)),
                                            R: T(vstack(Zero(l, p), Identity(p))) * B0 * vstack(Zero(l, p), Identity(p))},
@@ -181,8 +182,8 @@ WIDE_LAST = vstack(Zero(p, n), Zero(l, n), Identity(n))
 NEXT_P = -(T(WIDE_LAST) * inv(WIDE) * WIDE_LAST)
 
 claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible",
-      invertible(block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]])),
-      sizes=["l", "p", "n"], over={**CLASSICAL, P: positive_semidefinite(n)},
+      invertible(Om), sizes=["l", "p", "n"], over={**CLASSICAL, P: positive_semidefinite(n)},
+      where=[let(Om, block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]]))],
       given=[given("(E; C) has full column rank", rank(F_BLOCK) == n), standing("(E; C) has full row rank", rank(F_BLOCK) == l + p)],
       by=[instances(n=(2, 3), l=(1, 2), p=(1, 2))],
       note=("No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). That the results of Wang and "

@@ -27,14 +27,15 @@ parts: lam = a + ib, v = v1 + iv2.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.evidence import combination, example, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
     block,
-    eq,
+    defined,
+    forall,
     given,
     hstack,
     iff,
@@ -42,30 +43,34 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
+    matrix_of,
+    nonneg,
     nonsingular,
     positive_semidefinite,
-    psd,
     rec,
     scalar,
     schur,
     standing,
+    sum_of,
     sym,
     symbols,
     symmetric_matrix,
+    trace,
     vector,
     vstack,
+    when,
 )
 from proofs.nwl92 import notation as two
 from proofs.nwl92.notation_system import (
     BOTTOM,
     CERTIFICATES,
     CERTIFIED,
-    DETECTABLE,
-    DETECTOR,
     F_BLOCK,
     FIRST_TWO,
     GAINS,
+    H0,
     IMPLIED_RANK,
+    INVERSE,
     LAST,
     NOISE,
     NOISE_G,
@@ -73,36 +78,59 @@ from proofs.nwl92.notation_system import (
     OMEGA_INVERSE,
     ONE_INVERSE,
     OTHER_INVERSE,
-    RANK,
+    RANDOM_NOISE,
+    RANDOM_NOISE_FREE,
     STABILIZABLE,
+    STABILIZABLE_FORMULA,
     STABILIZER,
     STEP,
     STEP_GIVEN,
-    SYSTEM,
+    TWO_DRAWN,
+    TWO_FOILS,
+    TWO_GAINS,
+    TWO_IDENTITIES,
+    TWO_INVERSES,
+    TWO_LETS,
+    TWO_OVER,
+    TWO_STANDING,
     U1,
     U2,
+    Y2,
     A,
     C,
     E,
     K,
+    Ka,
+    Kb,
     L,
+    La,
+    Lb,
+    Ma,
+    Mb,
+    Mc,
+    Md,
+    Na,
+    Nb,
     Oi,
     Om,
+    Oma,
+    Omb,
     P,
+    Pa,
+    Pb,
     Q,
     R,
     S,
     Tb,
-    block_types,
     drawn,
     filter_identities,
-    inverse_blocks,
-    k,
     l,
     made_blocks,
     n,
     p,
+    riccati,
     solutions,
+    solved,
     three_block,
 )
 
@@ -305,3 +333,150 @@ claim("NWL92-S38", "vL and v(L K) are not zero",
           *eigenvalues(reproducing, True)],
       note=("A row vector w other than zero with w[lam E - A, Q, -S; lam C, -S', R] = 0 is what stabilizability rules out for |lam| >= 1. "
             "The sign of S in (4.44) is dealt with there."))
+
+Closed = sym("Closed")
+ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
+claim("NWL92-S37", "LA is stable for every nonnegative solution",
+      schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
+      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
+      by=[steps("NWL92-E4.38", "NWL92-E4.43", facts=["a matrix that is not stable has a complex left eigenvector with |lam| >= 1"],
+                prose=("For a left eigenvector v with |lam| >= 1 the corrected (4.41) gives v(L K)G = 0, as one side is not positive and the other "
+                       "not negative; with (4.43) v(L K) annihilates the rows of the stabilizability matrix, but it is not zero (NWL92-S38).")),
+          example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]}),
+          solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
+      note=CERTIFICATES)
+
+# ------------------------------------------------------------------ uniqueness
+DIFFERENCE = Pa - Pb
+SOLVED = [given("P1 solves (4.31)", riccati(Pa, La, Ka)), given("P2 solves (4.31)", riccati(Pb, Lb, Kb))]
+#: E = C = R = 1, A = 2, Q = S = 0: the solutions 3/4 and 0
+PAIR_OF_SOLUTIONS = {"l": 1, "p": 1, "n": 1, A: [[2]], E: [[1]], C: [[1]], Q: [[0]], S: [[0]], R: [[1]], Pa: [["3/4"]], Pb: [[0]],
+                     **dict(zip(INVERSE, ([["1/4"]], [["-1/4"]], [["1/4"]], [["1/4"]], [["3/4"]], [["-3/4"]]), strict=True)),
+                     **dict(zip(OTHER_INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True))}
+MADE_ONCE, FREE_ONCE = solved()
+SAME = instances(made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
+                 using={**FREE_ONCE, **made_blocks(Oma)[1], **made_blocks(Omb, OTHER_INVERSE, Y2)[1], H0: matrix(l + p, l + p),
+                        P: positive_semidefinite(n)}, l=(1, 2), p=(1, 2), n=(1, 2))
+claim("NWL92-S39", "there is one nonnegative solution",
+      Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
+      given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
+      by=[steps("NWL92-E4.45", facts=["X = MXN' has the solution zero alone if M and N are stable"],
+                prose="Both L A are stable (NWL92-S37), so that (4.45) leaves only P1 - P2 = 0."),
+          example({**PAIR_OF_SOLUTIONS, **ZEROS}),
+          example({**PAIR_OF_SOLUTIONS, A: [[0]], Pa: [[1]], **ZEROS, Na: [[1]], Nb: [[0]], Mc: [[-1]], Md: [[1]]}), SAME],
+      note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
+
+claim("NWL92-E4.45", "difference of two solutions",
+      DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A), sizes=["l", "n", "p"], over=TWO_OVER, where=[*TWO_LETS, *TWO_GAINS],
+      given=[*TWO_INVERSES, *SOLVED, NOISE, IMPLIED_RANK], by=[filter_identities(of=TWO_IDENTITIES), *TWO_FOILS, *TWO_DRAWN])
+
+M1, M2, D, D0, Kr, t, X0, X1, e0 = symbols("M1 M2 D D0 Kr t X0 X1 e0")
+ii, jj, i1, i2, j1, j2 = symbols("ii jj i1 i2 j1 j2")
+KRONECKER = matrix_of(ii, jj, n * n, n * n, sum_of(i1, 1, n, sum_of(i2, 1, n, sum_of(j1, 1, n, sum_of(
+    j2, 1, n, when((ii == (i1 - 1) * n + i2) & (jj == (j1 - 1) * n + j2), M2[i1, j1] * M1[i2, j2], 0))))))
+BOTH_STABLE = [given("L1 A stable", schur(M1)), given("L2 A stable", schur(M2))]
+Pow1, Pow2 = symbols("Pow1 Pow2")
+claim("NWL92-E4.46", "iterating (4.45)",
+      always(t, D[t] == Pow2[t] * D0 * T(Pow1[t])) & schur(Kr), sizes=["n"], over={M1: matrix(n, n), M2: matrix(n, n), D0: matrix(n, n)},
+      where=[rec(D, t, D0, M2 * D[t] * T(M1)), rec(Pow1, t, Identity(n), M1 * Pow1[t]), rec(Pow2, t, Identity(n), M2 * Pow2[t]), let(Kr, KRONECKER)],
+      given=BOTH_STABLE,
+      by=[example({"n": 1, M1: [[2]], M2: [["1/2"]], D0: [[1]]}), example({"n": 1, M1: [["1/2"]], M2: [[2]], D0: [[1]]}),
+          instances(made_by={M1: X0 * (1 / (1 + trace(X0 * T(X0)))), M2: X1 * (1 / (1 + trace(X1 * T(X1))))}, using={X0: matrix(n, n), X1: matrix(n, n)},
+                    horizon=3, n=(1, 2))],
+      note=("M1 and M2 stand for L1 A and L2 A, Pow1 and Pow2 for their powers; D[t] is what iterating X -> M2 X M1' makes of D0. By (4.45) it is D0 "
+            "for D0 = P1 - P2. That the map is stable, so that the limit is zero, is said through its matrix, the Kronecker product Kr."))
+
+# ------------------------------------------------------------------ convergence
+Pt, Pz, Wt, P0, Wn = symbols("Pt Pz Wt P0 Wn")
+
+
+def next_covariance(P):
+    """One step of the Riccati recursion."""
+    return -(LAST * inv(three_block(P)) * BOTTOM)
+
+
+OPTIMAL = rec(Pt, t, P0, next_covariance(Pt[t]))
+FROM_ZERO = rec(Pz, t, Zero(n, n), next_covariance(Pz[t]))
+CONVERGENCE_MADE = {"l": (1, 2), "p": 1, "n": 1}
+ORDER_STEPS = steps(facts=["Lemma 2.5: more noise, more error (NWL92-L2.5)"],
+                    prose="P >= P' gives N(P) >= N(P') and so, by Lemma 2.5, a larger error covariance; the rest is induction on j.")
+claim("NWL92-S40", "the covariance from zero is increasing, below the solution, and below that from any start",
+      always(t, loewner(Pt[t], Pz[t]) & loewner(P, Pz[t]) & loewner(Pz[t + 1], Pz[t])), sizes=["l", "n", "p"],
+      over={**STEP, P0: positive_semidefinite(n), **STABILIZER}, where=[*FILTER, OPTIMAL, FROM_ZERO],
+      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, standing("stabilizable", STABILIZABLE_FORMULA)],
+      by=[example({**SMALL, Q: [[1]], P0: [[0]], **ZEROS, Ma: [[1]], Md: [[1]]}),
+          solutions(8, made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
+      note=("Pz is the covariance from P_0 = 0, Pt that from any P_0. Increasing and bounded by P, Pz converges; its limit is a solution, and P is "
+            "the only one (NWL92-S39). " + CERTIFICATES))
+
+e, Mx, Pj, Pzj, Wj = symbols("e Mx Pj Pzj Wj")
+SANDWICH = [given("P_j^0 <= P_j", loewner(Pj, Pzj)), given("P_j <= W_j", loewner(Wj, Pj)), given("W_j near P", loewner(P + e * Mx, Wj)),
+            given("P_j^0 near P", loewner(Pzj, P - e * Mx))]
+claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
+      loewner(P + e * Mx, Pj) & loewner(Pj, P - e * Mx), sizes=["n"],
+      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n), e: nonneg()},
+      given=SANDWICH,
+      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - e * Mx)]),
+          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + X0 * 0 + H0 * e0}, using={X0: matrix(n, 1), H0: positive_semidefinite(n),
+                                                                                                  e0: scalar()}, n=(1, 2, 3))],
+      note=("e stands for c rho^j. The paper asks for P_j^0 -> P only; for an exponential rate of P_j the lower bound needs one as well, which this "
+            "statement includes."))
+
+LG = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l),
+      K: matrix(n, p)}
+
+
+def constant_gain(W):
+    """Error covariance one step later with constant gains."""
+    return (L * A) * W * T(L * A) + hstack(L, K) * NOISE_G * vstack(T(L), T(K))
+
+
+CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
+claim("NWL92-S42", "the filter with constant gains is never better than the optimal one",
+      (Wt[0] == P0) & always(t, loewner(Wt[t], Pt[t])), sizes=["l", "n", "p"],
+      over={**LG, P0: positive_semidefinite(n)}, where=[OPTIMAL, CONSTANT],
+      given=[NOISE, given("(4.38)", L * E + K * C == Identity(n)), standing("inverses exist", forall(t, 0, 3, defined(Pt[t])))],
+      by=[instances(8, made_by={**RANDOM_NOISE, sym("Hi"): inv(T(E) * E + T(C) * C), L: sym("Hi") * T(E) + X0 * (Identity(l) - E * sym("Hi") * T(E)),
+                                K: sym("Hi") * T(C) - X0 * E * sym("Hi") * T(C)},
+                    using={X0: matrix(n, l), **RANDOM_NOISE_FREE}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
+      note="L and K are any gains with LE + KC = I, those of the steady-state filter among them (NWL92-E4.38).")
+
+W = sym("W")
+MISSING = "the last factor is (L'; K'); the transposes are missing, and without them the sizes do not even fit unless n = l = p"
+#: C = R-free coordinates of two states 2x, x/2: the steady gains are L, K
+STEADY = {"l": 2, "p": 2, "n": 2, A: [[2, -2], [0, "1/2"]], Q: [[0, 0], [0, 0]], S: [[0, 0], [0, 0]], R: [[2, 1], [1, 1]], L: [["1/4", 1], [0, 1]],
+          K: [["3/4", "-3/4"], [0, 0]], W: [[0, 0], [0, 0]], Wn: [["3/4", 0], [0, 0]], P: [["3/4", 0], [0, 0]]}
+ERROR_MAP = hstack(L * A, L, -K)
+ERROR_NOISE = block([[W, Zero(n, l), Zero(n, p)], [Zero(l, n), Q, S], [Zero(p, n), T(S), R]])
+ERROR_NEXT = ERROR_MAP * ERROR_NOISE * T(ERROR_MAP)
+ERROR_OVER = {A: matrix(l, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l), K: matrix(n, p), W: positive_semidefinite(n)}
+
+
+def printed_gain(W):
+    """Right side of (4.47) as printed."""
+    return (L * A) * W * T(L * A) + hstack(L, K) * NOISE_G * vstack(L, K)
+
+
+claim("NWL92-E4.47", "error covariance with constant gains, as printed without transposes",
+      ERROR_NEXT == printed_gain(W), sizes=["l", "n", "p"], over=ERROR_OVER, given=[NOISE],
+      by=[example(STEADY), instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=2, n=2, p=2)],
+      repair=repair("other", MISSING,
+                    (ERROR_NEXT == constant_gain(W)) & (constant_gain(W) - Wn == (L * A) * (W - Wn) * T(L * A)), sizes=["l", "n", "p"],
+                    over={**ERROR_OVER, Wn: symmetric_matrix(n)}, given=[NOISE, given("Wn solves (4.48)", Wn == constant_gain(Wn))],
+                    by=[instances(made_by={**RANDOM_NOISE, A: Zero(l, n), Wn: constant_gain(W)}, using=RANDOM_NOISE_FREE, l=(1, 2), n=(1, 2), p=(1, 2)),
+                        *[example({**STEADY, W: w}) for w in ([[1, 0], [0, 2]], [[2, 1], [1, 1]])]]),
+      note=("The left side is the covariance of the error (4.39). The second part of the corrected statement is the convergence: W_j less the solution "
+            "Wn is (LA)^j(W_0 - Wn)(LA)'^j."))
+
+claim("NWL92-E4.48", "the limit of the error covariance with constant gains, as printed without transposes",
+      iff(W == printed_gain(W), W == P), sizes=["l", "n", "p"], over={**ERROR_OVER, P: positive_semidefinite(n)},
+      given=[given("(4.31)", P == constant_gain(P)), given("LA stable", schur(L * A))],
+      by=[example({**STEADY, W: [["3/4", 0], [0, 0]]}), instances(l=2, n=2, p=2)],
+      repair=repair("other", MISSING, iff(W == constant_gain(W), W == P), sizes=["l", "n", "p"], over={**ERROR_OVER, P: positive_semidefinite(n)},
+                    given=[given("(4.31)", P == constant_gain(P)), given("LA stable", schur(L * A))],
+                    by=[steps(facts=["X = MXM' has the solution zero alone if M is stable"], prose="The difference of two solutions solves X = (LA)X(LA)'."),
+                        example({**STEADY, A: [[0, 0], [0, 0]], W: [[0, 0], [0, 0]], P: [[1, 0], [0, 1]]}),
+                        example({"l": 1, "n": 1, "p": 1, A: [[1]], Q: [[0]], S: [[0]], R: [[0]], L: [[1]], K: [[0]], W: [[1]], P: [[0]]}),
+                        example({**STEADY, W: [["3/4", 0], [0, 0]]}), example({**STEADY, W: [["3/4", 0], [0, 1]]}),
+                        instances(made_by={**RANDOM_NOISE, A: Zero(l, n), P: constant_gain(W)}, using=RANDOM_NOISE_FREE, l=(1, 2), n=(1, 2), p=(1, 2)),
+                        instances(made_by={**RANDOM_NOISE, A: Zero(l, n), P: constant_gain(Zero(n, n)), W: P}, using=RANDOM_NOISE_FREE, l=(1, 2), n=(1, 2), p=(1, 2))]))
