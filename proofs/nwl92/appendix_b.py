@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, instances
-from exactkf.language import Identity, Zero, T, block, eq, given, hstack, matrix, sym, symbols, symmetric_matrix, vstack
+from exactkf.language import Identity, T, Zero, block, eq, given, matrix, sym, symbols, symmetric_matrix, vstack
 from proofs.nwl92.notation_system import (
     BOTTOM,
     IMPLIED_RANK,
@@ -67,7 +67,6 @@ from proofs.nwl92.notation_system import (
     Tb,
     drawn,
     filter_identities,
-    k,
     l,
     n,
     p,

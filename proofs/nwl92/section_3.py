@@ -28,13 +28,12 @@ If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, order
+from exactkf.evidence import example, identity, instances
 from exactkf.language import (
     Identity,
     T,
     Zero,
     block,
-    eq,
     given,
     hstack,
     iff,
@@ -54,13 +53,11 @@ from exactkf.language import (
 )
 from proofs.nwl92.notation_system import (
     BOTTOM,
-    COVARIANCE,
     F_BLOCK,
     GRAM,
     IMPLIED_RANK,
     LAST,
     NOISE,
-    NOISE_G,
     OMEGA,
     OMEGA_INVERSE,
     ONE_INVERSE,

@@ -27,7 +27,7 @@ parts: lam = a + ib, v = v1 + iv2.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, induction, instances, order, steps
+from exactkf.evidence import combination, example, instances, order, steps
 from exactkf.language import (
     Identity,
     T,

@@ -141,14 +141,6 @@ ON_THE_CIRCLE = {"k": 2, "n": 1, F: [[1], [0]], K: [[1], [1]], G: [[0, 0], [0, 1
 FOILS = [example(NOT_DETECTABLE), example(NOT_STABILIZABLE), example(ON_THE_CIRCLE)]
 CHARACTERISTIC = sym("chi")
 CHI = let(CHARACTERISTIC, det(M_PENCIL - Z * N_PENCIL))
-LEMMA_STEPS = steps("NWL92-E5.10", "NWL92-S44", facts=["a square matrix with trivial null space is invertible"],
-                    prose=("A null vector (u; v) at a point of the circle satisfies (5.8) and (5.9); then v*Gv = 0 and u = v = 0. A polynomial "
-                           "determinant that is nonzero on the circle is not the zero polynomial."))
-claim("NWL92-L5.1", "the pencil is regular and has no eigenmode on the unit circle",
-      (CHARACTERISTIC != 0) & (inside_roots(CHARACTERISTIC) + outside_roots(CHARACTERISTIC) == degree(CHARACTERISTIC)), sizes=["k", "n"], over={**PENCIL, **CERTIFICATES}, where=[CHI],
-      given=[DETECTABLE, STABILIZABLE], by=[LEMMA_STEPS, *FOILS, systems()], note=CERTIFIED)
-
-
 def real_form(real, imaginary):
     """[X, -Y; Y, X] of X + iY."""
     return block([[real, -imaginary], [imaginary, real]])
@@ -156,13 +148,6 @@ def real_form(real, imaginary):
 
 Zz = sym("Mz")
 AT_Z = real_form(block([[F + a * K, -G], [Zero(n, n), T(K) + a * T(F)]]), block([[b * K, Zero(k, k)], [Zero(n, n), b * T(F)]]))
-claim("NWL92-E5.5", "the pencil is invertible at every point of the unit circle",
-      invertible(Zz), sizes=["k", "n"], over={**PENCIL, **CERTIFICATES, a: scalar(), b: scalar()}, where=[let(Zz, AT_Z)],
-      given=[DETECTABLE, STABILIZABLE, ON_CIRCLE],
-      by=[LEMMA_STEPS, example({**NOT_DETECTABLE, a: -1, b: 0}), example({**NOT_STABILIZABLE, a: 1, b: 0}),
-          example({**NOT_DETECTABLE, L: [[1]], K: [["1/2"]], a: -2, b: 0}), systems(POINT, {t0: scalar()})],
-      note=CERTIFIED + " z = a + ib; the matrix is the real form [X, -Y; Y, X] of X + iY.")
-
 Le, Lc, s1, s2, t1, t2 = symbols("Le Lc s1 s2 t1 t2")
 FULL_E = vstack(E, C)
 
@@ -261,6 +246,39 @@ claim("NWL92-S44", "the null vector is zero",
           instances(made_by={u1: Zero(n, 1), u2: Zero(n, 1), v1: Zero(k, 1), v2: Zero(k, 1), Gi2: Zero(k, n),
                              Lr: inv(T(Gr) * Gr) * T(Gr), Li: Zero(n, k), Nr: Lr, Ni: Zero(n, k), Mr: inv(G) * (Identity(k) - Gr * Nr), Mi: Zero(k, k)}, **SIZES)],
       note="Full rank is said through left and right inverses, complex ones by real and imaginary part.")
+
+
+def invertible_at(id, title, sign, note):
+    """A null vector of M + sign z N at a point z = a + ib of the circle is zero, given both ranks at this point."""
+    re, im = F + sign * a * K, sign * b * K
+    matrix_ = real_form(block([[re, -G], [Zero(n, n), T(K) + sign * a * T(F)]]), block([[im, Zero(k, k)], [Zero(n, n), sign * b * T(F)]]))
+    ranks = [given("F + zK has full column rank", (Lr * re - Li * im == Identity(n)) & (Lr * im + Li * re == Zero(n, n))),
+             given("[F + zK, G] has full row rank", (re * Nr - im * Ni + G * Mr == Identity(k)) & (re * Ni + im * Nr + G * Mi == Zero(k, k)))]
+    equation = given("null vector", matrix_ * vstack(u1, v1, u2, v2) == Zero(2 * (k + n), 1))
+    lemmas = [T(re) * v1 + T(im) * v2 == ZERO_N, T(re) * v2 - T(im) * v1 == ZERO_N, (T(v1) * G * v1 + T(v2) * G * v2) * Identity(1) == Zero(1, 1),
+              G * v1 == ZERO_K, G * v2 == ZERO_K]
+    made = {**POINT, K: F * X0, L: inv(T(F) * F) * T(F), u1: Zero(n, 1), u2: Zero(n, 1), v1: Zero(k, 1), v2: Zero(k, 1),
+            H1: inv(real_form(Identity(n) + sign * a * X0, sign * b * X0)), Lr: T(upper(n, n)) * H1 * upper(n, n) * L,
+            Li: T(lower(n, n)) * H1 * upper(n, n) * L, Nr: Lr, Ni: Li, Mr: inv(G) * (Identity(k) - re * Nr + im * Ni), Mi: -inv(G) * (re * Ni + im * Nr)}
+    claim(id, title, (u1 == ZERO_N) & (u2 == ZERO_N) & (v1 == ZERO_K) & (v2 == ZERO_K), sizes=["k", "n"],
+          over={**PENCIL, a: scalar(), b: scalar(), **NULL, **RANKS}, given=[*ranks, ON_CIRCLE, equation],
+          by=[order([], [], [], ENERGY, ENERGY, lemmas=lemmas), *POINT_FOILS[sign],
+              instances(made_by=made, using={X0: matrix(n, n), t0: scalar(), L: matrix(n, k)}, **SIZES)], note=note)
+
+
+H1 = sym("H1")
+#: without full column rank, full row rank, the circle, the equation
+POINT_FOILS = {sign: [example({**ONE_POINT, K: [[0]], F: [[1]], a: 1, b: 0, **change}) for change in (
+    {F: [[0]], Lr: [[0]], Nr: [[0]], Mr: [[1]], G: [[1]], u1: [1]},
+    {"k": 2, F: [[1], [0]], K: [[0], [0]], G: [[0, 0], [0, 0]], v1: [0, 1], v2: [0, 0], Lr: [[1, 0]], Li: [[0, 0]], Nr: [[0, 0]], Ni: [[0, 0]],
+     Mr: [[0, 0], [0, 0]], Mi: [[0, 0], [0, 0]]},
+    {F: [[1]], K: [[-2 * sign]], a: 2, b: 0, Lr: [["-1/3"]], Nr: [["-1/3"]], G: [[1]], Mr: [[0]], u1: ["-1/3"], v1: [1]},
+    {u1: [1]})] for sign in (1, -1)}
+CIRCLE_NOTE = ("Invertible is said as: a null vector (u; v) is zero; (u; v) = (u1; v1) + i(u2; v2), z = a + ib, and the matrix is the real form "
+               "[X, -Y; Y, X] of X + iY. Detectability and stabilizability enter by the ranks they give at this point.")
+invertible_at("NWL92-L5.1", "the pencil is regular and has no eigenmode on the unit circle", -1,
+              CIRCLE_NOTE + " A determinant that is not zero on the circle is not the zero polynomial, which is regularity.")
+invertible_at("NWL92-E5.5", "the matrix (5.5) is invertible at every point of the unit circle", 1, CIRCLE_NOTE)
 
 # ------------------------------------------------------------------ Lemma 5.2
 s, t = symbols("s t")
