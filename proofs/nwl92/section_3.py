@@ -28,7 +28,7 @@ If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances
+from exactkf.evidence import example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -61,6 +61,8 @@ from proofs.nwl92.notation_system import (
     OMEGA,
     OMEGA_INVERSE,
     ONE_INVERSE,
+    RANDOM_NOISE,
+    RANDOM_NOISE_FREE,
     RANK,
     SIZES,
     STEP_VARYING,
@@ -149,22 +151,26 @@ Rows = sym("Rows")
 PRINTED_ROWS = block([[A * P * T(A) + Q, S, E], [T(S), R, C]])
 RIGHT_ROWS = block([[A * P * T(A) + Q, -S, E], [-T(S), R, C]])
 ALONE = {**VARYING, P: positive_semidefinite(m)}
-B0 = sym("B0")
+lam1, lam2, x = symbols("lam1 lam2 x")
+LAM = vstack(lam1, lam2)
+NULL_VECTOR = given("null vector", Om * vstack(lam1, lam2, x) == Zero(l + p + n, 1))
+LAM_NOISE = T(LAM) * noise_by_form(P, m) * LAM
+NULL_STEPS = [T(F_BLOCK) * LAM == Zero(n, 1), LAM_NOISE * Identity(1) == Zero(1, 1), noise_by_form(P, m) * LAM == Zero(l + p, 1),
+              F_BLOCK * x == Zero(l + p, 1), inv(GRAM) * T(F_BLOCK) * (F_BLOCK * x) == Zero(n, 1), x == Zero(n, 1)]
+NULL_FOIL = {"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[0]], lam1: [0], lam2: [0], x: [0]}
 claim("NWL92-T3.1.1", "full row rank without redundant perfect information makes the 3-block matrix invertible",
       (rank(Rows) == l + p) >> invertible(Om),
       sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA, let(Rows, PRINTED_ROWS)], given=[NOISE, RANK],
       by=[example({"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[-1]]}),
-          instances(made_by={Q: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Identity(l), Zero(p, l)),
-                             S: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Zero(l, p), Identity(p)),
-                             R: T(vstack(Zero(l, p), Identity(p))) * B0 * vstack(Zero(l, p), Identity(p))},
-                    using={B0: positive_semidefinite(l + p)}, **VARYING_SIZES)],
+          instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, **VARYING_SIZES)],
       repair=repair("sign", "S must have the sign it has in the 3-block matrix: with S for -S the rank is another one",
-                    (rank(Rows) == l + p) >> invertible(Om),
-                    sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA, let(Rows, RIGHT_ROWS)], given=[NOISE, RANK],
-                    by=[instances(made_by={Q: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Identity(l), Zero(p, l)),
-                                           S: T(vstack(Identity(l), Zero(p, l))) * B0 * vstack(Zero(l, p), Identity(p)),
-                                           R: T(vstack(Zero(l, p), Identity(p))) * B0 * vstack(Zero(l, p), Identity(p))},
-                                  using={B0: positive_semidefinite(l + p)}, **VARYING_SIZES)]))
+                    (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "m", "n", "p"],
+                    over={**ALONE, lam1: vector(l), lam2: vector(p), x: vector(n)}, where=[OMEGA, let(Rows, RIGHT_ROWS)],
+                    given=[NOISE, RANK, given("full row rank", rank(Rows) == l + p), NULL_VECTOR],
+                    by=[order([], [], [LAM_NOISE], [], [], [inv(GRAM)], [], [], lemmas=NULL_STEPS), *[example({**NULL_FOIL, **change}) for change in (
+                            {E: [[0]], x: [1]}, {Q: [[0]], E: [[0]], C: [[1]], lam1: [1]}, {x: [1]})],
+                        instances(made_by={**RANDOM_NOISE, lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, using=RANDOM_NOISE_FREE, **VARYING_SIZES)]),
+      note="The corrected statement says invertible as: a null vector (lam1; lam2; x) is zero.")
 
 # ------------------------------------------------------------------ S = 0 and R > 0
 Sig, Sigj, Mj, Qv = symbols("Sig Sigj M Qv")
@@ -179,11 +185,17 @@ WIDE_LAST = vstack(Zero(p, n), Zero(l, n), Identity(n))
 NEXT_P = -(T(WIDE_LAST) * inv(WIDE) * WIDE_LAST)
 
 claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible",
-      invertible(Om), sizes=["l", "p", "n"], over={**CLASSICAL, P: positive_semidefinite(n)},
+      (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "p", "n"],
+      over={**CLASSICAL, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)},
       where=[let(Om, block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]]))],
-      given=[given("(E; C) has full column rank", rank(F_BLOCK) == n), standing("(E; C) has full row rank", rank(F_BLOCK) == l + p)],
-      by=[instances(n=(2, 3), l=(1, 2), p=(1, 2))],
-      note=("No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). That the results of Wang and "
+      given=[given("(E; C) has full column rank", rank(F_BLOCK) == n), given("(E; C) has full row rank", rank(F_BLOCK) == l + p), NULL_VECTOR],
+      by=[order([], [], [], [], [], lemmas=[T(F_BLOCK) * LAM == Zero(n, 1), LAM == Zero(l + p, 1), F_BLOCK * x == Zero(l + p, 1)]),
+          example({"l": 1, "p": 1, "n": 3, A: [[0, 0, 0]], P: [[0, 0, 0]] * 3, Q: [[0]], R: [[1]], E: [[1, 0, 0]], C: [[0, 1, 0]], lam1: [0], lam2: [0],
+                   x: [0, 0, 1]}),
+          example({"l": 1, "p": 1, "n": 1, A: [[0]], P: [[0]], Q: [[0]], R: [[1]], E: [[0]], C: [[1]], lam1: [1], lam2: [0], x: [0]}),
+          example({"l": 1, "p": 1, "n": 2, A: [[0, 0]], P: [[0, 0]] * 2, Q: [[0]], R: [[1]], E: [[1, 0]], C: [[0, 1]], lam1: [1], lam2: [0], x: [0, 0]}),
+          instances(made_by={lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, n=(2, 3), l=(1, 2), p=(1, 2))],
+      note=("Invertible is said as: a null vector (lam1; lam2; x) is zero. No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). That the results of Wang and "
             "Bernhard follow is NWL92-E3.9 to NWL92-E3.13."))
 
 GAIN_WIDE = T(WIDE_LAST) * inv(WIDE) * block([[Identity(p), Zero(p, l)], [Zero(l, p), Identity(l)], [Zero(n, p), Zero(n, l)]])
