@@ -27,7 +27,7 @@ parts: lam = a + ib, v = v1 + iv2.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, instances, order, steps
+from exactkf.evidence import combination, example, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -47,6 +47,7 @@ from exactkf.language import (
     nonneg,
     nonsingular,
     positive_semidefinite,
+    psd,
     rec,
     scalar,
     schur,
@@ -127,6 +128,7 @@ from proofs.nwl92.notation_system import (
     l,
     made_blocks,
     n,
+    noise_by_form,
     p,
     riccati,
     solutions,
@@ -432,11 +434,16 @@ def constant_gain(W):
 
 
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
+BEST_P = T(T(LAST * inv(three_block(Pt[t])) * FIRST_TWO))  # one factor
+CLOSED_W = T(T(L * A)) * (Wt[t] - Pt[t]) * T(L * A)
+GAIN_W = (hstack(L, K) - BEST_P) * noise_by_form(Pt[t], n) * T(hstack(L, K) - BEST_P)
+ERROR_P = BEST_P * noise_by_form(Pt[t], n) * T(BEST_P)
 claim("NWL92-S42", "the filter with constant gains is never better than the optimal one",
-      (Wt[0] == P0) & always(t, loewner(Wt[t], Pt[t])), sizes=["l", "n", "p"],
+      always(t, loewner(Wt[t], Pt[t])), sizes=["l", "n", "p"],
       over={**LG, P0: positive_semidefinite(n)}, where=[OPTIMAL, CONSTANT],
-      given=[NOISE, given("(4.38)", L * E + K * C == Identity(n)), standing("inverses exist", forall(t, 0, 3, defined(Pt[t])))],
-      by=[instances(8, made_by={**RANDOM_NOISE, sym("Hi"): inv(T(E) * E + T(C) * C), L: sym("Hi") * T(E) + X0 * (Identity(l) - E * sym("Hi") * T(E)),
+      given=[NOISE, given("(4.38)", L * E + K * C == Identity(n))],
+      by=[induction(also=[psd(Pt[t])], step=order([ERROR_P], [CLOSED_W, GAIN_W])),
+          instances(8, made_by={**RANDOM_NOISE, sym("Hi"): inv(T(E) * E + T(C) * C), L: sym("Hi") * T(E) + X0 * (Identity(l) - E * sym("Hi") * T(E)),
                                 K: sym("Hi") * T(C) - X0 * E * sym("Hi") * T(C)},
                     using={X0: matrix(n, l), **RANDOM_NOISE_FREE}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
       note="L and K are any gains with LE + KC = I, those of the steady-state filter among them (NWL92-E4.38).")
