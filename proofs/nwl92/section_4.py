@@ -400,16 +400,48 @@ def next_covariance(P):
 OPTIMAL = rec(Pt, t, P0, next_covariance(Pt[t]))
 FROM_ZERO = rec(Pz, t, Zero(n, n), next_covariance(Pz[t]))
 CONVERGENCE_MADE = {"l": (1, 2), "p": 1, "n": 1}
-ORDER_STEPS = steps(facts=["Lemma 2.5: more noise, more error (NWL92-L2.5)"],
-                    prose="P >= P' gives N(P) >= N(P') and so, by Lemma 2.5, a larger error covariance; the rest is induction on j.")
+Py = sym("Py")
+LG = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l),
+      K: matrix(n, p)}
+UNBIASED = given("(4.38)", L * E + K * C == Identity(n))
+
+
+def constant_gain(W):
+    """Error covariance one step later with constant gains."""
+    return (L * A) * W * T(L * A) + hstack(L, K) * NOISE_G * vstack(T(L), T(K))
+
+
+def best(P):
+    """Gains (L K) of the filter, as one factor."""
+    return T(T(LAST * inv(three_block(P)) * FIRST_TWO))
+
+
+def error_of(gain, P):
+    """Error covariance with these gains."""
+    return gain * noise_by_form(P, n) * T(gain)
+
+
+def later(P, smaller):
+    """By how much the next covariance is larger, in terms that are semidefinite by their form."""
+    through = T(T(best(P) * vstack(A, Zero(p, n))))
+    return [through * (P - smaller) * T(through), error_of(best(P) - best(smaller), smaller)]
+
+
+CLOSED = T(T(L * A))
 claim("NWL92-S40", "the covariance from zero is increasing, below the solution, and below that from any start",
-      always(t, loewner(Pt[t], Pz[t]) & loewner(P, Pz[t]) & loewner(Pz[t + 1], Pz[t])), sizes=["l", "n", "p"],
-      over={**STEP, P0: positive_semidefinite(n), **STABILIZER}, where=[*FILTER, OPTIMAL, FROM_ZERO],
-      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, standing("stabilizable", STABILIZABLE_FORMULA)],
-      by=[example({**SMALL, Q: [[1]], P0: [[0]], **ZEROS, Ma: [[1]], Md: [[1]]}),
-          solutions(8, made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
-      note=("Pz is the covariance from P_0 = 0, Pt that from any P_0. Increasing and bounded by P, Pz converges; its limit is a solution, and P is "
-            "the only one (NWL92-S39). " + CERTIFICATES))
+      always(t, loewner(Pt[t], Pz[t]) & loewner(P, Pz[t]) & loewner(Py[t], Pz[t])), sizes=["l", "n", "p"],
+      over={**LG, P: positive_semidefinite(n), P0: positive_semidefinite(n)},
+      where=[OPTIMAL, FROM_ZERO, rec(Py, t, next_covariance(Zero(n, n)), next_covariance(Py[t]))],
+      given=[NOISE, UNBIASED, given("(4.31)", P == constant_gain(P))],
+      by=[induction(also=[psd(Pz[t]), psd(Pt[t]), psd(Py[t])],
+                    base=order([], [], [error_of(best(Zero(n, n)), Zero(n, n))], [P0], [P], [error_of(best(Zero(n, n)), Zero(n, n))]),
+                    step=order([error_of(best(Pz[t]), Pz[t])], [error_of(best(Pt[t]), Pt[t])], [error_of(best(Py[t]), Py[t])], later(Pt[t], Pz[t]),
+                               [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])], later(Py[t], Pz[t]))),
+          instances(8, made_by={**solved()[0], L: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.upper(l, p),
+                                K: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.lower(l, p)}, using=solved()[1], horizon=3,
+                    l=(1, 2), p=(1, 2), n=(1, 2))],
+      note=("Pz is the covariance from P_0 = 0, Py the same one step later, Pt that from any P_0; L, K are gains with LE + KC = I, those of the solution "
+            "among them. Increasing and bounded by P, Pz converges; its limit is a solution, and P is the only one (NWL92-S39)."))
 
 e, Mx, Pj, Pzj, Wj = symbols("e Mx Pj Pzj Wj")
 SANDWICH = [given("P_j^0 <= P_j", loewner(Pj, Pzj)), given("P_j <= W_j", loewner(Wj, Pj)), given("W_j near P", loewner(P + e * Mx, Wj)),
@@ -424,25 +456,13 @@ claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
       note=("e stands for c rho^j. The paper asks for P_j^0 -> P only; for an exponential rate of P_j the lower bound needs one as well, which this "
             "statement includes."))
 
-LG = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l),
-      K: matrix(n, p)}
-
-
-def constant_gain(W):
-    """Error covariance one step later with constant gains."""
-    return (L * A) * W * T(L * A) + hstack(L, K) * NOISE_G * vstack(T(L), T(K))
-
-
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
-BEST_P = T(T(LAST * inv(three_block(Pt[t])) * FIRST_TWO))  # one factor
-CLOSED_W = T(T(L * A)) * (Wt[t] - Pt[t]) * T(L * A)
-GAIN_W = (hstack(L, K) - BEST_P) * noise_by_form(Pt[t], n) * T(hstack(L, K) - BEST_P)
-ERROR_P = BEST_P * noise_by_form(Pt[t], n) * T(BEST_P)
+CLOSED_W = CLOSED * (Wt[t] - Pt[t]) * T(CLOSED)
 claim("NWL92-S42", "the filter with constant gains is never better than the optimal one",
       always(t, loewner(Wt[t], Pt[t])), sizes=["l", "n", "p"],
       over={**LG, P0: positive_semidefinite(n)}, where=[OPTIMAL, CONSTANT],
-      given=[NOISE, given("(4.38)", L * E + K * C == Identity(n))],
-      by=[induction(also=[psd(Pt[t])], step=order([ERROR_P], [CLOSED_W, GAIN_W])),
+      given=[NOISE, UNBIASED],
+      by=[induction(also=[psd(Pt[t])], step=order([error_of(best(Pt[t]), Pt[t])], [CLOSED_W, error_of(hstack(L, K) - best(Pt[t]), Pt[t])])),
           instances(8, made_by={**RANDOM_NOISE, sym("Hi"): inv(T(E) * E + T(C) * C), L: sym("Hi") * T(E) + X0 * (Identity(l) - E * sym("Hi") * T(E)),
                                 K: sym("Hi") * T(C) - X0 * E * sym("Hi") * T(C)},
                     using={X0: matrix(n, l), **RANDOM_NOISE_FREE}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
