@@ -28,7 +28,7 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
-from exactkf.kernel.words import Blocks
+from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["FAMILIES", "Induction", "inductions"]
 
@@ -210,7 +210,7 @@ class Induction:
             return found
         if _T in found:
             raise Unknown(f"index {tree[1]!r} is used other than as an index")
-        return _tree(tuple((n.removeprefix("size "), c) for n, c in sorted(found.items())))
+        return size_tree(tuple((n.removeprefix("size "), c) for n, c in sorted(found.items())))
 
     def _at(self, tree: Any, env: Mapping[str, Any], letters: dict[str, Any], depth: int) -> Any:
         name, args = tree[1], tree[2:]
@@ -279,7 +279,7 @@ class Induction:
             letters: dict[str, Any] = {}
             first, where = self.tree(self.recursions[name][4][0], {}, letters), self._where(letters)
             value = Reader(self._frame(letters, where)).read(first)
-            self.shapes[name] = [[_tree(s) for s in value.rows], [_tree(s) for s in value.cols]] if isinstance(value, Blocks) else None
+            self.shapes[name] = [[size_tree(s) for s in value.rows], [size_tree(s) for s in value.cols]] if isinstance(value, Blocks) else None
         return self.shapes[name]
 
     def _keep_shapes(self, made: Any) -> None:
@@ -334,9 +334,3 @@ def _text(form: Form) -> str:
     if form.get("") or not parts:
         parts.append(str(form.get("", 0)))
     return "+".join(parts).replace("+-", "-")
-
-
-def _tree(size: tuple) -> Any:
-    """A size, as the reader has it, as a term."""
-    parts = [c if not n else ["sym", n] if c == 1 else ["*", c, ["sym", n]] for n, c in size]
-    return parts[0] if len(parts) == 1 else ["+", *parts] if parts else 0
