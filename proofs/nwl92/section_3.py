@@ -45,7 +45,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     rank,
-    standing,
     sym,
     symbols,
     vector,

@@ -34,8 +34,6 @@ from exactkf.language import (
     Zero,
     always,
     block,
-    defined,
-    forall,
     given,
     hstack,
     iff,
@@ -82,7 +80,6 @@ from proofs.nwl92.notation_system import (
     RANDOM_NOISE,
     RANDOM_NOISE_FREE,
     STABILIZABLE,
-    STABILIZABLE_FORMULA,
     STABILIZER,
     STEP,
     STEP_GIVEN,
@@ -358,7 +355,7 @@ PAIR_OF_SOLUTIONS = {"l": 1, "p": 1, "n": 1, A: [[2]], E: [[1]], C: [[1]], Q: [[
 MADE_ONCE, FREE_ONCE = solved()
 SAME = instances(made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
                  using={**FREE_ONCE, **made_blocks(Oma)[1], **made_blocks(Omb, OTHER_INVERSE, Y2)[1], H0: matrix(l + p, l + p),
-                        P: positive_semidefinite(n)}, l=(1, 2), p=(1, 2), n=(1, 2))
+                        P: positive_semidefinite(n)}, l=(1, 2), p=1, n=(1, 2))
 claim("NWL92-S39", "there is one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
