@@ -59,6 +59,7 @@ class Reader:
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
+        self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
@@ -105,10 +106,15 @@ class Reader:
         local = local or {}
         if isinstance(tree, int):
             return {((), ()): tree} if tree else {}
+        if not local and id(tree) in self.memory:
+            return self.memory[id(tree)][1]
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")
-        return method(tree, local)
+        value = method(tree, local)
+        if not local:
+            self.memory[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
+        return value
 
     def _read_rational(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return {((), ()): number(Fraction(tree[1], tree[2]))} if tree[1] else {}
