@@ -52,6 +52,9 @@ class Reader:
 
     def __init__(self, statement: Mapping[str, Any]) -> None:
         self.statement = statement
+        names = [*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])]
+        if len(set(names)) < len(names):
+            raise Unknown("two things of one name")
         self.kinds = {name: kind for name, kind in statement["over"]}
         self.lets = {d[1]: d for d in statement["where"]}
         self.sizes: dict[str, tuple[Size, Size]] = {}  # letter -> (rows, columns)
@@ -134,7 +137,7 @@ class Reader:
         raise Unknown(f"name {name!r} in a statement for every size")
 
     def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        definition = self.lets.get(tree[1])
+        definition = self.lets.get(tree[1]) if tree[1] not in local else None
         if definition is None or definition[0] != "let" or not definition[2]:
             raise Unknown(f"{tree[1]!r} with an index in a statement for every size")
         return self.read(definition[3], dict(zip(definition[2], [self.read(a, local) for a in tree[2:]], strict=True)))
