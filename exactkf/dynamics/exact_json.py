@@ -18,6 +18,7 @@ of a field is ``"p/q"`` or the list of its coefficients from :math:`\theta^0` up
 
 from __future__ import annotations
 
+import re
 from math import isqrt
 from typing import Any
 
@@ -28,7 +29,7 @@ from exactkf.exact.balls import ball, precision
 from exactkf.exact.polynomials import count_real_roots
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["element_json", "field_json", "field_of", "number_json", "number_latex", "number_words", "root_json", "square_root"]
+__all__ = ["element_json", "field_json", "field_of", "number_json", "number_latex", "number_words", "polynomial_words", "root_json", "square_root"]
 
 
 def field_of(*scalars: Scalar) -> RealField | None:
@@ -150,7 +151,13 @@ def _isolated(p: fmpq_poly, enclosed: Any) -> Any:
 # ---------------------------------------------------------------------- text
 def number_words(x: Scalar) -> str:
     """Return the number as text; theta is the generator of its field."""
-    return str(_rational(x)) if not isinstance(x, RealNumber) or x.is_rational() else x.poly.str().replace("x", "theta")
+    return str(_rational(x)) if not isinstance(x, RealNumber) or x.is_rational() else polynomial_words(x.poly, "theta")
+
+
+def polynomial_words(p: fmpq_poly, name: str) -> str:
+    """Return a polynomial as text, such as ``3/2*x^2 - x``."""
+    text = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", p.str())
+    return re.sub(r"^\((-[0-9/]+)\)", r"\1", text).replace("- 1*", "- ").replace("-1*", "-").replace("x", name)
 
 
 def number_latex(x: Scalar) -> str:

@@ -358,12 +358,24 @@ def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
     """This process works too: it takes pieces from the end while the others take them from the front."""
     size = max(1, len(starts) // (32 * jobs))
     pieces = [starts[k : k + size] for k in range(0, len(starts), size)]
-    # a fork of a process with threads can hang; without threads it saves the start of an interpreter
+    # a fork of a process with threads can hang; without threads it saves the start of an interpreter, and the copying of the starts
     forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
-    with ProcessPoolExecutor(jobs - 1, mp_context=multiprocessing.get_context("fork" if forks else "spawn")) as pool:
-        tasks = [pool.submit(_decide_all, piece) for piece in pieces]
+    context = multiprocessing.get_context("fork" if forks else "spawn")
+    with ProcessPoolExecutor(jobs - 1, mp_context=context, initializer=_receive, initargs=(pieces,)) as pool:
+        tasks = [pool.submit(_piece, k) for k in range(len(pieces))]
         mine = {k: _decide_all(pieces[k]) for k in reversed(range(len(pieces))) if tasks[k].cancel()}
         return [answer for k, task in enumerate(tasks) for answer in (mine[k] if k in mine else task.result())]
+
+
+_pieces: list[list[tuple]] = []  # of a worker process
+
+
+def _receive(pieces: list[list[tuple]]) -> None:
+    _pieces[:] = pieces
+
+
+def _piece(k: int) -> list[Answer]:
+    return _decide_all(_pieces[k])
 
 
 @contextmanager

@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactkf.dynamics.answer import Fact
-from exactkf.dynamics.exact_json import number_latex, number_words
+from exactkf.dynamics.exact_json import number_latex, number_words, polynomial_words
 from exactkf.exact import RealField, RealNumber
 from exactkf.exact.balls import ball, precision
 from exactkf.theory._scalars import Scalar
@@ -28,7 +28,7 @@ __all__ = ["axis", "convergence", "equilibrium", "escape", "invariant", "of_fiel
 
 def of_field(field: RealField) -> Fact:
     """The generator of the field."""
-    p = field.minpoly.str()
+    p = polynomial_words(field.minpoly, "x")
     near = field.enclose_gen(64).str(12, radius=False)
     return Fact(f"theta = {near}... is the root of {p} in [{field.root.lo}, {field.root.hi}].",
                 rf"$\theta = {near}\ldots$ is the root of ${p.replace('*', '')}$ in $[{field.root.lo}, {field.root.hi}]$.")

@@ -26,7 +26,10 @@ Main statements
 4. *Height from below, K = Q.* v is a root of q z^2 - p z + q with x = p/q in lowest terms. If |x| < 2 then
    2 h(v) = log q, and q >= 2, as the integers -1, 0, 1 make v a root of unity. If |x| > 2 then 2 h(v) = log(q |v|)
    with |v| > 1, and more than 1 if q = 1, as then |x| >= 3. In both cases 2 h(v) >= max(1, floor(log q)).
-5. *Height from below, in general.* Let v have degree at most D and not be a root of unity. If v is no algebraic
+5. *Height from below, x not integral.* Let x = z/n with z in Z[theta], and let a prime l divide n, exactly k times. If z is a unit modulo l
+   (as in 1) then at every place over l both x and the larger of |v|, |1/v| are |n|^{-1}, and 2 h(v) = h(v) + h(1/v) >= k log l. For several
+   such primes these numbers add up.
+6. *Height from below, in general.* Let v have degree at most D and not be a root of unity. If v is no algebraic
    integer its Mahler measure M is at least 2 and h(v) >= 1/D. Else let f be the minimal polynomial, v_1..v_D its
    roots, p >= 4D a prime such that the v_i^p are distinct. Then f(v_i^p) = f(v_i)^p + p g(v_i) = p g(v_i), so
    that the product of the v_i^p - v_j is a multiple of p^D, and it is not 0, as otherwise v would be a root of unity.
@@ -37,12 +40,12 @@ Main statements
    At most log D primes fail to keep the v_i^p distinct: if p_1..p_r do, there is a conjugation with v -> w v, w of order
    p_k; it fixes v^{p_1..p_k} but not v^{p_1..p_{k-1}}, so each power generates a smaller field than the one
    before, and 2^r <= D. One of any floor(log D) + 1 primes from 4D on serves, and the largest gives the bound.
-6. *Height from above.* If N a = sum n_i theta^i then h(a) <= log max(sum |n_i|, |N|) + deg h(theta), and h(theta) is at
+7. *Height from above.* If N a = sum n_i theta^i then h(a) <= log max(sum |n_i|, |N|) + deg h(theta), and h(theta) is at
    most the logarithm of the Euclidean norm of an integer polynomial that vanishes at theta (Landau).
 
 References
 ----------
-Kronecker (1857); Landau (1905); E. Dobrowolski, Acta Arith. 34 (1979), for the primes in 5;
+Kronecker (1857); Landau (1905); E. Dobrowolski, Acta Arith. 34 (1979), for the primes in 6;
 M. Waldschmidt, Diophantine Approximation on Linear Algebraic Groups (2000), chapter 3.
 """
 
@@ -50,7 +53,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from math import lcm
+from math import gcd, isqrt, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
@@ -59,6 +62,7 @@ from exactkf.kernel.numbers import Undefined
 __all__ = ["coefficients", "first_zero", "height", "modulus", "order", "sign_at", "value", "zero_bound"]
 
 _MERSENNE = (61, 89, 107, 127, 521, 607)  # 2^k - 1 is prime
+_SMALL = [q for q in range(2, 1000) if all(q % k for k in range(2, isqrt(q) + 1))]
 _RATIONAL_ORDERS = (1, 2, 3, 4, 6)  # phi(P) <= 2
 
 
@@ -197,7 +201,7 @@ def _orders(bound: int) -> list[int]:
 
 # ---------------------------------------------------------------------- heights
 def height(a: list[Fraction], modulus: list[Fraction]) -> int:
-    """An integer not below the height to base 2 of the number with these coefficients (statement 6)."""
+    """An integer not below the height to base 2 of the number with these coefficients (statement 7)."""
     n = lcm(*(x.denominator for x in a))
     bits = max(sum(abs(x.numerator) * (n // x.denominator) for x in a), n).bit_length()
     if len(a) > 1:
@@ -208,7 +212,7 @@ def height(a: list[Fraction], modulus: list[Fraction]) -> int:
 
 
 def zero_bound(x: list[Fraction], a: list[Fraction], modulus: list[Fraction]) -> int:
-    """A number B such that y_t = 0 for no t > B, unless v is a root of unity (statements 3 to 6).
+    """A number B such that y_t = 0 for no t > B, unless v is a root of unity (statements 3 to 7).
 
     Numbers and modulus are lists of coefficients from theta^0 up.
     """
@@ -216,6 +220,9 @@ def zero_bound(x: list[Fraction], a: list[Fraction], modulus: list[Fraction]) ->
     if len(modulus) == 2:
         q = x[0].denominator if x else 1
         return 1 + -(-top // max(1, q.bit_length() - 1))
+    part = _unit_denominator(x, modulus)
+    if part > 1:
+        return 1 + -(-top // (part.bit_length() - 1))
     degree = 2 * (len(modulus) - 1)
     p = 4 * degree - 1
     for _ in range(degree.bit_length()):  # floor(log D) + 1 primes
@@ -223,6 +230,22 @@ def zero_bound(x: list[Fraction], a: list[Fraction], modulus: list[Fraction]) ->
         while any(p % k == 0 for k in range(2, p)):
             p += 1
     return 1 + -(-top * (2 * degree - 1) * (p + 1) // 2)
+
+
+def _unit_denominator(x: list[Fraction], modulus: list[Fraction]) -> int:
+    """The product of the prime powers of statement 5 for primes below 1000."""
+    n, part = lcm(*(c.denominator for c in x)), 1
+    z = [c * n for c in x]
+    for prime in _SMALL:
+        power = gcd(n, prime ** n.bit_length())
+        if power > 1:
+            try:
+                ring = _Residues(modulus, prime)
+            except Undefined:
+                continue
+            if ring.is_unit(ring.read(z, ring.d)):
+                part *= power
+    return part
 
 
 # ---------------------------------------------------------------------- signs far out

@@ -118,7 +118,7 @@ def limits(answer):
 
 def test_a_whole_other_answer_is_rejected():
     """The consistent answer to another question, put in place of the true one with the region kept, is rejected."""
-    for name, answer in KINDS.items():
+    for answer in KINDS.values():
         true = answer.certificate["statement"]["answer"]
         for other in KINDS.values():
             lie = {**other.certificate["statement"]["answer"], "region": true["region"]}
@@ -239,3 +239,19 @@ def test_the_checker_stands_alone(tmp_path):
     file.write_text(json.dumps(KINDS["period in a field"].certificate))
     code = "import sys; sys.modules['flint'] = None; from exactkf.kernel.__main__ import main; sys.exit(main(sys.argv[1:]))"
     assert subprocess.run([sys.executable, "-c", code, str(file)], timeout=60).returncode == 0
+
+
+def test_denominators_bound_the_zeros_in_any_field():
+    """Where 2/kappa has a denominator the bound does not grow with the degree, and is true: a zero made at t is not beyond it."""
+    from exactkf.kernel.rotation import _unit_denominator
+
+    assert _unit_denominator([Fraction(0), Fraction(25, 18)], [Fraction(-2), Fraction(0), Fraction(1)]) == 9  # sqrt(2) is no unit modulo 2
+    assert _unit_denominator([Fraction(1, 7), Fraction(1, 7)], [Fraction(-2), Fraction(0), Fraction(1)]) == 7  # of norm -1
+    assert _unit_denominator([Fraction(3, 7), Fraction(1, 7)], [Fraction(-2), Fraction(0), Fraction(1)]) == 1  # of norm 7
+    field = AlgebraicField([Fraction(str(c)) for c in F7.minpoly.coeffs()], Fraction(1), Fraction(2))
+    x = field.element([Fraction(1, 6), Fraction(1, 3)])
+    s, old = x, x - x + 1
+    for t in range(3, 12):
+        s, old = x * s - old, s
+        bound = zero_bound(x.c, (s / old).c, field.modulus)
+        assert t <= bound < 100 * t and first_zero(x, s / old, bound, field) == t
