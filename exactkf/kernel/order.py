@@ -67,8 +67,8 @@ def _cases(statement: dict, rest: list) -> Iterator[dict]:
             for n, one in enumerate(formula[1:]):
                 yield from _cases(statement, [*rest[:k], [f"{label}.{n}", one, kind], *rest[k + 1:]])
             return
-    for label, formula, _ in rest:
-        statement = _assume(statement, label, formula)
+    for label, formula, kind in rest:
+        statement = {**_assume({**statement, "lemma": kind == "lemma"}, label, formula), "lemma": False}
     yield statement
 
 

@@ -52,6 +52,9 @@ class Reader:
 
     def __init__(self, statement: Mapping[str, Any]) -> None:
         self.statement = statement
+        names = [*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])]
+        if len(set(names)) < len(names):
+            raise Unknown("two things of one name")
         self.kinds = {name: kind for name, kind in statement["over"]}
         self.lets = {d[1]: d for d in statement["where"]}
         self.sizes: dict[str, tuple[Size, Size]] = {}  # letter -> (rows, columns)
@@ -59,6 +62,7 @@ class Reader:
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
+        self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
@@ -105,10 +109,15 @@ class Reader:
         local = local or {}
         if isinstance(tree, int):
             return {((), ()): tree} if tree else {}
+        if not local and id(tree) in self.memory:
+            return self.memory[id(tree)][1]
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")
-        return method(tree, local)
+        value = method(tree, local)
+        if not local:
+            self.memory[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
+        return value
 
     def _read_rational(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return {((), ()): number(Fraction(tree[1], tree[2]))} if tree[1] else {}
@@ -128,7 +137,7 @@ class Reader:
         raise Unknown(f"name {name!r} in a statement for every size")
 
     def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        definition = self.lets.get(tree[1])
+        definition = self.lets.get(tree[1]) if tree[1] not in local else None
         if definition is None or definition[0] != "let" or not definition[2]:
             raise Unknown(f"{tree[1]!r} with an index in a statement for every size")
         return self.read(definition[3], dict(zip(definition[2], [self.read(a, local) for a in tree[2:]], strict=True)))
