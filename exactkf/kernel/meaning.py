@@ -67,6 +67,8 @@ class World:
         if isinstance(tree, int):
             return tree
         op = tree[0]
+        if op == "sym" and not local and (found := self.values.get(tree[1])) is not None:
+            return found
         special = _SPECIAL.get(op)
         if special is not None:
             return special(self, tree, local or {})
