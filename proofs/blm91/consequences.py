@@ -49,13 +49,13 @@ LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)
 #: 1/kappa = -cos(2 pi q/p), and a point of the hyperbola
 TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 claim("BLM91-X.3", "the period for kappa = -sec(2 pi q/p), by the closed form",
-      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), over={p: integer(3, 60), q: integer(1, 29)},
-      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[evaluation()],
+      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"], over={q: integer(1, 29)},
+      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
       note="Every angle in lowest terms with p <= 60, that is both signs of kappa and kappa infinite (p = 4, q = 1), from one point of each hyperbola; "
            "by (X.2) the point does not matter.")
 claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itself",
       (1 + al0**2 - ga0**2 == 2 * lam * al0) & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)),
-      over={p: integer(3, 10), q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[evaluation(), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
+      sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
       note="(3.10) run step by step in the number field, from two points of each hyperbola.")
 claim("BLM91-X.5", "orbits that do not end have period p exactly when kappa = -sec(2 pi q/p)",
       forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)), over={p: integer(3, 8), q: integer(1, 3), u: scalar()},
@@ -71,8 +71,8 @@ claim("BLM91-X.6", "twice the cosine of a multiple angle, by a recursion with in
       where=[rec(Tn, t, 2, Sn[t]), rec(Sn, t, w + 1 / w, (w + 1 / w) * Sn[t] - Tn[t]), rec(W, t, 1, w * W[t])], by=[induction(), instances()],
       note="T_0 = 2, T_1 = x, T_(t+1) = x T_t - T_(t-1) for x = w + 1/w: T_t is a monic polynomial in x with integer coefficients for t >= 1.")
 claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
-      iff(exists(k, -2, 2, 2 * lam == k), (p == 3) | (p == 4) | (p == 6)), over={p: integer(3, 60), q: integer(1, 29)},
-      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
+      iff(exists(k, -2, 2, 2 * lam == k), (p == 3) | (p == 4) | (p == 6)), sizes=["p"], over={q: integer(1, 29)},
+      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
       note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
            "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
 still, zero = symbols("still zero")
@@ -99,8 +99,8 @@ claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2,
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first = symbols("odd d unit none first")
 claim("BLM91-X.10", "escape counts for every angle with p <= 60",
-      forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), over={p: integer(3, 60), q: integer(1, 29)},
+      forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), sizes=["p"], over={q: integer(1, 29)},
       where=[GCD, let(odd, ~exists(k, 1, p, 2 * k == p)), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
-             function(first, [j], j == 0)], given=LOWEST, by=[evaluation()],
+             function(first, [j], j == 0)], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
       note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
            "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")

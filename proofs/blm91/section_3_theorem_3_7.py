@@ -44,14 +44,14 @@ ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
 LISTED = "The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
-claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
-      by=[example(p=3, q=1), instances()],
-      repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
-                    by=[evaluation(), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9.")
-claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), over={p: integer(4, 12), q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
-      by=[example(p=6, q=1), instances()],
-      repair=repair("boundary case", WHY, RIGHT & (ALL == p - 2), over={p: integer(4, 14), q: integer(1, 6)}, where=COUNTED, given=[*LOWEST, EVEN],
-                    by=[evaluation(), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14. p = 4, kappa infinite, is right as printed.")
+claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
+      by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
+      repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
+                    by=[evaluation(p=range(3, 10, 2)), instances(12, p=range(3, 9, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9.")
+claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
+      by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
+      repair=repair("boundary case", WHY, RIGHT & (ALL == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=COUNTED, given=[*LOWEST, EVEN],
+                    by=[evaluation(p=range(4, 15, 2)), instances(12, p=range(4, 9, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14. p = 4, kappa infinite, is right as printed.")
 claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
       where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
       by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
@@ -72,9 +72,9 @@ claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and 
       by=[steps("BLM91-X.1", "BLM91-S71", "BLM91-S79", facts=[KRONECKER], prose="a point ends at step i when alpha = U_i/U_(i-1), the slope of one line turned by -i theta; gamma has two values; all other points, uncountably many near every point, do not end"),
           instances(24)],
       note="1/kappa = 3/5, -1/3, 2/5, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close; double: the slope belongs to two points.")
-claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances()],
-      repair=repair("boundary case", WHY + "; the other parts hold, each is a claim of its own", RIGHT, over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=LOWEST,
-                    by=[evaluation(), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
+claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances(p=range(3, 9))],
+      repair=repair("boundary case", WHY + "; the other parts hold, each is a claim of its own", RIGHT, sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
+                    by=[evaluation(p=range(3, 10)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
       note="Either theta is a rational multiple of pi or not; represented by the count of points that end in the first alternative, the part that fails.")
 
 # ---------------------------------------------------------------------- Corollary 3.8

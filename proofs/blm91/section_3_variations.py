@@ -60,8 +60,8 @@ claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1,
            "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(be, t, u, 1 / (2 * lam - be[t])))
-claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), over={d: integer(2, 12), nn: integer(1, 11), u: integer(3, 5)},
-      where=[*CIRCLE, function(flag, [t], t == d)], given=[*LOW, standing("the orbit exists", defined(be[d]))], by=[evaluation(), example(d=3, n_angle=1, u=3), example(d=5, n_angle=2, u=4)],
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11), u: integer(3, 5)},
+      where=[*CIRCLE, function(flag, [t], t == d)], given=[*LOW, standing("the orbit exists", defined(be[d]))], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1, u=3), example(d=5, n_angle=2, u=4)],
       note="1/kappa = cos(pi n/d): period d from each of three slopes, and U_(t-1) = 0 first for t = d, so that the slopes U_i/U_(i-1), i < d, are all that end. For every slope: A^d is a multiple of the identity.")
 claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},
       where=[GCD, let(lam, cospi(nn, d)), let(hits, sum_of(k, -99, 99, when((abs(100 * lam - k) < 2) & (k != 0) & (abs(k) != 50), 1, 0)))], given=LOW,

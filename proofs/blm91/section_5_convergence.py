@@ -84,9 +84,9 @@ claim("BLM91-E5.2a", "roots on the unit circle for |kappa| > 1",
           instances(40), example(kappa=1), example(kappa=-1), example(kappa="101/100"), example(kappa="-101/100")],
       note="Two zeros on the circle and none of them real: exactly for kappa^2 > 1. cos(theta_kappa) = 1/kappa is (5.2b).")
 claim("BLM91-E5.2b", "the angle of the roots",
-      (2 * fq < p) & (cospi(fq, p) == abs(1 / kap)) & iff(kap > 1, fq == j) & iff(kap < -1, fq == p - j), over={p: integer(3, 16), j: integer(1, 15)},
+      (2 * fq < p) & (cospi(fq, p) == abs(1 / kap)) & iff(kap > 1, fq == j) & iff(kap < -1, fq == p - j), sizes=["p"], over={j: integer(1, 15)},
       where=[let(kap, 1 / cospi(j, p)), let(fq, when(kap > 1, j, p - j))], given=[standing("angle", j < p), standing("kappa finite", 2 * j != p)],
-      by=[evaluation(), instances(40)],
+      by=[evaluation(p=range(3, 17)), instances(12, p=range(3, 9))],
       note="theta_kappa is pi j/p with cos(theta_kappa) = 1/kappa, and f pi/p is arctan sqrt(kappa^2 - 1), the angle in (0, pi/2) with cosine 1/|kappa|: f = j for "
            "kappa > 1, f = p - j for kappa < -1. All angles with p <= 16.")
 

@@ -100,13 +100,13 @@ claim("BLM91-S74", "slopes: periodic or dense, with theta of (5.3)", iff(back, w
              by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="a line is turned by theta in a suitable basis; it is back when t theta is a multiple of pi"),
                  instances(40, using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), instances(30, using={k: integer(-1, 1), y: scalar()}, made_by={lam: k * rational("1/2"), x: y})]),
       note="On rational 1/kappa, where the rational angles are those with 1/kappa = 0, 1/2, -1/2; the last conjunct compares the number of the display cited with that of the display that defines theta_kappa.")
-ANGLE = {d: integer(2, 24), nn: integer(1, 23)}
+ANGLE = {nn: integer(1, 23)}
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[t]), function(back, [t], Pw[t] == Pw[t][1, 1] * Identity(2)))
-claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
-      by=[example(d=3, n_angle=1, p=2), instances()],
-      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), over=ANGLE, where=POWERS, given=LOW,
-                    by=[evaluation(), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
+claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), sizes=["d"], over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
+      by=[example(d=3, n_angle=1, p=2), instances(d=range(2, 9))],
+      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
+                    by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
       note="theta = n pi/d, d >= 2. p is not defined where it stands, and is read as any natural number. A^k l = l for all l means that A^k is a multiple of the identity. Evaluated for all angles with d <= 24, every d >= 2 among them.")
 claim("BLM91-S76", "no real zeros of phi for |kappa| > 1", phi_ > 0, over={**POINT, kap: scalar(), x: scalar()}, where=[PHI], given=[given("kappa", kap * (1 + al0**2 - ga0**2) == 2 * al0), given("|kappa| > 1", kap**2 > 1)],
       by=[steps(facts=["a quadratic polynomial with negative discriminant has no real zero"], prose="the discriminant is 4 alpha_0^2 (1/kappa^2 - 1)"),

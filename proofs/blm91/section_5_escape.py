@@ -40,9 +40,9 @@ claim("BLM91-S77", "the escaping slopes are countably many, all different",
           instances(20, m=(2, 3, 5, 8), using={u: scalar()}, made_by={lam: u / (1 + abs(u))}), example(**{"m": 5, "lambda": "1/2"})],
       note="alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
 claim("BLM91-S78", "escape times for a rational angle",
-      forall(i, 1, d - 1, defined(be(i, i - 1)) & ~defined(be(i, i))) & forall(i, 1, d, iff(Ut[i - 1] == 0, flag(i))), over={d: integer(2, 12), nn: integer(1, 11)},
+      forall(i, 1, d - 1, defined(be(i, i - 1)) & ~defined(be(i, i))) & forall(i, 1, d, iff(Ut[i - 1] == 0, flag(i))), sizes=["d"], over={nn: integer(1, 11)},
       where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d)],
-      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[evaluation(), example(d=5, n_angle=2), example(d=7, n_angle=3)],
+      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
       note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
            "U_(d-1) = 0 closes the list. Every angle n pi/d with d <= 12.")
 claim("BLM91-S79", "every alpha belongs to two points of the hyperbola", 1 + x**2 - 2 * lam * x > 0, over={lam: scalar(), x: scalar()}, given=[given("|kappa| > 1", lam**2 < 1)],
@@ -87,14 +87,14 @@ claim("BLM91-S83", "the hyperbola and the a-axis", defined(mate) & (1 + x * mate
       note="b is found from a; the point is ((a + b)/2, (b - a)/2).")
 
 # ---------------------------------------------------------------------- periods; omega = pi q/p, theta = pi (p - 2q)/p
-ANGLES = {p: integer(3, 10), q: integer(1, 4)}
+ANGLES = {q: integer(1, 4)}
 ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 EXISTS = standing("the orbit exists", defined(ga[p]))
 same, mirror, pair = symbols("same mirrored both")
 claim("BLM91-S84", "periods of alpha, of a and of the point",
-      forall(t, 1, p, ((al[t] == al0) >> (same(t) | mirror(t))) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), over=ANGLES,
+      forall(t, 1, p, ((al[t] == al0) >> (same(t) | mirror(t))) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), sizes=["p"], over=ANGLES,
       where=[*ROTATION, *ORBIT, function(same, [t], ga[t] == ga0), function(mirror, [t], ga[t] == -ga0), function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
-      by=[evaluation(), example(p=5, q=1), example(p=6, q=1), example(p=8, q=3)],
+      by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=5, q=1), example(p=6, q=1), example(p=8, q=3)],
       note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. Every angle omega = pi q/p with p <= 10, one point each; for every point: alpha and gamma are the same functions of a.")
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
@@ -103,11 +103,11 @@ claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * s
       note="alpha_i = sin(theta/2), gamma_i = cos(theta/2), lambda = cos(theta). The zeros are 2 sin(theta/2)(sin(theta/2) +- i cos(theta/2)), the upper one with argument pi/2 - theta/2.")
 D_OF = (let(odd, ~exists(k, 1, p, 2 * k == p)), function(alternative, [t], when(odd, t == p, 2 * t == p)))
 claim("BLM91-S87", "theta from omega, and the period of alpha",
-      (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(Ut[t - 1] == 0, alternative(t))), over={p: integer(3, 40), q: integer(1, 19)},
-      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
+      (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(Ut[t - 1] == 0, alternative(t))), sizes=["p"], over={q: integer(1, 19)},
+      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even). Every angle with p <= 40.")
-claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), over={p: integer(3, 40)},
-      where=[let(q, 1), *ROTATION, *PROJECTIVE], by=[evaluation(), example(p=3), example(p=4), example(p=6), example(p=7)],
+claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
+      where=[let(q, 1), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
       note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, p <= 40; for every p by (X.2). Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
       where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))], by=[evaluation()],
@@ -122,10 +122,10 @@ TWO_EACH = forall(t, 1, d - 1, count(t) == 2)
 CORRECT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0)))
 WHY = ("alpha^(d-1) is 0, and the points (0, 1), (0, -1) of every hyperbola have |gamma| = 1, so that they end at step 1 and not at step d - 1; for d > 2 four points end at step 1, two at "
        "each of the steps 2, .., d - 2, and none later")
-claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), over={p: integer(3, 9), q: integer(1, 4)}, where=COUNTED, given=LOWEST,
-      by=[example(p=3, q=1), instances()],
-      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, over={p: integer(3, 11), q: integer(1, 5)}, where=COUNTED, given=LOWEST,
-                    by=[evaluation(), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
+claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
+      by=[example(p=3, q=1), instances(p=range(3, 9))],
+      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=LOWEST,
+                    by=[evaluation(p=range(3, 12)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
       note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
