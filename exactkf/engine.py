@@ -19,7 +19,6 @@ Main definitions
 
 from __future__ import annotations
 
-import json
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -31,9 +30,8 @@ from flint import fmpq
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
-from exactkf.finders.membership import find_membership, find_order
 from exactkf.finders.mutants import MutantReport, judge_mutants
-from exactkf.finders.prove import PROOFS, candidates
+from exactkf.finders.prove import PROOFS, candidates, every_size
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
@@ -237,10 +235,7 @@ def _accept(certificate: dict, found: Findings) -> bool:
 
 def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """Try the proofs asked for, in order, until one is accepted; then the weaker kinds."""
-    if data["sizes"]:  # every size at once is the strongest there is
-        _every_size(id, data, found, 5.0 if any(e.kind in ("identity", "combination") for e in by) else 2.0)
-        if found.strength != "proved":
-            _ordered(id, data, next((e.hints for e in by if e.kind == "order"), {}), found)
+    _every_size(id, data, by, found)  # the strongest there is
     for e in by:
         if e.kind in PROOFS and found.strength != "proved":
             for certificate in candidates(id, data, e):
@@ -263,24 +258,26 @@ def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
             replay(found.certificates[k])
 
 
-def _ordered(id: str, data: dict, hints: Mapping[str, Any], found: Findings) -> None:
-    """Order, invertibility and equations for every size, leaf by leaf."""
-    sums, roots, lemmas = json.loads(json.dumps([hints.get(key, ()) for key in ("sums", "roots", "lemmas")]))
-    parts = find_order(data, sums, roots, lemmas)
-    if parts is not None and _accept(seal(id, "order", data, {"parts": parts, "lemmas": lemmas}), found):
-        found.strength, found.sizes = "proved", None
-        found.evidence.append("for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-                              "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices")
-    elif sums:
-        found.evidence.append("order: the terms given do not prove it")
-
-
-def _every_size(id: str, data: dict, found: Findings, seconds: float) -> None:
+def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """A proof in words of letters holds for every size at once."""
-    terms = find_membership(data, seconds=seconds)
-    if terms is not None and _accept(seal(id, "membership", data, {"terms": terms}), found):
-        found.strength, found.sizes = "proved", None
-        found.evidence.append(f"for every size: {sum(map(len, terms))} multiples of the assumptions, expanded in words")
+    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction") for e in by) else 2.0
+    for certificate in every_size(id, data, by, seconds):
+        if _accept(certificate, found):
+            found.strength, found.sizes = "proved", None
+            terms = certificate["evidence"].get("terms", ())
+            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))))
+            return
+    for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
+        found.evidence.append(f"{kind}: the terms given do not prove it")
+
+
+_FOR_EVERY_SIZE = {
+    "membership": "for every size: {} multiples of the assumptions, expanded in words",
+    "order": "for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
+             "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
+    "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "
+                      "and sums of terms that are semidefinite by their form",
+}
 
 
 def _better(found: Findings, strength: str) -> bool:

@@ -10,7 +10,7 @@ evidence            what it shows                                              b
 ==================  =========================================================  ==========================
 `identity`          conclusion is an identity in all variables, per size       proved, proved-sizes
 `combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
-`induction`         base and step of ``always(t, ...)``, per size              proved, proved-sizes
+`induction`         base and step of ``always(t, ...)``, for every size         proved, proved-sizes
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
 `order`             order, invertibility and equations for every size          proved
 `evaluation`        a closed statement, or every case of a finite one          proved
@@ -79,21 +79,35 @@ def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
 
 
 def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[Any, int, Any]]] = (),
-              **sizes: Iterable[int] | int) -> Evidence:
-    """Base and step for a conclusion ``always(t, lhs == rhs)`` along recursions of the statement.
+              base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = (),
+              shapes: Mapping[Expr | str, tuple[Sequence[Any], Sequence[Any]]] | None = None, **sizes: Iterable[int] | int) -> Evidence:
+    """Base and step for a conclusion ``always(t, ...)`` or ``forall(t, a, b, ...)`` along recursions of the statement.
 
-    The induction hypothesis is used in the form lhs - rhs at t (times a cofactor that the finder
-    looks for); an invariant quantity has cofactor one.
+    Without ``**sizes`` it is for every size (see `exactkf.kernel.recursion`), and the conclusion may be made of
+    equations, order and invertibility. With sizes it is for each of them and about equations: the induction
+    hypothesis is used in the form lhs - rhs at t (times a cofactor that the finder looks for); an invariant
+    quantity has cofactor one.
 
     Parameters
     ----------
-    also : sequence of equations in t
+    also : sequence of formulas in t
         What the induction carries along beside the conclusion.
+    base, step : `order`, or a sequence of them
+        Terms for the leaves of base and step, in the values at t, where the engine does not find them; one for each
+        conjunct of the conclusion, or one for all. For every size.
+    shapes : mapping of recursion to (row sizes, column sizes)
+        Blocks of its values, where those of the initial value are not fine enough. For every size.
     cofactors : for each equation, of the conclusion and of ``also``, a list of ``(left, number, right)``
         lhs - rhs at t + 1 = sum of left * (lhs - rhs of the equation so numbered, at t) * right.
     """
     rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
-    return Evidence("induction", {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows})
+    hints: dict[str, Any] = {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows}
+    for key, given in (("base", base), ("step", step)):
+        if given:
+            hints[key] = tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given))
+    if shapes:
+        hints["shapes"] = {_name(k): [[to_expr(x).tree for x in side] for side in v] for k, v in shapes.items()}
+    return Evidence("induction", hints)
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
@@ -134,7 +148,7 @@ def instances(count: int = 24, *, made_by: Mapping[Expr | str, Any] | None = Non
     count : int
         How many instances the certificate carries; the search looks at many more.
     made_by : mapping of variable to term
-        Variables that are computed from others so that the hypotheses hold.
+        Variables that are computed from others so that the hypotheses hold; ``(k, term in k)`` for a sequence.
     using : mapping of name to type
         Auxiliary variables that ``made_by`` uses and the statement does not have.
     horizon : int
@@ -161,7 +175,7 @@ def _name(key: Expr | str) -> str:
 
 
 def _named(mapping: Mapping[Expr | str, Any] | None) -> dict[str, Any]:
-    return {_name(k): to_expr(v).tree for k, v in (mapping or {}).items()}
+    return {_name(k): ("each", _name(v[0]), to_expr(v[1]).tree) if isinstance(v, tuple) else to_expr(v).tree for k, v in (mapping or {}).items()}
 
 
 def _plain(mapping: Mapping[Expr | str, Any]) -> dict[str, Any]:

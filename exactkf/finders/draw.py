@@ -21,9 +21,9 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
-from exactkf.kernel.instances import admissible
+from exactkf.kernel.instances import admissible, computed
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World
+from exactkf.kernel.meaning import Signal, World
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
@@ -107,7 +107,8 @@ class Sampler:
         if "field" in example:
             data["field"] = example["field"]
         for name, kind in self.statement["over"]:
-            data["values"][name] = _listed(example[name], kind[0] in _MATRICES)
+            data["values"][name] = _listed(example[name], kind[0] in _MATRICES) if kind[0] not in ("sequence_of", "signal_of") else [
+                _listed(x, True) for x in example[name]]
         return data, read_instance(self.statement, data)
 
     def _draw(self, sizes: Mapping[str, int], flavour: str) -> tuple[dict, dict]:
@@ -116,10 +117,11 @@ class Sampler:
         kinds = dict(self.statement["over"])
         for name, kind in [*self.using.items(), *kinds.items()]:
             if name not in self.made_by and name not in values:
-                args = [world.integer(a, {}) for a in kind[1:]]
-                values[name] = world.values[name] = self._value(kind[0], args, flavour)
+                values[name] = world.values[name] = self._variable(kind, world, flavour)
         for name, tree in self.made_by.items():
-            made = world.value(tree)
+            made = computed(world, kinds.get(name) or self.using.get(name, ("",)), tree)
+            if isinstance(made, Signal):
+                made = {k: made[k] for k in range(made.start, made.start + self.horizon + 3)}
             if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
                 made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
             values[name] = world.values[name] = made
@@ -146,6 +148,13 @@ class Sampler:
             if (x := self.number("small" if flavour == "degenerate" else flavour)) != 0:
                 return x
         return 1  # where a source of choices shrinks to zeros
+
+    def _variable(self, kind: Any, world: World, flavour: str) -> Any:
+        if kind[0] not in ("sequence_of", "signal_of"):
+            return self._value(kind[0], [world.integer(a, {}) for a in kind[1:]], flavour)
+        first, args = world.integer(kind[1], {}), [world.integer(a, {}) for a in kind[-1][1:]]
+        last = world.integer(kind[2], {}) if kind[0] == "sequence_of" else first + self.horizon + 2
+        return {k: self._value(kind[-1][0], args, flavour) for k in range(first, last + 1)}
 
     def _value(self, kind: str, args: list[int], flavour: str) -> Any:
         match kind:

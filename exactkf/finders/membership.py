@@ -23,9 +23,10 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.recursion import Induction, inductions
 from exactkf.kernel.words import Reader, relations, residual_blocks
 
-__all__ = ["find_membership", "find_order"]
+__all__ = ["find_induction", "find_membership", "find_order"]
 
 Word = tuple[str, ...]
 Poly = dict[Word, Fraction]
@@ -92,6 +93,60 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
     return out
 
 
+def find_induction(statement: dict, hints: Any = None, seconds: float = 5.0) -> dict | None:
+    """Evidence of a ``word induction``, or None.
+
+    Parameters
+    ----------
+    hints : mapping
+        Of `exactkf.evidence.induction`: what is carried along, shapes of the state, terms for base and step.
+    """
+    hints = hints or {}
+    for shapes in [hints["shapes"]] if hints.get("shapes") else _shapes(statement):
+        conjuncts = []
+        for number, part in enumerate(inductions(statement)):
+            try:
+                made = Induction(part, hints.get("also", ()), shapes)
+                proofs = _prove_cases(made, hints, number, seconds)
+            except (Unknown, Undefined, KeyError, TypeError):
+                proofs = None
+            if proofs is None:
+                break
+            conjuncts.append(proofs)
+        else:
+            return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes}
+    return None
+
+
+def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> list | None:
+    """A proof for each base and for the step of one conjunct."""
+    proofs = []
+    for case, lemmas in zip([*made.bases, *([made.step] if made.step else [])], made.lemmas, strict=True):
+        asked = hints.get("step" if case is made.step else "base") or [{}]
+        given = asked[min(number, len(asked) - 1)]
+        sums = [[made.at(t, case) for t in terms] for terms in given.get("sums", ())]
+        roots = [[name, made.at(t, case)] for name, t in given.get("roots", ())]
+        own = [made.at(t, case) for t in given.get("lemmas", ())]
+        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds)
+        if found is None:
+            return None
+        proofs.append({"parts": found, "lemmas": own})
+    return proofs
+
+
+def _shapes(statement: dict) -> Iterator[dict]:
+    """Shapes to try for the values of recursions: those of their initial values, then even ones in two halves."""
+    yield {}
+    halves = {}
+    for d in statement["where"]:
+        first = d[4][0] if d[0] == "rec" else 0
+        size = first[1] if isinstance(first, list) and first[0] == "I" else 0
+        if isinstance(size, list) and size[0] == "*" and size[1] == 2 and len(size) == 3:
+            halves[d[1]] = [[size[2]] * 2] * 2
+    if halves:
+        yield halves
+
+
 def _own_terms(case: dict, formula: Any) -> list[list]:
     """Terms to try: the matrix of the conclusion as it stands, with definitions left in, and those of the hypotheses."""
     op, args = formula[0], formula[1:]
@@ -104,7 +159,7 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
         return [[args[0]], *given]
     if op == "loewner":
         big, small = args
-        return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)], *given]
+        return [[big]] if small == 0 else [[["-", big, small]], [big, ["neg", small]], [_without(big, small)], *given, []]
     return []
 
 

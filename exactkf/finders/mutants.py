@@ -9,20 +9,19 @@ there either.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any
 
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.equal import says_nothing_new, subtree
-from exactkf.finders.membership import find_membership, find_order
-from exactkf.finders.prove import PROOFS, candidates
+from exactkf.finders.prove import PROOFS, candidates, every_size
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.kernel.replay import NotACertificate, Rejected, replay
 from exactkf.language.mutate import Mutant, mutants, rewritings
 
 __all__ = ["MutantReport", "judge_mutants"]
@@ -137,13 +136,7 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
 
 def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
     """A proof of the same kind proves the changed statement: both are theorems."""
-    tries = [c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)]
-    if changed["sizes"]:
-        if (terms := find_membership(changed, seconds=1.0)) is not None:
-            tries.append(seal("mutant", "membership", changed, {"terms": terms}))
-        hints: Any = next((json.loads(json.dumps(dict(e.hints))) for e in by if e.kind == "order"), {})
-        if (parts := find_order(changed, hints.get("sums", ()), hints.get("roots", ()), seconds=1.0)) is not None:
-            tries.append(seal("mutant", "order", changed, {"parts": parts}))
+    tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)), every_size("mutant", changed, by, 1.0))
     for certificate in tries:
         try:
             replay(certificate)

@@ -8,14 +8,16 @@ checker decides.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, product
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.membership import find_induction, find_membership, find_order
 from exactkf.kernel.replay import seal
 
-__all__ = ["PROOFS", "candidates"]
+__all__ = ["PROOFS", "candidates", "every_size"]
 
 PROOFS = ("identity", "combination", "induction", "positivity", "evaluation")
 
@@ -36,10 +38,24 @@ def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Ite
             yield seal(id, "positivity", statement, {"cases": cases, "terms": evidence.hints["terms"]})
         case "evaluation":
             yield seal(id, "evaluation", statement, {"cases": cases})
-        case "induction":
+        case "induction" if evidence.hints["sizes"] or not statement["sizes"]:
             given = {key: evidence.hints[key] for key in ("also", "cofactors") if evidence.hints.get(key)}
             for use in [{}] if "cofactors" in given else _uses(statement, given.get("also", ())):
                 yield seal(id, "induction", statement, {"cases": cases, **given, **use})
+
+
+def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float) -> Iterator[dict]:
+    """Certificates to try that hold for every size at once."""
+    if not statement["sizes"]:
+        return
+    hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
+    if (terms := find_membership(statement, seconds=seconds)) is not None:
+        yield seal(id, "membership", statement, {"terms": terms})
+    sums, roots, lemmas = (hints.get("order", {}).get(key, []) for key in ("sums", "roots", "lemmas"))
+    if (parts := find_order(statement, sums, roots, lemmas, seconds=seconds)) is not None:
+        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas})
+    if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
+        yield seal(id, "word induction", statement, found)
 
 
 def _cases(statement: Mapping[str, Any], sizes: Mapping[str, Any]) -> list[dict[str, int]]:

@@ -18,7 +18,7 @@ from exactkf.kernel.meaning import Signal, World, is_invertible, is_pd, is_psd, 
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown, rational
 from exactkf.kernel.symbolic import SymbolicField
 
-__all__ = ["admissible", "generic", "read_instance", "read_number"]
+__all__ = ["admissible", "computed", "generic", "read_instance", "read_number"]
 
 
 def read_number(text: Any, field: AlgebraicField | None) -> Any:
@@ -52,6 +52,11 @@ def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number:
 
 
 def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
+    if kind[0] in ("sequence_of", "signal_of"):
+        first = world.integer(kind[1], {})
+        if kind[0] == "sequence_of" and len(data) != max(0, world.integer(kind[2], {}) - first + 1):
+            raise Undefined("a sequence lists all its matrices")
+        return {first + k: _read_value(world, kind[-1], x, read) for k, x in enumerate(data)}
     args = [world.integer(a, {}) for a in kind[1:]]
     match kind[0]:
         case "integer":
@@ -85,9 +90,10 @@ _TYPE_TESTS: dict[str, Callable[..., bool]] = {
 def admissible(statement: Mapping[str, Any], world: World) -> str:
     """'' if types and hypotheses hold, else what does not."""
     for name, kind in statement["over"]:
-        test = _TYPE_TESTS.get(kind[0])
-        if test and not test(world.values[name], *(world.integer(a, {}) for a in kind[1:])):
-            return f"{name} is not of type {kind[0]}"
+        each, one = ([world.values[name]], kind) if kind[0] not in ("sequence_of", "signal_of") else (world.values[name].values(), kind[-1])
+        test = _TYPE_TESTS.get(one[0])
+        if test and not all(test(value, *(world.integer(a, {}) for a in one[1:])) for value in each):
+            return f"{name} is not of type {one[0]}"
     for label, formula, _kind in statement["given"]:
         if not truth(world, formula, {}):
             return f"hypothesis {label!r} does not hold"
@@ -107,13 +113,36 @@ def generic(statement: Mapping[str, Any], sizes: Mapping[str, int], given_by: Ma
     for name, kind in statement["over"]:
         if name in values or name in given_by:
             continue
-        args = [World({"where": statement["where"]}, values).integer(a, {}) for a in kind[1:]]
-        values[name] = _generic_value(name, kind[0], args, new)
+        values[name] = _generic_variable(World({"where": statement["where"]}, values), name, kind, new)
     world = World(statement, values)
     world.symbolic = True
+    kinds = dict(statement["over"])
     for name, tree in given_by.items():
-        world.values[name] = world.value(tree)
+        world.values[name] = computed(world, kinds.get(name, ("",)), tree)
     return world, new
+
+
+def computed(world: World, kind: Any, tree: Any) -> Any:
+    """Value of a term; ``["each", k, term]`` is the sequence of the term's values at the indices of a type."""
+    if isinstance(tree, int) or tree[0] != "each":
+        return world.value(tree)
+    if kind[0] == "signal_of":
+        return Signal(world.integer(kind[1], {}), lambda k: world.value(tree[2], {tree[1]: k}))
+    if kind[0] not in ("sequence", "sequence_of"):
+        raise Unknown("a term with an index for a variable without one")
+    return {k: world.value(tree[2], {tree[1]: k}) for k in range(world.integer(kind[1], {}), world.integer(kind[2], {}) + 1)}
+
+
+def _generic_variable(world: World, name: str, kind: Any, new: Callable[[str], Any]) -> Any:
+    if kind[0] not in ("sequence_of", "signal_of"):
+        return _generic_value(name, kind[0], [world.integer(a, {}) for a in kind[1:]], new)
+    first, args = world.integer(kind[1], {}), [world.integer(a, {}) for a in kind[-1][1:]]
+
+    def entry(k: int) -> Any:
+        return _generic_value(f"{name}_{k}", kind[-1][0], args, new)
+    if kind[0] == "signal_of":
+        return Signal(first, entry)
+    return {k: entry(k) for k in range(first, world.integer(kind[2], {}) + 1)}
 
 
 def _generic_value(name: str, kind: str, args: list[int], new: Callable[[str], Any]) -> Any:

@@ -21,7 +21,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["Laurent", "Ratio", "Undefined", "Unknown", "divide", "rational", "rationals", "sign"]
+__all__ = ["Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "divide", "rational", "rationals", "sign"]
 
 
 class Undefined(Exception):
@@ -30,6 +30,10 @@ class Undefined(Exception):
 
 class Unknown(Exception):
     """This evaluator has no exact answer to the question."""
+
+
+class Rejected(Exception):
+    """A step of the certificate does not replay."""
 
 
 _rational: Callable[[int, int], Any] = Fraction

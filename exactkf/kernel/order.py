@@ -42,11 +42,11 @@ __all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
 # ---------------------------------------------------------------------- taking a conclusion apart
 def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
     """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
-    own = [statement["says"], *(formula for _, formula, _ in statement["given"])]
+    own = [statement["says"]]
     for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
             yield from _leaves({**case, "lemma": True}, lemma)
-            case = _assume(case, f"lemma {len(case['given'])}", lemma)
+            case = {**_assume({**case, "lemma": True}, f"lemma {len(case['given'])}", lemma), "lemma": False}
         yield from _leaves(case, statement["says"])
 
 
@@ -63,11 +63,16 @@ def _cases(statement: dict, rest: list) -> Iterator[dict]:
 
 
 def _assume(statement: dict, label: str, formula: Any) -> dict:
+    """A formula of the statement that is true has a value, and so have its inverses; those of a lemma need a reason."""
     if formula[0] == "and":
         for n, part in enumerate(formula[1:]):
             statement = _assume(statement, f"{label}.{n}", part)
         return statement
-    return {**statement, "given": [*statement["given"], [label, formula, "standing"]]}
+    return _evaluated({**statement, "given": [*statement["given"], [label, formula, "standing"]]}, formula)
+
+
+def _evaluated(statement: dict, formula: Any) -> dict:
+    return statement if statement.get("lemma") else {**statement, "own": [*statement["own"], formula]}
 
 
 def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
@@ -78,7 +83,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
             if part[0] in ("psd", "pd", "invertible"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
     elif formula[0] == "=>":
-        yield from _leaves(_assume(statement, label, formula[1]), formula[2])
+        yield from _leaves(_evaluated(_assume(statement, label, formula[1]), formula[2]), formula[2])
     elif formula[0] == "<=>":
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
@@ -215,8 +220,11 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
 
 
 def _register_inverses(reader: Reader, tree: Any) -> None:
-    """Let the reader meet every inverse that a tree of the statement writes down."""
+    """Let the reader meet every inverse that a tree of the statement writes down and that must exist for it to have a value."""
     if not isinstance(tree, (list, tuple)) or not tree:
+        return
+    if tree[0] in ("=>", "or"):  # what comes after the first part need not have a value
+        _register_inverses(reader, tree[1])
         return
     if tree[0] in ("inv", "/", "^"):
         with suppress(Unknown, Undefined, TypeError):

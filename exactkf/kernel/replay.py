@@ -14,6 +14,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``induction``    t = 0, and t -> t + 1 with symbols in place of the state at t
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
+``word induction``  for every size: base and step, each by an ``order``
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ===============  ==================================================================
 
@@ -29,13 +30,12 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.every_size import KINDS
 from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rationals
-from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.symbolic import SymbolicField
-from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
 
@@ -46,10 +46,6 @@ _GENERIC_T = 10**6  # stands for "some t" in an induction step; no recursion can
 
 class NotACertificate(Exception):
     """The object is no certificate of this version."""
-
-
-class Rejected(Exception):
-    """A step of the certificate does not replay."""
 
 
 def digest(certificate: Mapping[str, Any]) -> str:
@@ -284,42 +280,6 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
     return found
 
 
-def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    reader = Reader(statement)
-    goals = [(p, b.rows[i], b.cols[j]) for b in residual_blocks(reader, statement["says"])
-             for i, row in enumerate(b.grid) for j, p in enumerate(row)]
-    assumed = relations(reader)
-    _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
-    for number, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
-        _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {number}: the terms do not add up")
-    return [f"det({text(p)})" for p, _ in reader.inverses]
-
-
-def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows: Any, cols: Any, terms: list) -> Any:
-    """What is left of a polynomial after multiples of assumptions are taken off."""
-    one = Fraction(1)
-    for c, left, name, right in terms:
-        product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
-        for _, word in product:
-            _need(word_sizes(reader, word, rows) == cols, f"a word of relation {name} has other sizes than the block")
-        rest = add(rest, product, -Fraction(c))
-    return rest
-
-
-def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    todo = list(leaves(statement, evidence.get("lemmas", ())))
-    denominators: list[str] = []
-    _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
-    for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
-        leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()), proof.get("null", ""))
-        blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
-        _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
-        for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
-            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {number}: the terms do not add up")
-        denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
-    return denominators
-
-
 # ---------------------------------------------------------------------- induction
 def _fresh(like: Any, name: str, field: SymbolicField) -> Any:
     """A value of the same shape with a new symbol in every place."""
@@ -443,5 +403,5 @@ def _need(condition: bool, step: str) -> None:
 
 _KINDS = {
     "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
-    "combination": _combination, "positivity": _positivity, "membership": _membership, "order": _order, "induction": _induction,
+    "combination": _combination, "positivity": _positivity, "induction": _induction, **KINDS,
 }

@@ -23,8 +23,9 @@ Main definitions
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from itertools import count
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
@@ -112,6 +113,17 @@ def _size_text(size: Size) -> str:
     return "+".join(str(c) if not n else n if c == 1 else f"{c}{n}" for n, c in size) or "0"
 
 
+def _hypotheses(statement: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The hypotheses with their labels, the members of a conjunction apart."""
+    todo = [(label, formula) for label, formula, _ in reversed(statement["given"])]
+    while todo:
+        label, formula = todo.pop()
+        if formula[0] == "and":
+            todo.extend((f"{label}.{n}", part) for n, part in reversed(list(enumerate(formula[1:]))))
+        else:
+            yield label, formula
+
+
 class Reader:
     """Reads the terms of one statement as block matrices of noncommutative polynomials."""
 
@@ -122,9 +134,10 @@ class Reader:
         self.sizes: dict[str, tuple[Size, Size]] = {}  # letter -> (rows, columns)
         self.transposed: dict[str, str] = {}  # letter -> letter of its transpose
         self.inverses: list[tuple[Poly, str]] = []  # (term, letter of its inverse)
+        symmetric = {f[1][1] for _, f in _hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
         for name, kind in statement["over"]:
             if kind[0] == "matrix":
-                self._letter(name, self.size(kind[1]), self.size(kind[2]), False)
+                self._letter(name, self.size(kind[1]), self.size(kind[2]), name in symmetric and kind[1] == kind[2])
             elif kind[0] in ("symmetric", "psd", "pd"):
                 self._letter(name, self.size(kind[1]), self.size(kind[1]), True)
             elif kind[0] in ("nonsingular", "diagonal"):
@@ -301,7 +314,7 @@ class Reader:
         for term, letter in self.inverses:
             if term == turned:
                 return (self.transposed[letter],)
-        name = f"inv{len(self.inverses) + 1}"
+        name = next(name for k in count(len(self.inverses) + 1) if (name := f"inv{k}") not in {**self.kinds, **self.sizes})
         self._letter(name, size, size, turned == p)
         self.inverses.append((p, name))
         return (name,)
@@ -372,9 +385,7 @@ def residual_blocks(reader: Reader, formula: Any) -> list[Blocks]:
         x = reader.read(formula[1])
         out = [reader._plus(x, reader.transpose(x), -1)]
     elif op == "symplectic":
-        m = reader.read(formula[1])
-        if not isinstance(m, Blocks) or len(m.rows) != 2 or m.rows != m.cols or m.rows[0] != m.rows[1]:
-            raise Unknown("symplectic matrix that is not given by four blocks")
+        m = _in_halves(reader, reader.read(formula[1]))
         j = Blocks(m.rows, m.cols, [[{}, dict(ONE)], [{((), ()): Fraction(-1)}, {}]])
         out = [reader._times(reader._times(reader.transpose(m), j), m).plus(j, -1)]
     else:
@@ -383,10 +394,20 @@ def residual_blocks(reader: Reader, formula: Any) -> list[Blocks]:
     return [x if isinstance(x, Blocks) else Blocks((one,), (one,), [[x]]) for x in out]
 
 
+def _in_halves(reader: Reader, m: Any) -> Blocks:
+    """A matrix as four square blocks of one size."""
+    if isinstance(m, Blocks) and len(m.rows) == len(m.cols) == 1 and all(c % 2 == 0 for _, c in m.rows[0]):
+        half = (tuple((n, c // 2) for n, c in m.rows[0]),) * 2
+        m = reader._split_like(m, half, half)
+    if not isinstance(m, Blocks) or len(m.rows) != 2 or m.rows != m.cols or m.rows[0] != m.rows[1]:
+        raise Unknown("symplectic matrix that is not given by four blocks")
+    return m
+
+
 def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
     """What the two-sidedness of inverses of square matrices adds to a hypothesis."""
     if formula[0] == "symplectic":
-        m = reader.read(formula[1])
+        m = _in_halves(reader, reader.read(formula[1]))
         j = Blocks(m.rows, m.cols, [[{}, dict(ONE)], [{((), ()): Fraction(-1)}, {}]])
         return [reader._times(reader._times(m, j), reader.transpose(m)).plus(j, -1)]
     if formula[0] == "=" and formula[1][0] == "*" and len(formula[1]) == 3 and formula[2][0] == "I":
@@ -399,8 +420,10 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
 def relations(reader: Reader) -> dict[str, Poly]:
     """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
     out: dict[str, Poly] = {}
-    for label, formula, _kind in reader.statement["given"]:
+    for label, formula in _hypotheses(reader.statement):
         try:
+            if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
+                formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
             found = residual_blocks(reader, formula) + _other_side(reader, formula)
         except (Unknown, TypeError):
             continue  # an inequality or a rank is not used

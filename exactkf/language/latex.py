@@ -149,10 +149,10 @@ def _printer(statement: Statement) -> LaTeX:
 
 
 def _variable(printer: LaTeX, name: str, type_: tuple) -> str:
-    if type_[0] == "signal":
+    if type_[0] in ("signal", "signal_of"):
         first = printer(("at", name, type_[1]))
         return rf"{first},{printer(('at', name, _next(type_[1])))},\dots"
-    if type_[0] != "sequence":
+    if type_[0] not in ("sequence", "sequence_of"):
         return printer.name(name)[0]
     return rf"{printer(('at', name, type_[1]))},\dots,{printer(('at', name, type_[2]))}"
 
@@ -162,7 +162,7 @@ def _next(index: Any) -> Any:
 
 
 def _typed(printer: LaTeX, names: str, type_: tuple) -> str:
-    kind, *args = type_
+    kind, *args = type_[-1] if type_[0] in ("sequence_of", "signal_of") else type_
     if kind == "matrix" and args[1] == 1:
         return rf"{names}\in\mathbb{{R}}^{{{printer.script(args[0])}}}"
     need = Bind.LOOSE if kind in RANGES else Bind.PRODUCT

@@ -28,16 +28,21 @@ from exactkf._errors import BadInput
 from exactkf.language.tree import OPERATIONS, Expr, to_expr
 
 __all__ = [
-    "TYPES", "Statement", "as_lists", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg", "nonsingular",
-    "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
-    "signal", "standing", "symmetric_matrix", "vector",
+    "TYPES", "Statement", "as_lists", "as_tuples", "diagonal", "function", "given", "integer", "let", "matrix", "monic", "nonneg",
+    "nonsingular", "nonzero", "polynomial", "positive", "positive_definite", "positive_semidefinite", "rec", "scalar", "sequence",
+    "sequence_of", "signal", "signal_of", "standing", "symmetric_matrix", "vector",
 ]
 
 #: type -> number of arguments
 TYPES = {
-    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "signal": 1, "matrix": 2, "symmetric": 1,
+    "scalar": 0, "nonzero": 0, "positive": 0, "nonneg": 0, "integer": 2, "sequence": 2, "signal": 1, "sequence_of": 3, "signal_of": 2,
+    "matrix": 2, "symmetric": 1,
     "psd": 1, "pd": 1, "nonsingular": 1, "diagonal": 1, "poly": 1, "monic": 1,
 }
+
+
+#: types of a single matrix
+MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
 
 
 def _type(name: str, doc: str):
@@ -64,6 +69,22 @@ nonsingular = _type("nonsingular", "nonsingular(n): n x n with nonzero determina
 diagonal = _type("diagonal", "diagonal(n): n x n diagonal matrix.")
 polynomial = _type("poly", "polynomial(n): polynomial in z of degree at most n.")
 monic = _type("monic", "monic(n): z^n + lower terms.")
+
+
+def sequence_of(type: tuple, lo: Any, hi: Any) -> tuple:
+    """sequence_of(matrix(n, p), lo, hi): matrices M_lo .. M_hi, each of a type."""
+    return ("sequence_of", to_expr(lo).tree, to_expr(hi).tree, _of_matrices(type))
+
+
+def signal_of(type: tuple, lo: Any) -> tuple:
+    """signal_of(positive_definite(p), lo): matrices R_lo, R_lo+1, ... without end; instances list the first few."""
+    return ("signal_of", to_expr(lo).tree, _of_matrices(type))
+
+
+def _of_matrices(type: tuple) -> tuple:
+    if not isinstance(type, tuple) or type[:1] not in [(m,) for m in MATRICES]:
+        raise BadInput(f"argument 'type' = {type!r} is no type of a matrix; for scalars use sequence or signal")
+    return type
 
 
 def vector(length: Any) -> tuple:
@@ -178,9 +199,12 @@ def as_tuples(value: Any) -> Any:
 
 
 def _check(statement: Statement) -> None:
-    known = set(statement.sizes) | {n for n, _ in statement.over} | {d[1] for d in statement.where}
-    for name, type_ in statement.over:
-        if type_[0] not in TYPES or len(type_) != TYPES[type_[0]] + 1:
+    known = set(statement.sizes) | {n for n, _ in tuple(statement.over)} | {d[1] for d in statement.where}
+    for name, type_ in tuple(statement.over):
+        known_type = type_[0] in TYPES and len(type_) == TYPES[type_[0]] + 1
+        if known_type and type_[0] in ("sequence_of", "signal_of"):
+            known_type = isinstance(type_[-1], tuple) and type_[-1][:1] in [(m,) for m in MATRICES] and len(type_[-1]) == TYPES[type_[-1][0]] + 1
+        if not known_type:
             raise BadInput(f"variable {name!r} has unknown type {type_!r}; see exactkf.language.TYPES")
     for definition in statement.where:
         if definition[0] == "let":

@@ -165,6 +165,9 @@ def statement_text(statement: Statement) -> str:
 
 
 def _typed(show: Text, name: str, type_: tuple) -> str:
+    if type_[0] in ("sequence_of", "signal_of"):
+        first, *last = (show.arg(a, Bind.LOOSE) for a in type_[1:-1])
+        return _typed(show, f"{name}[{first}..{last[0]}]" if last else f"{name}[{first}], {name}[{first} + 1], ...", type_[-1])
     need = Bind.LOOSE if type_[0] in RANGES else Bind.POWER
     return fill(_TYPES[type_[0]], [name, *(show.arg(a, need) for a in type_[1:])])
 

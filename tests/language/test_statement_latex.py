@@ -32,7 +32,7 @@ from exactkf.language.text import statement_text
 
 n, m, t, i, k, x, A, B, P, R, W, d, f, gamma, v = symbols("n m t i k x A B P R W d f gamma v")
 
-SEQUENCES = ("sequence", "signal")
+SEQUENCES = ("sequence", "signal", "sequence_of", "signal_of")
 STATEMENT = Statement(
     sizes=["n", "m"],
     over={"A": matrix(n, m), "B": matrix(n, m), "P": positive_semidefinite(2 * n), "gamma": sequence(0, n - 1),
@@ -69,11 +69,12 @@ def test_whole_statement():
 
 def test_every_type_prints():
     for kind, count in TYPES.items():
-        statement = Statement(over={"x": (kind, *[3] * count)}, says=x[3] == x[3] if kind in SEQUENCES else x == x)
+        args = [3] * (count - 1) + [("pd", 3)] if kind.endswith("_of") else [3] * count
+        statement = Statement(over={"x": (kind, *args)}, says=x[3] == x[3] if kind in SEQUENCES else x == x)
         assert convert(statement_latex(statement)).startswith("<math")
         assert statement_text(statement).startswith("for   x")
         assert type_latex("x", ["matrix", 3, 3]) == r"x\in\mathbb{R}^{3\times 3}"
-        assert type_latex("x", [kind, *[3] * count]) == over_latex(statement)[0]
+        assert type_latex("x", [kind, *args]) == over_latex(statement)[0]
 
 
 def test_data_as_json_has_it():

@@ -647,6 +647,8 @@ class _World:
         return self._rational(data)
 
     def _read(self, kind: Any, data: Any) -> Any:
+        if kind[0] in ("sequence_of", "signal_of"):
+            return {self.index(kind[1], {}) + k: self._read(kind[-1], x) for k, x in enumerate(data)}
         args = [self.index(a, {}) for a in kind[1:]]
         match kind[0]:
             case "integer":
@@ -661,8 +663,10 @@ class _World:
 
     def typed(self) -> bool:
         """The values have the types of their variables."""
-        return all(self._fits(kind[0], self.names[name], [self.index(a, {}) for a in kind[1:]])
-                   for name, kind in self.statement["over"])
+        return all(self._fits(one[0], value, [self.index(a, {}) for a in one[1:]])
+                   for name, kind in self.statement["over"]
+                   for one, values in [(kind[-1], self.names[name].values()) if kind[0] in ("sequence_of", "signal_of") else (kind, [self.names[name]])]
+                   for value in values)
 
     @staticmethod
     def _fits(kind: str, v: Any, args: list[int]) -> bool:
