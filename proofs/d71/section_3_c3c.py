@@ -41,12 +41,14 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonsingular,
+    nonzero,
     pd,
     positive_definite,
     positive_semidefinite,
     psd,
     rows,
     scalar,
+    schur,
     standing,
     substitute,
     symbols,
@@ -98,3 +100,403 @@ claim("D71-E3.78", "P takes the null vector to zero",
       by=[instances(n=(2, 3), q=(1, 2), using={Y: matrix(n, n)},
                     made_by={X: FIRST, F: matrix_of(i, j, n, n, when(j <= q, 0, Y[i, j])), N: Gam*FIRST, P: F*inv(Gam)})],
       note="X has a one in the place of the column; with more columns it stands for several of them.")
+
+# --- the same in a basis where the process falls apart ------------------------------------------------------------------
+# Instances: two coordinates that do not meet. In each, R_p is 2 x 2 with the eigenvalues w and 1/w, where
+# h s = -(phi - w)(phi - 1/w), and the eigenvector at w is [w phi - 1; s]. Then a change of basis E.
+
+w, u, lam, PP = symbols("w u lam PP")
+PAIR = rows([[a, b], [-b, a]])
+#: the second coordinate is driven and measured, with phi = s = 1
+H2 = (w - 1)*(1 - 1/w)
+TWO = {"n": (2,), "p": (1,)}
+HIDDEN = {"using": {E: nonsingular(2), w: scalar(), l: scalar()},
+          "made_by": {b: 0, V: rows([[1]]), M: rows([[0, 1]])*inv(E), Phi: E*diag(a, 1)*inv(E), H: E*diag(l**2, H2)*T(E), N: E*rows([[1, 0], [0, 0]]),
+                      bv: diag(E, inv(T(E)))*rows([[1 + l**2/a], [w + 1/w - 2], [1/a - a], [2]])}}
+#: unobservable: the columns of T at lam, at w, at 1/w and at 1/lam
+AT_LAM, AT_W, AT_1W = ([1, 0], [0, 0]), ([0, w - 1], [0, 1]), ([0, 1/w - 1], [0, 1])
+AT_1LAM = ([l**2/a, 0], [1/a - a, 0])
+
+
+def columns(one, two, first, second):
+    """F, Gamma and J from two eigenvectors."""
+    return {F: E*rows([[one[0][0], two[0][0]], [one[0][1], two[0][1]]]), Gam: inv(T(E))*rows([[one[1][0], two[1][0]], [one[1][1], two[1][1]]]),
+            J: rows([[first, 0], [0, second]])}
+
+
+def family(base, *choice):
+    """Instances with the two eigenvectors chosen."""
+    return instances(5, **TWO, using=base["using"], made_by={**base["made_by"], **columns(*choice)})
+
+
+NONDEROGATORY = given("R_p is nonderogatory", invertible(matrix_of(i, j, 2*n, 2*n, (Rp**(j - 1)*bv)[i])))
+TRIPLE = {**MODEL, F: matrix(n, n), Gam: matrix(n, n), J: matrix(n, n), a: scalar(), b: scalar(), N: matrix(n, 2)}
+HIDES = [given("an unobservable mode", (Phi*N == N*PAIR) & (M*N == Zero(p, 2))), given("its eigenvector is not zero", N != Zero(n, 2))]
+SWAP = {"V": [[1]], "M": [[-1, "2/3"]], "Phi": [[2, -1], [0, "1/2"]], "H": [[4, 6], [6, 9]]}
+#: Example 3.1: derogatory, with the unobservable mode 1/2 in J and a nonsingular Gamma
+DEROGATORY = example({"n": 2, "p": 1, **SWAP, "F": [[8, 0], [12, 0]], "Gam": [[0, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": "1/2", "b": 0,
+                      "N": [[2, 0], [3, 0]], "bv": [1, 2, 3, 4]})
+#: one driven and measured mode with the equilibrium P = 1, J = 2
+ORDINARY = {"n": 1, "p": 1, "Phi": [[1]], "H": [["1/2"]], "M": [[1]], "V": [[1]], "F": [[1]], "Gam": [[1]], "J": [[2]]}
+MODE_NOTE = ("The mode is lambda = a + ib with the eigenvector u + iv, N = [u, v]; for a real one b = 0. A matrix is nonderogatory exactly if some vector "
+             "b makes b, Rb, R^2 b, ... a basis.")
+ROTATION = {"n": 2, "p": 1, "Phi": [[1, 2], [-2, 1]], "V": [[1]], "a": 1, "b": 2}
+
+claim("D71-T3.13.a", "Gamma is singular if J has an unobservable mode",
+      det(Gam) == 0,
+      sizes=["n", "p"], over={**TRIPLE, bv: vector(2*n)}, where=R_WHERE,
+      given=[RT_TJ, *HIDES, given("the mode is in J", ~coprime(charpoly(J), charpoly(PAIR))), NONDEROGATORY],
+      by=[steps("D71-E3.66", facts=["A nonderogatory matrix has one eigenvector, up to a factor, at each eigenvalue."],
+                prose="If Jx = lambda x then Tx is an eigenvector of R_p, or zero; so is [n; 0], hence Tx is a multiple of it and Gamma x = 0."),
+          DEROGATORY, example({**ORDINARY, "a": 2, "b": 0, "N": [[1, 0]], "bv": [1, 0]}),
+          example({**ORDINARY, "a": 2, "b": 0, "N": [[0, 0]], "bv": [1, 0]}),
+          example({**ROTATION, "H": [[1, 0], [0, 2]], "M": [[0, 0]], "N": [[1, 0], [0, 1]], "J": [[1, 2], [-2, 1]], "F": [[1, 0], [0, 1]],
+                   "Gam": [[0, 0], [0, 0]], "bv": [1, 0, 1, 0]}),
+          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_LAM, AT_1W, a, 1/w), family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
+      note=MODE_NOTE)
+
+claim("D71-T3.13.b", "Gamma is singular if the conjugate reciprocal of an unobservable mode is not in J",
+      det(Gam) == 0,
+      sizes=["n", "p"], over=TRIPLE, where=R_WHERE,
+      given=[RT_TJ, *HIDES, given("the conjugate reciprocal is not in J", coprime(charpoly(J), charpoly(inv(T(PAIR)))))],
+      by=[steps("D71-E3.77", facts=["A matrix minus a number that is no eigenvalue is nonsingular."],
+                prose="n*Gamma is a left eigenvector of J at 1/lambda*, or zero; as J has no such eigenvalue it is zero."),
+          example({**ORDINARY, "a": 2, "b": 0, "N": [[1, 0]]}), example({**ORDINARY, "a": 2, "b": 0, "N": [[0, 0]]}),
+          example({**ROTATION, "H": [[1, 0], [0, 2]], "M": [[0, 0]], "N": [[1, 0], [0, 1]], "J": [[1, 2], [-2, 1]], "F": [[1, 0], [0, 1]],
+                   "Gam": [[0, 0], [0, 0]]}),
+          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_LAM, AT_1W, a, 1/w), family(HIDDEN, AT_W, AT_1W, w, 1/w),
+          family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
+      note="The mode is lambda = a + ib with the eigenvector u + iv, N = [u, v]. J and R_p may be derogatory: that R_p is not is needed for part (a) only.")
+
+# the first coordinate is undriven: h = 0, phi = a, s = 1
+TWO_TWO = {"n": (2,), "p": (2,)}
+LOUD = {"using": {E: nonsingular(2), w: scalar()},
+        "made_by": {b: 0, V: Identity(2), M: inv(E), Phi: E*diag(a, 1)*inv(E), H: E*diag(0, H2)*T(E), N: inv(T(E))*rows([[1, 0], [0, 0]]),
+                    bv: diag(E, inv(T(E)))*rows([[a**2 - 1], [w + 1/w - 2], [2], [2]])}}
+AT_A, AT_1A = ([a**2 - 1, 0], [1, 0]), ([0, 0], [1, 0])
+
+
+def loud(*choice):
+    """Instances with the two eigenvectors chosen."""
+    return instances(5, **TWO_TWO, using=LOUD["using"], made_by={**LOUD["made_by"], **columns(*choice), P: F*inv(Gam)})
+
+
+DRIVES = [given("an undriven mode", (T(Phi)*N == N*T(PAIR)) & (H*N == Zero(n, 2))), given("its eigenvector is not zero", N != Zero(n, 2))]
+IF_EXISTS = standing("P_e = F Gamma^{-1} where that exists", invertible(Gam) >> (P*Gam == F))
+#: Gamma is singular and P does not matter
+NO_P = {"n": 1, "p": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "F": [[0]], "Gam": [[0]], "J": [["1/2"]], "a": 2, "b": 0, "N": [[1, 0]], "P": [[5]]}
+
+claim("D71-T3.14.a", "F is singular if J has the conjugate reciprocal of an undriven mode",
+      (det(F) == 0) & (invertible(Gam) >> (P*N == Zero(n, 2))),
+      sizes=["n", "p"], over={**TRIPLE, P: matrix(n, n), bv: vector(2*n)}, where=R_WHERE,
+      given=[RT_TJ, IF_EXISTS, *DRIVES, given("its conjugate reciprocal is in J", ~coprime(charpoly(J), charpoly(inv(T(PAIR))))), NONDEROGATORY],
+      by=[steps("D71-E3.64", "D71-E3.78", facts=["A nonderogatory matrix has one eigenvector, up to a factor, at each eigenvalue."],
+                prose="If Jx = x/lambda* then Tx is an eigenvector of R_p, or zero; so is [0; n], hence Fx = 0 and Gamma x is a multiple of n, not zero "
+                      "if Gamma is nonsingular."),
+          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[1, 0]], "P": [[1]], "bv": [1, 0]}), example({**NO_P, "bv": [1, 0]}),
+          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[0, 0]], "P": [[1]], "bv": [1, 0]}),
+          # Example 3.1: the undriven mode 2, with 1/2 in J
+          example({"n": 2, "p": 1, **SWAP, "F": [[8, 25], [12, 24]], "Gam": [[0, 3], [1, 0]], "J": [[2, 0], [0, 2]], "a": 2, "b": 0,
+                   "N": [[3, 0], [-2, 0]], "P": [[1, 0], [0, 1]], "bv": [1, 2, 3, 4]}),
+          example({"n": 2, "p": 1, **SWAP, "F": [[8, 2], [12, 3]], "Gam": [[1, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": 2, "b": 0,
+                   "N": [[3, 0], [-2, 0]], "P": [[1, 0], [0, 1]], "bv": [1, 2, 3, 4]}),
+          example({**ROTATION, "H": [[0, 0], [0, 0]], "M": [[1, 1]], "N": [[1, 0], [0, 1]], "J": [["1/5", "-2/5"], ["2/5", "1/5"]], "F": [[0, 0], [0, 0]],
+                   "Gam": [[1, 0], [0, 1]], "P": [[0, 0], [0, 0]], "bv": [1, 0, 0, 1]}),
+          loud(AT_1A, AT_W, 1/a, w), loud(AT_1A, AT_1W, 1/a, 1/w), loud(AT_A, AT_W, a, w)],
+      note=MODE_NOTE)
+
+claim("D71-T3.14.b", "F is singular if an undriven mode is not in J",
+      (det(F) == 0) & (invertible(Gam) >> (T(N)*P == Zero(2, n))),
+      sizes=["n", "p"], over={**TRIPLE, P: matrix(n, n)}, where=R_WHERE,
+      given=[RT_TJ, IF_EXISTS, *DRIVES, given("the mode is not in J", coprime(charpoly(J), charpoly(PAIR)))],
+      by=[steps("D71-E3.80", facts=["A matrix minus a number that is no eigenvalue is nonsingular."],
+                prose="n*F is a left eigenvector of J at lambda, or zero; as J has no such eigenvalue it is zero, and so is n*P = n*F Gamma^{-1}."),
+          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[1, 0]], "P": [[1]]}), example(NO_P),
+          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[0, 0]], "P": [[1]]}),
+          example({**ROTATION, "H": [[0, 0], [0, 0]], "M": [[1, 1]], "N": [[1, 0], [0, 1]], "J": [["1/5", "-2/5"], ["2/5", "1/5"]], "F": [[0, 0], [0, 0]],
+                   "Gam": [[1, 0], [0, 1]], "P": [[0, 0], [0, 0]]}),
+          loud(AT_1A, AT_W, 1/a, w), loud(AT_1A, AT_1W, 1/a, 1/w), loud(AT_A, AT_W, a, w),
+          ],
+      note="J and R_p may be derogatory. The vector that P takes to zero stands on the left here, n*P = 0, and on the right in part (a).")
+
+# --- the sign of a Hermitian equilibrium ----------------------------------------------------------------------------------
+
+G, KK, f, g, A, C, D, BB, Rm, Psi = symbols("G KK f g A C D BB Rm Psi")
+MIDDLE = inv(Phi)*H*PhiT
+Zn = Zero(n, n)
+
+
+def weight(corner):
+    """The matrix G of (3.98) with the upper left block of its last factor."""
+    return block([[I, S], [Zn, I]])*block([[S, Zn], [Zn, MIDDLE]])*block([[corner, Zn], [S, I]])
+
+
+CORNER = "the last factor of G in (3.98) needs I in its upper left corner, as a congruence has it; with 0 there the term F*M'V^{-1}MF is lost"
+BOTH = vstack(f, g)
+
+claim("D71-E3.98", "the weight G is nonnegative definite",
+      psd(T(BOTH)*weight(Zn)*BOTH),
+      sizes=["n", "p", "q"], over={**MODEL, f: matrix(n, q), g: matrix(n, q)}, where=[let(S, gram())],
+      by=[order([T(S*f + g)*inv(Phi)*H*inv(T(Phi))*(S*f + g)]), instances(n=(1, 2, 3), p=(1, 2), q=(1, 2))],
+      note="G is the printed product, with 0 in the upper left corner of the last factor; [f; gamma] has any number of columns, so that the matrix G itself "
+           "is meant. It is nonnegative definite, but not the matrix that (3.99) and (3.102) need: see there.")
+
+EIGEN = {**MODEL, F: matrix(n, q), Gam: matrix(n, q), J: matrix(q, q)}
+FORM = T(J)*(T(Gam)*F)*J - T(Gam)*F
+EIGEN_MADE = {"using": {E: nonsingular(q)},
+              "made_by": {F: matrix_of(i, j, n, q, E[i, j]), Gam: matrix_of(i, j, n, q, E[i + n, j]),
+                          J: inv(E)*block([[H*PhiT*gram() + Phi, H*PhiT], [PhiT*gram(), PhiT]])*E}}
+ONE_EIGEN = example(n=1, p=1, q=1, Phi=[["1/2"]], H=[[0]], M=[[1]], V=[[1]], F=[[3]], Gam=[[-4]], J=[["1/2"]])
+
+
+def square(corner):
+    """(3.99)."""
+    return (FORM == T(TT)*weight(corner)*TT) & psd(FORM)
+
+
+claim("D71-E3.99", "J*QJ - Q is nonnegative definite",
+      square(Zn), sizes=["n", "p", "q"], over=EIGEN, where=R_WHERE, given=[RT_TJ],
+      by=[ONE_EIGEN, instances(n=(1, 2), p=(1, 2), q=(2, 4), **EIGEN_MADE)],
+      repair=repair("other", CORNER, square(I), sizes=["n", "p", "q"], over=EIGEN, where=R_WHERE, given=[RT_TJ],
+                    by=[order([], [T(F)*T(M)*inv(V)*M*F, T(S*F + Gam)*inv(Phi)*H*inv(T(Phi))*(S*F + Gam)]),
+                        ONE_EIGEN, instances(n=(1, 2), p=(1, 2), q=(2, 4), **EIGEN_MADE)]),
+      note="F, Gamma and J stand for F_1, Gamma_1 and J_1; nothing is asked of the eigenvalues.")
+
+SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n)}
+MORE = {"n": (1, 2, 3), "p": (1, 2)}
+COEFFICIENTS = [let(S, gram()), let(A, H*PhiT), let(BB, H*PhiT*S + Phi), let(C, -PhiT), let(D, PhiT*S)]
+EQUILIBRIUM = given("(3.46)", P == step())
+SOLVED = {H: P - Phi*update()*T(Phi)}
+LEFT = T(D*P - C)*P*(D*P - C) - P
+
+claim("D71-E3.100", "the remainder R",
+      LEFT == hstack(T(P), I)*block([[T(D)*BB, T(D)*A], [-T(C)*BB - I, -T(C)*A]])*vstack(P, I),
+      sizes=["n"], over={A: matrix(n, n), BB: matrix(n, n), C: matrix(n, n), D: matrix(n, n), P: symmetric_matrix(n)},
+      given=[given("(3.10)", A + BB*P + P*C - P*D*P == Zn)],
+      by=[instances(n=(1, 2, 3), made_by={A: P*D*P - BB*P - P*C})],
+      note="The upper left block is D*B; the scan has lost the star that D*A beside it has. B is called BB here.")
+
+claim("D71-E3.102", "R is nonnegative definite",
+      (LEFT == hstack(P, I)*weight(Zn)*vstack(P, I)),
+      sizes=["n", "p"], over=SYSTEM, where=COEFFICIENTS, given=[EQUILIBRIUM],
+      by=[example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]]), instances(**MORE, made_by=SOLVED)],
+      repair=repair("other", CORNER,
+                    (LEFT == hstack(P, I)*weight(I)*vstack(P, I)) & (psd(H) >> psd(LEFT)),
+                    sizes=["n", "p"], over=SYSTEM, where=COEFFICIENTS, given=[EQUILIBRIUM],
+                    by=[order([], [P*T(M)*inv(V)*M*P, T(S*P + I)*inv(Phi)*H*inv(T(Phi))*(S*P + I)]),
+                        example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]]),
+                        example(n=1, p=1, Phi=[["1/2"]], H=[["-1/2"]], M=[[1]], V=[[1]], P=[["-2/3"]]),
+                        instances(**MORE, made_by=SOLVED)]),
+      note="R is the left side of (3.100). H is any symmetric matrix in the equation and nonnegative definite in the conclusion.")
+
+claim("D71-E3.103", "an eigenvector of DP - C",
+      T(Psi)*T(g)*P*g*Psi - T(g)*P*g == T(g)*Rm*g,
+      sizes=["n", "q"], over={C: matrix(n, n), D: matrix(n, n), P: symmetric_matrix(n), g: matrix(n, q), Psi: matrix(q, q)},
+      where=[let(Rm, LEFT)], given=[given("eigenvector", (D*P - C)*g == g*Psi)],
+      by=[instances(n=(2, 3), q=(1, 2), using={E: nonsingular(n), X: matrix(n, n)},
+                    made_by={C: D*P - E*block([[Psi, matrix_of(i, j, q, n - q, X[i, j])], [Zero(n - q, q), matrix_of(i, j, n - q, n - q, X[i + q, j + q])]])*inv(E),
+                             g: E*FIRST})],
+      note="For a number psi the left side is (psi* psi - 1) gamma*P gamma; the factor gamma after P is lost in the scan. R is the left side of (3.100).")
+
+Q = symbols("Q")[0]
+
+claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
+      psd(Q),
+      sizes=["q"], over={Q: symmetric_matrix(q), J: matrix(q, q)},
+      given=[given("(3.99)", psd(T(J)*Q*J - Q)), given("|eigenvalues of J| > 1", schur(inv(J)))],
+      by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
+                                    "A limit of nonnegative definite matrices is nonnegative definite."],
+                prose="Theorem 8.4: Q is the sum of the nonnegative terms (J^{-i})*(J*QJ - Q)J^{-i}, i >= 1."),
+          example(q=1, Q=[[-1]], J=[["1/2"]]), example(q=1, Q=[[-1]], J=[[2]]),
+          instances(q=(1, 2, 3), using={E: nonsingular(q), d: vector(q), X: matrix(q, q)},
+                    made_by={J: E*matrix_of(i, j, q, q, when(i == j, 2 + d[i]**2, 0))*inv(E),
+                             Q: T(inv(E))*matrix_of(i, j, q, q, (X*T(X))[i, j]/((2 + d[i]**2)*(2 + d[j]**2) - 1))*inv(E)})])
+
+# --- two equilibria that differ in one eigenvalue -------------------------------------------------------------------------
+
+fa, fb, ga, gb, F2, Ga2, Pa, Pb, psi, k, k2, delta, WW = symbols("fa fb ga gb F2 Ga2 Pa Pb psi k k2 delta WW")
+r = symbols("r")[0]
+DIFFERENCE = {Pa: symmetric_matrix(n), Pb: symmetric_matrix(n), fa: matrix(n, r), ga: matrix(n, r), F2: matrix(n, n - r), Ga2: matrix(n, n - r)}
+COLUMNS = [given("(3.124)", (Pa*ga == fa) & (Pa*Ga2 == F2)), given("(3.125)", Pb*Ga2 == F2)]
+#: E = [gamma_a, Gamma_2]; the difference has rank r and is seen by gamma_a only
+SEEN = {Pa: Pb + T(inv(E))*diag(B, Zero(n - r, n - r))*inv(E), ga: matrix_of(i, j, n, r, E[i, j]), Ga2: matrix_of(i, j, n, n - r, E[i, j + r]),
+        fa: Pa*ga, F2: Pb*Ga2}
+GAMMA_A = hstack(ga, Ga2)
+
+claim("D71-E3.127", "the difference of two equilibria in the basis of one",
+      T(GAMMA_A)*(Pa - Pb)*GAMMA_A == block([[T(ga)*(fa - Pb*ga), Zero(r, n - r)], [Zero(n - r, r), Zero(n - r, n - r)]]),
+      sizes=["n", "r"], over=DIFFERENCE, given=COLUMNS,
+      by=[instances(n=(2, 3), r=(1,), using={E: nonsingular(n), B: symmetric_matrix(r)}, made_by=SEEN),
+          example(n=2, r=1, Pa=[[1, 0], [0, 1]], Pb=[[1, 0], [0, 3]], fa=[1, 0], ga=[1, 0], F2=[0, 1], Ga2=[0, 1])],
+      note="gamma_a has one column, or r of them. P_a and P_b are symmetric; their columns are (3.124) and (3.125) multiplied by Gamma_a and Gamma_b.")
+
+claim("D71-E3.128", "the equilibrium equation through M'V^{-1}M",
+      P == Phi*P*inv(I + S*P)*T(Phi) + H,
+      sizes=["n", "p"], over={Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: matrix(n, n)},
+      where=[let(S, gram())], given=[EQUILIBRIUM], by=[instances(**MORE, made_by=SOLVED, using={P: symmetric_matrix(n)}), instances(**MORE)])
+
+ONE_PAIR = given("(3.126)", Rp*vstack(fa, ga) == vstack(fa, ga)*psi)
+PAIR_OVER = {**MODEL, fa: matrix(n, r), ga: matrix(n, r), psi: matrix(r, r)}
+ALL_PAIRS = {"using": {E: nonsingular(r)},
+             "made_by": {fa: matrix_of(i, j, n, r, E[i, j]), ga: matrix_of(i, j, n, r, E[i + n, j]),
+                         psi: inv(E)*block([[H*PhiT*gram() + Phi, H*PhiT], [PhiT*gram(), PhiT]])*E}}
+
+claim("D71-E3.129", "both halves of the eigenvector equation",
+      (ga*psi == PhiT*(T(M)*inv(V)*M*fa + ga)) & (fa*psi == H*ga*psi + Phi*fa),
+      sizes=["n", "p", "r"], over=PAIR_OVER, where=R_WHERE, given=[ONE_PAIR],
+      by=[instances(n=(1, 2), p=(1, 2), r=(2, 4), **ALL_PAIRS)],
+      note="psi_1 stands on the right, as a matrix, so that f and gamma may have several columns.")
+
+GAP = T(ga)*(fa - Pb*ga)
+INNOVATION = T(M)*inv(M*Pb*T(M) + V)*M
+SQUARED = (T(fa) - T(ga)*Pb)*INNOVATION*(fa - Pb*ga)
+EQ_B = given("P_b is an equilibrium", Pb == step(Pb))
+SYSTEM_B = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), Pb: symmetric_matrix(n),
+            fa: matrix(n, r), ga: matrix(n, r), psi: matrix(r, r)}
+SOLVED_B = {H: Pb - Phi*update(Pb)*T(Phi)}
+
+claim("D71-E3.131", "the gap times |psi|^2 - 1",
+      eq(T(psi)*GAP*psi - GAP,
+         (T(fa)*S + T(ga))*(fa - Pb*inv(S*Pb + I)*(S*fa + ga)) - T(ga)*fa + T(ga)*Pb*ga,
+         SQUARED),
+      sizes=["n", "p", "r"], over=SYSTEM_B, where=R_WHERE, given=[ONE_PAIR, EQ_B],
+      by=[instances(n=(1, 2), p=(1, 2), r=(2, 4), using=ALL_PAIRS["using"], made_by={**SOLVED_B, **ALL_PAIRS["made_by"]})],
+      note="For a number psi_1 the left side is (psi* psi - 1)d. The primes on M and the index of gamma_1 = gamma_a are read into the scan.")
+
+claim("D71-S49", "the matrix inversion lemma for M'(MPM' + V)^{-1}M",
+      T(M)*inv(M*P*T(M) + V)*M == S - S*P*inv(S*P + I)*S,
+      sizes=["n", "p"], over={P: matrix(n, n), M: matrix(p, n), V: nonsingular(p)}, where=[let(S, gram())],
+      by=[instances(**MORE)])
+
+# the theorem: |psi|^2 - 1 = beta* beta, and all of these numbers commute
+beta = symbols("beta")[0]
+THEOREM = {**DIFFERENCE, **{k_: v_ for k_, v_ in SYSTEM_B.items() if k_.tree[1] not in ("fa", "ga")}, k: matrix(r, n), k2: matrix(n - r, n),
+           beta: nonsingular(r)}
+ABOVE_ONE = given("|psi_1| > 1", T(psi)*psi == Identity(r) + T(beta)*beta)
+COMMUTE = [standing("numbers commute: psi", T(psi)*GAP*psi == GAP*T(psi)*psi), standing("numbers commute: beta", GAP*T(beta)*beta == T(beta)*GAP*beta)]
+INVERSE_A = given("Gamma_a is nonsingular", (ga*k + Ga2*k2 == I) & (k*ga == Identity(r)) & (k*Ga2 == Zero(r, n - r))
+                  & (k2*ga == Zero(n - r, r)) & (k2*Ga2 == Identity(n - r)))
+RAISED = T(k)*inv(T(beta))*(T(fa - Pb*ga)*INNOVATION*(fa - Pb*ga))*inv(beta)*k
+
+PSI = {psi: rows([[(1 + e**2)/(1 - e**2)]]), beta: rows([[2*e/(1 - e**2)]])}
+
+#: undriven, phi = 5/3: the equilibria 16/9 and 0
+GROWING = {"n": 1, "p": 1, "r": 1, "Phi": [["5/3"]], "H": [[0]], "M": [[1]], "V": [[1]], "Pa": [["16/9"]], "Pb": [[0]], "fa": [["16/9"]], "ga": [[1]],
+           "F2": [[]], "Ga2": [[]], "psi": [["5/3"]], "beta": [["4/3"]], "k": [[1]], "k2": []}
+
+claim("D71-T3.19", "the eigenvalue outside the unit circle gives the larger equilibrium",
+      loewner(Pa, Pb),
+      sizes=["n", "p", "r"], over={**THEOREM, Pb: positive_semidefinite(n)}, where=R_WHERE,
+      given=[*COLUMNS, ONE_PAIR, EQ_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
+      by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
+          example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
+          example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
+          example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
+                  Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
+          instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
+                    made_by={**PSI, Phi: rows([[(1 + e**2)/(1 - e**2)]]), H: Zero(1, 1), V: Identity(p), M: matrix_of(i, j, p, 1, l), Pb: Zero(1, 1),
+                             Pa: rows([[(psi**2 - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)}),
+          instances(8, n=(2,), p=(2,), r=(1,), using={E: nonsingular(2), e: scalar(), w: scalar()},
+                    made_by={**PSI, Phi: E*diag((1 + e**2)/(1 - e**2), 1)*inv(E), H: E*diag(0, (w**2)*(1 - 1/(1 + w**2)))*T(E), V: Identity(2), M: inv(E),
+                             Pb: E*diag(0, w**2)*T(E), Pa: E*diag((2*e/(1 - e**2))**2, w**2)*T(E), ga: inv(T(E))*rows([[1], [0]]),
+                             Ga2: inv(T(E))*rows([[0], [1]]), fa: Pa*ga, F2: Pb*Ga2, k: rows([[1, 0]])*T(E), k2: rows([[0, 1]])*T(E)})],
+      note="Of the hypotheses of the theorem this uses |psi_1| > 1, that P_a and P_b are Hermitian, P_b is a nonnegative equilibrium and the two share the "
+           "columns 2 to n. beta is any number with |beta|^2 = |psi_1|^2 - 1, and k the first rows of the inverse of Gamma_a.")
+
+POSITIVE_B = given("MP_bM' + V > 0", pd(M*Pb*T(M) + V))
+
+claim("D71-Q3.1", "Theorem 3.19 without undriven modes, if MPM' + V > 0",
+      loewner(Pa, Pb),
+      sizes=["n", "p", "r"], over={**THEOREM, V: symmetric_matrix(p)}, where=R_WHERE,
+      given=[*COLUMNS, ONE_PAIR, EQ_B, POSITIVE_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
+      by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
+          example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
+          example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
+          # the driven pair 2/3 and -2/5, and the same with V < 0
+          example({**GROWING, "Phi": [[1]], "H": [["4/15"]], "Pa": [["2/3"]], "Pb": [["-2/5"]], "fa": [["2/3"]]}),
+          example({**GROWING, "V": [[-1]], "Pa": [["-16/9"]], "fa": [["-16/9"]]}),
+          example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
+                  Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
+          instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
+                    made_by={**PSI, Phi: Identity(1), H: rows([[(psi[1, 1] - 1)*(1 - 1/psi[1, 1])/(p*l**2)]]), V: Identity(p), M: matrix_of(i, j, p, 1, l),
+                             Pb: rows([[(1/psi[1, 1] - 1)/(p*l**2)]]),
+                             Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)})],
+      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium: P_b need not be nonnegative and the mode may be driven.")
+
+# --- an undriven stable mode ------------------------------------------------------------------------------------------------
+
+Qe = symbols("Qe")[0]
+MODE_P = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n), N: matrix(n, q),
+          Lam: matrix(q, q), Qe: symmetric_matrix(n)}
+LOST = P*T(M)*inv(M*P*T(M) + V)*M*P
+#: the equilibrium equation in its two steps
+TWO_STEPS = [given("(1.24)", Qe == P - LOST), given("(1.25)", P == Phi*Qe*T(Phi) + H)]
+#: with a P that does not vanish on N: undriven and unstable, phi = 5/3 and P = 16/9, and a stable one with the negative P = -16/25
+UNSTABLE = {"n": 1, "p": 1, "q": 1, "Phi": [["5/3"]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [["16/9"]], "N": [[2]], "Lam": [["5/3"]], "Qe": [["16/25"]]}
+NEGATIVE = {**UNSTABLE, "Phi": [["3/5"]], "Lam": [["3/5"]], "P": [["-16/25"]], "Qe": [["-16/9"]]}
+#: two coordinates alike, in another basis
+DOUBLE = instances(6, n=(1, 2), p=(1, 2), q=(1,), using={E: nonsingular(n), e: scalar(), c: nonzero()},
+                   made_by={Phi: E*(e*I)*inv(E), H: Zn, V: c**2*Identity(p), M: matrix_of(i, j, p, n, when((i == 1) & (j == 1), c, 0))*inv(E),
+                            P: E*matrix_of(i, j, n, n, when((i == 1) & (j == 1), e**2 - 1, 0))*T(E), N: inv(T(E))*FIRST, Lam: e*Identity(q), Qe: update()})
+
+#: the driven equilibrium 1 = 1/2 + 1/2
+DRIVEN_ONE = example({**UNSTABLE, "Phi": [[1]], "H": [["1/2"]], "P": [[1]], "Lam": [[1]], "Qe": [["1/2"]]})
+#: a Q that is not the update of P
+HALF_DONE = example({**UNSTABLE, "P": [["25/9"]], "Qe": [[1]]})
+
+claim("D71-E3.132", "the equilibrium equation on an undriven mode",
+      eq(T(N)*P*N, T(N)*(Phi*(P - LOST)*T(Phi) + H)*N, Lam*T(N)*(P - LOST)*N*T(Lam)),
+      sizes=["n", "p", "q"], over=MODE_P, given=[*TWO_STEPS, *UNDRIVEN],
+      by=[example(UNSTABLE), example(NEGATIVE), DRIVEN_ONE, HALF_DONE, DOUBLE],
+      note="For a number lambda the last term is (lambda* lambda) n*[...]n. The prime on the second Phi is read into the scan.")
+
+claim("D71-E3.133", "its two sides",
+      T(N)*P*N - Lam*T(N)*P*N*T(Lam) == -Lam*T(N)*LOST*N*T(Lam),
+      sizes=["n", "p", "q"], over=MODE_P,
+      given=[given("(3.132)", T(N)*P*N == Lam*T(N)*(P - LOST)*N*T(Lam))],
+      by=[example(UNSTABLE), example(NEGATIVE), DOUBLE])
+
+SMALL_MODE = {**MODEL, P: positive_semidefinite(n), N: matrix(n, q), Lam: matrix(q, q), beta: nonsingular(q), Qe: symmetric_matrix(n)}
+INSIDE = given("|lambda| < 1", Lam*T(Lam) + beta*T(beta) == Identity(q))
+ALIKE = [standing("numbers commute: lambda", Lam*T(N)*P*N*T(Lam) == T(N)*P*N*Lam*T(Lam)),
+         standing("numbers commute: beta", beta*T(N)*P*N*T(beta) == T(N)*P*N*beta*T(beta))]
+VANISH = [beta*T(N)*P*N*T(beta), Lam*T(N)*P*T(M)*inv(M*P*T(M) + V)*M*P*N*T(Lam)]
+#: (3.132), (3.133), the numbers put together, and a sum of two nonnegative matrices that vanishes
+DOWN = [T(N)*P*N == Lam*T(N)*Qe*N*T(Lam), T(N)*P*N - Lam*T(N)*P*N*T(Lam) == -Lam*T(N)*LOST*N*T(Lam),
+        beta*T(N)*P*N*T(beta) == T(N)*P*N - Lam*T(N)*P*N*T(Lam), (VANISH[0] + VANISH[1])*Identity(q) == Zero(q, q),
+        P*N*T(beta) == Zero(n, q)]
+INSIDE_MADE = {"using": {E: nonsingular(n), e: scalar(), D2: nonsingular(n - q), X: positive_semidefinite(n - q), c: scalar()},
+               "made_by": {Lam: rows([[(1 - e**2)/(1 + e**2)]]), beta: rows([[2*e/(1 + e**2)]]),
+                           Phi: E*diag((1 - e**2)/(1 + e**2), (1/(2 + c**2))*Identity(n - q))*inv(E), P: E*diag(Zero(q, q), X)*T(E), N: inv(T(E))*FIRST,
+                           Qe: update(), H: P - Phi*update()*T(Phi)}}
+#: each breaks one hypothesis
+STABLE = {**UNSTABLE, "P": [[1]], "Qe": [["1/2"]], "Lam": [["3/5"]], "beta": [["4/5"]]}
+BROKEN = [example({**UNSTABLE, "beta": [[1]]}), example({**UNSTABLE, "Lam": [["3/5"]], "beta": [["4/5"]]}),
+          example({**STABLE, "Phi": [["3/5"]], "H": [["41/50"]]}), example({**STABLE, "Phi": [["3/5"]]}),
+          example({**STABLE, "Phi": [["3/5"]], "Qe": [["25/9"]]})]
+
+claim("D71-T3.20", "an undriven stable mode makes a nonnegative equilibrium singular",
+      P*N == Zero(n, q),
+      sizes=["n", "p", "q"], over=SMALL_MODE, given=[*TWO_STEPS, *UNDRIVEN, INSIDE, *ALIKE],
+      by=[order([], [], [], [], VANISH, [inv(T(beta))], lemmas=DOWN),
+          *BROKEN,
+          instances(n=(1, 2, 3), p=(1, 2), q=(1,), **INSIDE_MADE)],
+      note="N is the vector n_d, and beta any number with |beta|^2 = 1 - |lambda|^2. As n_d is not zero, P is singular.")
+
+# --- the cross-reference in the proof ---------------------------------------------------------------------------------------
+
+Gp, Jp = symbols("Gp Jp")
+SIDES_142 = [given("(3.142)", (T(M)*inv(V)*M*(Phi*Qe*T(Phi) + H) + I)*Gp == T(Phi)*Gp*Jp), given("P = Phi Q Phi' + H", P == Phi*Qe*T(Phi) + H)]
+
+claim("D71-S50", "the two sides of the equation that is cited are zero",
+      T(Phi)*Gp*Jp == Zn,
+      sizes=["n", "p"], over={**MODEL, P: positive_semidefinite(n), Qe: positive_semidefinite(n), Gp: nonsingular(n), Jp: matrix(n, n)}, given=SIDES_142,
+      by=[example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[0]], V=[[1]], P=[[0]], Qe=[[0]], Gp=[[1]], Jp=[[1]]), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "cross-reference", "the equation with a nonnegative left and a nonpositive right side is (3.133); (3.142) belongs to the next section",
+          (T(N)*P*N - Lam*T(N)*P*N*T(Lam) == Zero(q, q)) & (Lam*T(N)*LOST*N*T(Lam) == Zero(q, q)) & (P*N == Zero(n, q)),
+          sizes=["n", "p", "q"], over=SMALL_MODE, given=[*TWO_STEPS, *UNDRIVEN, INSIDE, *ALIKE],
+          by=[order([], [], [], [], VANISH, [inv(T(beta))], VANISH, [inv(T(beta))], lemmas=DOWN),
+              *BROKEN,
+              instances(n=(1, 2, 3), p=(1, 2), q=(1,), **INSIDE_MADE)]),
+      note="Read as printed: (3.142) has two sides that are both zero. The right side of (3.142) is nonsingular as a rule.")
