@@ -119,7 +119,7 @@ claim("D71-E3.150", "the equation of the deviation",
       by=[example(SKEW), SOLVING],
       note="U is U_k and U1 is U_{k+1}. P and U may be any matrices, symmetric or not, for which the inverses exist.")
 
-K_, L_, GAP = symbols("K_ L_ GAP")
+K_ = symbols("K")[0]
 HERMITIAN = {**SYSTEM, P: symmetric_matrix(n)}
 
 claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
@@ -132,10 +132,12 @@ claim("D71-E3.151", "the linear equation",
       sizes=["n", "p"], over={**HERMITIAN, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
       by=[instances(**MORE, made_by=SOLVED)])
 
+CLOSED = K_*U*T(K_)*inv(I + D*U*T(K_))
+
 claim("D71-E3.166", "the equation of the deviation from a Hermitian equilibrium",
-      U1 == (B - P*D)*U*T(B - P*D)*inv(I + D*U*T(B - P*D)),
-      sizes=["n", "p"], over={**HERMITIAN, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[order(lemmas=[T(B - P*D)*(D*P - C) == I, (D*P - C)*T(B - P*D) == I, U1*(D*P - C + D*U) == (B - P*D)*U,
-                        U1*(I + D*U*T(B - P*D)) == (B - P*D)*U*T(B - P*D)]),
-          instances(**MORE, made_by=SOLVED)],
-      note="P is Hermitian, as in (3.165).")
+      U1 == CLOSED,
+      sizes=["n", "p"], over={**HERMITIAN, U: matrix(n, n), U1: matrix(n, n), K_: matrix(n, n)}, where=COEFFICIENTS,
+      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", K_ == B - P*D)],
+      by=[order(lemmas=[T(K_)*(D*P - C) == I, (D*P - C)*T(K_) == I, U1*(D*P - C + D*U) == K_*U, U1*(I + D*U*T(K_)) == K_*U*T(K_)]),
+          instances(**MORE, made_by={**SOLVED, U1: step(P + U) - P, K_: B - P*D})],
+      note="K is B - PD. P is Hermitian, as in (3.165).")
