@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""Convergence to the stable equilibrium (Chapter III, section C.4.b).
+
+Write K = B - PD for an equilibrium P with K inside the unit circle, L = DP - C for the
+inverse of K*, and W = M'(MPM' + V)^{-1}M, which is K*D.
+
+From above: for P_0 >= P the deviation U_k = P_k - P >= 0 satisfies U_{k+1} =
+K U_k(I + W U_k)^{-1}K*, which is at most K U_k K*. So U_k <= W_k with W_{k+1} = K W_k K*, and
+W_k tends to zero with the powers of K.
+
+From zero: for P > 0 and P_0 = 0 put P_k = P - U_k. Then U_k = K^k X_k^{-1}(K^k)* with
+X_0 = P^{-1} and X_{k+1} = X_k - (K^k)*W K^k. The X_k decrease, but stay above P^{-1} - S
+where S - K*SK = W; and P^{-1} - S is positive definite because
+L(P^{-1} - S)L* - (P^{-1} - S) = (P - H)^{-1} - P^{-1} >= 0, with a null vector only if some
+mode is undriven. So X_k^{-1} stays bounded and U_k tends to zero.
+
+In closed form, for any start: U_k = K^k U_0 [L^k + S_k U_0]^{-1} with S_{k+1} = L S_k + D K^k;
+and S_k = L^k E - E K^k for a solution E of LE - EK = D.
+"""
+
+from exactkf.claims import claim
+from exactkf.evidence import example, induction, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    eq,
+    given,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    matrix_of,
+    nonsingular,
+    pd,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    rec,
+    schur,
+    standing,
+    symbols,
+    symmetric_matrix,
+    when,
+)
+from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
+
+q, S, A, B, C, D, K, L, U, U0, U1, W, X, X1, t = symbols("q S A B C D K L U U0 U1 W X X1 t")
+Pi, Lam, Sk, E, Z, v, mu, Q, a = symbols("Pi Lam Sk E Z v mu Q a")
+I, Zn = Identity(n), Zero(n, n)
+PhiT = inv(T(Phi))
+GRAM = let(S, gram())
+COEFFICIENTS = [GRAM, let(A, H*PhiT), let(B, H*PhiT*S + Phi), let(C, -PhiT), let(D, PhiT*S)]
+SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n)}
+MORE = {"n": (1, 2, 3), "p": (1, 2)}
+EQUILIBRIUM = given("P is an equilibrium", P == step())
+SOLVED = {H: P - Phi*update()*T(Phi)}
+IS_K = given("K = B - PD", K == B - P*D)
+INNOVATION = T(M)*inv(M*P*T(M) + V)*M
+N_ONLY = {"n": (1, 2, 3)}
+POWERS = rec(Pi, t, I, K*Pi[t])
+
+# --- from above ---------------------------------------------------------------------------------------------------------
+
+claim("D71-E3.179", "the linear bound",
+      always(t, W[t] == Pi[t]*U0*T(Pi[t])),
+      sizes=["n"], over={K: matrix(n, n), U0: symmetric_matrix(n)}, where=[POWERS, rec(W, t, U0, K*W[t]*T(K))],
+      by=[instances(**N_ONLY)],
+      note="Pi_k = K^k. The eigenvalues of K are inside the unit circle, so K^k and with it W_k tend to zero.")
+
+claim("D71-E3.180", "the difference of the bound and the deviation",
+      K*W*T(K) - U1 == K*(X + U - U*inv(I + T(K)*D*U))*T(K),
+      sizes=["n", "p"],
+      over={**SYSTEM, K: matrix(n, n), U: symmetric_matrix(n), U1: matrix(n, n), W: symmetric_matrix(n), X: matrix(n, n)}, where=COEFFICIENTS,
+      given=[EQUILIBRIUM, IS_K, given("the next deviation", U1 == step(P + U) - P), given("X = W - U", X == W - U)],
+      by=[order(lemmas=[T(K)*(D*P - C) == I, (D*P - C)*T(K) == I, U1*(D*P - C + D*U) == K*U, U1*(D*P - C)*(I + T(K)*D*U) == K*U,
+                        U1*(D*P - C) == K*U*inv(I + T(K)*D*U), U1 == K*U*inv(I + T(K)*D*U)*T(K)]),
+          instances(**MORE, made_by={**SOLVED, K: B - P*D, U1: step(P + U) - P, X: W - U})])
+
+P1, LESS = symbols("P1 LESS")
+LOSS = U*inv(I + S*P1)*(S + S*P1*S)*inv(I + P1*S)*U
+
+claim("D71-E3.181", "what the deviation loses against the bound",
+      (LESS == LOSS) & psd(LESS),
+      sizes=["n", "p"], over={**SYSTEM, K: matrix(n, n), U: symmetric_matrix(n), P1: symmetric_matrix(n)}, where=[*COEFFICIENTS, let(LESS, U - U*inv(I + T(K)*D*U))],
+      given=[EQUILIBRIUM, IS_K, given("P_k = P + U_k", P1 == P + U), given("P_k >= 0", psd(P1))],
+      by=[order([], [], [], [], [], [], [U*inv(I + S*P1)*S*inv(I + P1*S)*U, U*inv(I + S*P1)*S*P1*S*inv(I + P1*S)*U],
+                lemmas=[T(K)*(D*P - C) == I, (D*P - C)*T(K) == I, (D*P - C)*(I + T(K)*D*U) == PhiT*(I + S*P1),
+                        T(Phi)*(D*P - C)*(I + T(K)*D*U) == I + S*P1, LESS == LOSS]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], K=[["1/2"]], U=[[-3]], P1=[[-2]]),
+          instances(8, n=(1, 2), p=(1,), using={Q: positive_semidefinite(n)}, made_by={P1: Q, U: Q - P, **SOLVED, K: B - P*D})],
+      note="The left side is lost in the scan; it is the middle of (3.180).")
+
+SQUEEZE = K*(U[t]*inv(I + W*U[t]))*T(K)
+BOUND = symbols("BOUND")[0]
+PUSHED = inv(I + U[t]*W)
+
+claim("D71-E3.182", "the deviation lies between zero and the linear bound",
+      always(t, psd(U[t]) & loewner(BOUND[t], U[t])),
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n)},
+      where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K))],
+      by=[induction(base=order([U0], [Zn]), step=order([K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
+                                                      [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)])),
+          instances(8, n=(1, 2), horizon=2)],
+      note="W = K*D = M'(MPM' + V)^{-1}M >= 0 by D71-S53, which makes (3.178) the recursion of U. The bound is W_k of (3.179) and its excess is X_k. "
+           "Both tend to zero as the bound does.")
+
+# --- from zero ----------------------------------------------------------------------------------------------------------
+
+claim("D71-S53", "the weight W is symmetric and nonnegative definite",
+      (inv(I + S*P)*S == INNOVATION) & psd(INNOVATION),
+      sizes=["n", "p"], over={P: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}, where=[GRAM],
+      by=[order([inv(I + T(M)*inv(V)*M*P)], [INNOVATION]), instances(**MORE)])
+
+claim("D71-E3.183", "the equation of the distance from below",
+      U1 == (B - P*D)*U*inv((D*P - C) - D*U),
+      sizes=["n", "p"], over={**SYSTEM, U: matrix(n, n)}, where=[*COEFFICIENTS, let(U1, P - step(P - U))],
+      given=[EQUILIBRIUM], by=[instances(**MORE, made_by=SOLVED)],
+      note="U is U_k and U1 is U_{k+1}; P_k = P - U_k, so that P_0 = 0 says U_0 = P.")
+
+IS_W = given("the footnote's form of W", W == INNOVATION)
+
+claim("D71-E3.184", "the weight and the sequence X_k",
+      (W == inv(I + S*P)*S) & always(t, loewner(X[t], X[t + 1])),
+      sizes=["n", "p"], over={P: positive_definite(n), M: matrix(p, n), V: positive_definite(p), K: matrix(n, n), W: positive_semidefinite(n)},
+      where=[GRAM, POWERS, rec(X, t, inv(P), X[t] - T(Pi[t])*W*Pi[t])], given=[IS_W],
+      by=[induction(base=order([W]), step=order([T(K*Pi[t])*W*K*Pi[t]])),
+          instances(8, n=(1, 2), p=(1, 2), horizon=2, made_by={W: INNOVATION})],
+      note="A definition; the content checked is that W is the matrix of the footnote and that the X_k decrease. Pi_k = K^k. That W >= 0 is D71-S53.")
+
+# S_k sums the weights; S is the limit
+SUMS = [POWERS, rec(X, t, inv(P), X[t] - T(Pi[t])*W*Pi[t]), rec(Sk, t, Zn, Sk[t] + T(Pi[t])*W*Pi[t])]
+LIMIT = given("(3.187)", S - T(K)*S*K == W)
+
+claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
+      always(t, (X[t] == inv(P) - Sk[t]) & (Sk[t] - T(K)*Sk[t]*K == W - T(Pi[t])*W*Pi[t]) & (S - Sk[t] == T(Pi[t])*S*Pi[t]))
+      & always(t, loewner(X[t], inv(P) - S)),
+      sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: positive_semidefinite(n)}, where=SUMS, given=[LIMIT],
+      by=[induction(also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=order([], [], [], [S]),
+                    step=order([], [], [], [T(K*Pi[t])*S*K*Pi[t]])),
+          instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), Q: matrix(n, n), a: matrix(n, 1)},
+                    made_by={K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E),
+                             W: T(inv(E))*(Q*T(Q))*inv(E),
+                             S: T(inv(E))*matrix_of(i, j, n, n, (Q*T(Q))[i, j]/(1 - 1/((2 + a[i]**2)*(2 + a[j]**2))))*inv(E)})],
+      note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle (D71-E8.14); S_k solves (3.186). The last equation "
+           "is the distance of S_k from S. Pi_k = K^k.")
