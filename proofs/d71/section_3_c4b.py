@@ -38,8 +38,9 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     psd,
+    rational,
     rec,
-    schur,
+    scalar,
     standing,
     symbols,
     symmetric_matrix,
@@ -126,7 +127,7 @@ claim("D71-E3.184", "the weight and the sequence X_k",
       (W == inv(I + S*P)*S) & always(t, loewner(X[t], X[t + 1])),
       sizes=["n", "p"], over={P: positive_definite(n), M: matrix(p, n), V: positive_definite(p), K: matrix(n, n), W: positive_semidefinite(n)},
       where=[GRAM, POWERS, rec(X, t, inv(P), X[t] - T(Pi[t])*W*Pi[t])], given=[IS_W],
-      by=[induction(base=order([W]), step=order([T(K*Pi[t])*W*K*Pi[t]])),
+      by=[induction(base=[order(), order([W])], step=[order(), order([T(K*Pi[t])*W*(K*Pi[t])])]),
           instances(8, n=(1, 2), p=(1, 2), horizon=2, made_by={W: INNOVATION})],
       note="A definition; the content checked is that W is the matrix of the footnote and that the X_k decrease. Pi_k = K^k. That W >= 0 is D71-S53.")
 
@@ -138,11 +139,85 @@ claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
       always(t, (X[t] == inv(P) - Sk[t]) & (Sk[t] - T(K)*Sk[t]*K == W - T(Pi[t])*W*Pi[t]) & (S - Sk[t] == T(Pi[t])*S*Pi[t]))
       & always(t, loewner(X[t], inv(P) - S)),
       sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: positive_semidefinite(n)}, where=SUMS, given=[LIMIT],
-      by=[induction(also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=order([], [], [], [S]),
-                    step=order([], [], [], [T(K*Pi[t])*S*K*Pi[t]])),
+      by=[induction(also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=[order(), order([], [], [], [S])],
+                    step=[order(), order([], [], [], [T(K*Pi[t])*S*(K*Pi[t])])]),
           instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), Q: matrix(n, n), a: matrix(n, 1)},
                     made_by={K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E),
                              W: T(inv(E))*(Q*T(Q))*inv(E),
                              S: T(inv(E))*matrix_of(i, j, n, n, (Q*T(Q))[i, j]/(1 - 1/((2 + a[i]**2)*(2 + a[j]**2))))*inv(E)})],
       note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle (D71-E8.14); S_k solves (3.186). The last equation "
            "is the distance of S_k from S. Pi_k = K^k.")
+
+Sum, R, BELOW, LESS_H = symbols("Sum R BELOW LESS_H")
+FROM_ZERO = {**SYSTEM, P: positive_definite(n)}
+LP = D*P - C
+TIGHT = PhiT*(inv(P) + S)*inv(Phi)
+REMAINING = inv(P) - Sum
+INVERSE_K = [T(K)*LP == I, LP*T(K) == I]
+
+claim("D71-E3.188", "the equation of P^{-1} - S",
+      eq(LP*REMAINING*T(LP) - REMAINING, TIGHT - inv(P), inv(P - H) - inv(P)),
+      sizes=["n", "p"], over={**FROM_ZERO, K: matrix(n, n), Sum: symmetric_matrix(n)}, where=COEFFICIENTS,
+      given=[EQUILIBRIUM, IS_K, given("(3.187)", Sum - T(K)*Sum*K == inv(I + S*P)*S)],
+      by=[order(lemmas=[*INVERSE_K, K*T(LP) == I, LP == PhiT*(I + S*P), LP*Sum*T(LP) - Sum == PhiT*S*T(LP),
+                        LP*inv(P)*T(LP) == TIGHT + PhiT*S*T(LP), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H)]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], K=[[0]], Sum=[["1/2"]]),
+          instances(8, n=(1, 2), p=(1, 2), using={E: nonsingular(n), a: matrix(n, 1)},
+                    made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1 + a[i]**2, 0))*inv(E), P: E*T(E), M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E),
+                             V: Identity(p), **SOLVED, K: Phi - (P - H)*PhiT*gram(),
+                             Sum: T(inv(E))*matrix_of(i, j, n, n, when((i == j) & (i <= p), rational("1/2")/(1 - (1 + a[i]**2)**2/4), 0))*inv(E)})],
+      note="S of (3.187) is called Sum here, beside S = M'V^{-1}M.")
+
+claim("D71-E3.189", "P - H is positive definite and below P",
+      (LESS_H == BELOW) & pd(LESS_H) & loewner(P, LESS_H) & loewner(inv(LESS_H), inv(P)),
+      sizes=["n", "p"], over={**FROM_ZERO, H: positive_semidefinite(n)}, where=[GRAM, let(LESS_H, P - H), let(BELOW, Phi*inv(inv(P) + S)*T(Phi))], given=[EQUILIBRIUM],
+      by=[order([], [Phi*inv(inv(P) + S)*T(Phi)], [H], [inv(LESS_H)*R*inv(I + R*inv(LESS_H)*R)*R*inv(LESS_H)], roots={R: H}),
+          example(n=1, p=1, Phi=[[1]], H=[[1]], M=[[1]], V=[[1]], P=[["1/2"]]), example(n=1, p=1, Phi=[[1]], H=[[2]], M=[[1]], V=[[1]], P=[[1]]),
+          instances(8, n=(1, 2), p=(1, 2), using={E: nonsingular(n), a: matrix(n, 1), v: matrix(n, 1)},
+                    made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + a[i]**2), 0))*inv(E),
+                             P: E*matrix_of(i, j, n, n, when(i == j, 1 + v[i]**2, 0))*T(E), **SOLVED})])
+
+claim("D71-S54", "a null vector of (P - H)^{-1} - P^{-1}",
+      (T(Phi)*inv(P)*v == inv(P)*v*mu) & (H*inv(P)*v == Zero(n, q)),
+      sizes=["n", "p", "q"], over={**FROM_ZERO, v: matrix(n, q), mu: matrix(q, q)}, where=COEFFICIENTS,
+      given=[EQUILIBRIUM, given("eigenvector of (DP - C)*", T(LP)*v == v*mu), given("null vector", (inv(P - H) - inv(P))*v == Zero(n, q))],
+      by=[order(lemmas=[LP == PhiT*(I + S*P), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H), TIGHT*v == inv(P)*v,
+                        P*T(Phi)*inv(P)*v == P*inv(P)*v*mu]),
+          example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[[2]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], v=[1], mu=[[1]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[["-44/9"]], M=[[1]], V=[[1]], P=[[1]], v=[0], mu=[[1]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[["6/5"]]),
+          instances(8, n=(1, 2), p=(1, 2), q=(1,), using={E: nonsingular(n), a: scalar(), R: matrix(n, 1)},
+                    made_by={mu: Identity(q)*(1 + a**2), Phi: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, 1 + a**2, R[i]), 0))*inv(E),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
+                             P: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, (1 + a**2)**2 - 1, 1 + R[i]**2), 0))*T(E), **SOLVED,
+                             v: E*matrix_of(i, j, n, q, when(i == j, 1, 0))})],
+      note="mu stands on the right as a matrix. So P^{-1}v is an eigenvector of Phi' and a null vector of H: an undriven mode, which the hypothesis of the "
+           "theorem and Theorem 3.20 forbid. Hence P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
+
+# --- the solution -------------------------------------------------------------------------------------------------------
+
+START = {P: positive_definite(n), K: nonsingular(n), D: matrix(n, n)}
+W_IS = let(W, T(K)*D)
+SHRINK = rec(X, t, inv(P), X[t] - T(Pi[t])*W*Pi[t])
+LD = inv(T(K))
+
+claim("D71-E3.190", "the solution from zero",
+      always(t, U[t] == Pi[t]*inv(X[t])*T(Pi[t])),
+      sizes=["n"], over=START, where=[W_IS, POWERS, SHRINK, rec(U, t, P, K*U[t]*inv(LD - D*U[t]))],
+      by=[instances(8, n=(1, 2), horizon=3)],
+      note="K = B - PD, L = (K*)^{-1} = DP - C by (3.165) and W = K*D by D71-S53. The inverses exist as the X_k are positive definite.")
+
+Zk, ZX = symbols("Zk ZX")
+XI = inv(X)
+NEXT_U = K*Zk*inv(X - T(Zk)*W*Zk)*T(K*Zk)
+
+claim("D71-E3.191", "it satisfies the recursion",
+      eq(NEXT_U,
+         K*Zk*XI*inv(LD - T(Zk)*D*Zk*XI)*T(Zk),
+         K*Zk*XI*T(Zk)*inv(LD - D*Zk*XI*T(Zk)),
+         K*U*inv(LD - D*U)),
+      sizes=["n"], over={K: nonsingular(n), Zk: nonsingular(n), X: symmetric_matrix(n), D: matrix(n, n)}, where=[W_IS, let(U, Zk*XI*T(Zk))],
+      given=[given("K^k and K commute", K*Zk == Zk*K)],
+      by=[instances(8, n=(1, 2), made_by={Zk: K*K}), instances(4, n=(2,), made_by={Zk: K + I})],
+      note="One step at any k: Zk stands for K^k, X for X_k and U for (3.190). L = (K*)^{-1} is DP - C, and W = K*D.")
