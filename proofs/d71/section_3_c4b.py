@@ -221,3 +221,52 @@ claim("D71-E3.191", "it satisfies the recursion",
       given=[given("K^k and K commute", K*Zk == Zk*K)],
       by=[instances(8, n=(1, 2), made_by={Zk: K*K}), instances(4, n=(2,), made_by={Zk: K + I})],
       note="One step at any k: Zk stands for K^k, X for X_k and U for (3.190). L = (K*)^{-1} is DP - C, and W = K*D.")
+
+# --- the solution in closed form ----------------------------------------------------------------------------------------
+
+ANY_KL = {K: matrix(n, n), L: nonsingular(n), D: matrix(n, n)}
+POWERS_L = [POWERS, rec(Lam, t, I, L*Lam[t]), rec(Sk, t, Zn, L*Sk[t] + D*Pi[t])]
+SYLVESTER = given("(3.210)", L*E - E*K == D)
+
+claim("D71-E3.208", "the deviation after k steps",
+      always(t, U[t] == Pi[t]*U0*inv(Lam[t] + Sk[t]*U0)),
+      sizes=["n"], over={**ANY_KL, U0: matrix(n, n)}, where=[*POWERS_L, rec(U, t, U0, K*U[t]*inv(L + D*U[t]))],
+      by=[instances(8, n=(1, 2), horizon=3)],
+      note="K = B - PD, L = DP - C, Pi_k = K^k, Lambda_k = L^k; S_{k+1} = L S_k + D K^k, S_0 = 0 is the sum of L^{k-1-i}D K^i for i < k.")
+
+claim("D71-E3.209", "the sum S_k",
+      always(t, Sk[t] == Lam[t]*E - E*Pi[t]),
+      sizes=["n"], over={**ANY_KL, E: matrix(n, n)}, where=POWERS_L, given=[SYLVESTER],
+      by=[instances(8, n=(1, 2), made_by={D: L*E - E*K})],
+      note="Notation as in D71-E3.208.")
+
+SOLVED_L = {"made_by": {**SOLVED, K: B - P*D, L: D*P - C}}
+
+claim("D71-E3.210", "the first equation for E gives the second",
+      L*E*T(L) - E == D*T(L),
+      sizes=["n"], over={K: matrix(n, n), L: nonsingular(n), D: matrix(n, n), E: matrix(n, n)},
+      given=[SYLVESTER, given("(3.165)", K*T(L) == I)],
+      by=[instances(8, n=(1, 2, 3), made_by={K: inv(T(L)), D: L*E - E*K})],
+      note="A definition of E; the content checked is that, multiplied by L* = K^{-1}, it has the form of (3.211), whose right side is D71-E3.211.")
+
+claim("D71-E3.211", "the second equation for E",
+      LP*E*T(LP) - E == PhiT*(S + S*P*S)*inv(Phi),
+      sizes=["n", "p"], over={**SYSTEM, K: matrix(n, n), E: matrix(n, n)}, where=COEFFICIENTS,
+      given=[EQUILIBRIUM, IS_K, given("(3.210)", LP*E - E*K == D)],
+      by=[order(lemmas=[*INVERSE_K, K*T(LP) == I, LP == PhiT*(I + S*P), (LP*E - E*K)*T(LP) == D*T(LP)]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], K=[["1/2"]], E=[["2/3"]]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], K=[[0]], E=[["1/2"]]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], K=[["1/2"]], E=[[1]]),
+          example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], K=[[0]], E=[["1/2"]]),
+          instances(8, n=(1, 2), p=(1, 2), using={Q: nonsingular(n), a: matrix(n, 1)},
+                    made_by={Phi: Q*matrix_of(i, j, n, n, when(i == j, 1 + a[i]**2, 0))*inv(Q), P: Q*T(Q), M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(Q),
+                             V: Identity(p), **SOLVED, K: Phi - (P - H)*PhiT*gram(),
+                             E: T(inv(Q))*matrix_of(i, j, n, n, when((i == j) & (i <= p), 2/(4 - (1 + a[i]**2)**2), 0))*inv(Q)})])
+
+claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium",
+      always(t, U[t] == Pi[t]*U0*inv(I + E*U0 - T(Pi[t])*E*Pi[t]*U0)*T(Pi[t])),
+      sizes=["n"], over={**ANY_KL, U0: matrix(n, n), E: matrix(n, n)}, where=[POWERS, rec(U, t, U0, K*U[t]*inv(L + D*U[t]))],
+      given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I))],
+      by=[instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
+      note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}. If the eigenvalues of K are inside the unit circle then K^k tends to zero and "
+           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero.")
