@@ -298,6 +298,68 @@ claim("D71-E3.103", "an eigenvector of DP - C",
                              g: E*FIRST})],
       note="For a number psi the left side is (psi* psi - 1) gamma*P gamma; the factor gamma after P is lost in the scan. R is the left side of (3.100).")
 
+m2, gp, gr = symbols("m2 gp gr")
+
+claim("D71-E3.104", "both forms positive",
+      (m2 == 1 + gr/gp) & (m2 > 1),
+      over={m2: scalar(), gp: scalar(), gr: scalar()},
+      given=[given("(3.103)", (m2 - 1)*gp == gr), given("gamma*P gamma > 0", gp > 0), given("gamma*R gamma > 0", gr > 0)],
+      by=[steps("D71-E3.103", prose="Divide by gamma*P gamma."), example(m2="1/2", gp=1, gr="-1/2"), example(m2="1/2", gp=-1, gr="1/2"),
+          example(m2=2, gp=1, gr=2), instances(made_by={gr: (m2 - 1)*gp})],
+      note="m2 is psi* psi, gp is gamma*P gamma and gr is gamma*R gamma.")
+
+R_ZERO = given("gamma*R gamma = 0", T(g)*LEFT*g == Zero(q, q))
+MODEL_P = {**MODEL, P: symmetric_matrix(n), g: matrix(n, q)}
+PARTS = [T(g)*P*T(M)*inv(V)*M*P*g, T(S*P*g + g)*inv(Phi)*H*inv(T(Phi))*(S*P*g + g)]
+ZERO_SUM = (PARTS[0] + PARTS[1])*Identity(q) == Zero(q, q)
+#: undriven: P vanishes on gamma; unobservable and random walk; driven and measured with R > 0
+REST = {"n": 1, "p": 1, "q": 1, "V": [[1]], "g": [1]}
+FORMS = [example({**REST, "Phi": [["1/2"]], "H": [[0]], "M": [[1]], "P": [[0]]}), example({**REST, "Phi": [[-1]], "H": [[0]], "M": [[0]], "P": [[3]]}),
+         example({**REST, "Phi": [[1]], "H": [["1/2"]], "M": [[1]], "P": [[1]]}),
+         example(n=2, p=1, q=1, Phi=[["1/2", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[0, 1]], V=[[1]], P=[[0, 0], [0, 1]], g=[2, 0]),
+         example(n=1, p=1, q=1, Phi=[[1]], H=[["4/3"]], M=[[1]], V=[[1]], P=[["-2/3"]], g=[1])]
+QUIET = instances(8, n=(2, 3), p=(1, 2), q=(1,), using={E: nonsingular(n), d: vector(n), X: matrix(n - q, n - q), B: matrix(p, n - q)},
+                  made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + d[i]**2), 0))*inv(E), g: T(inv(E))*FIRST, V: Identity(p),
+                           P: E*matrix_of(i, j, n, n, when((i == j) & (i > q), 1 + d[i]**2, 0))*T(E), M: hstack(Zero(p, q), B)*inv(E), **SOLVED})
+
+claim("D71-E3.105", "what a zero of the form R says",
+      (S*P*g == Zero(n, q)) & (H*PhiT*g == Zero(n, q)),
+      sizes=["n", "p", "q"], over=MODEL_P, where=COEFFICIENTS, given=[EQUILIBRIUM, R_ZERO],
+      by=[order([], [], PARTS, PARTS, lemmas=[LEFT == P*S*P + T(S*P + I)*inv(Phi)*H*inv(T(Phi))*(S*P + I), ZERO_SUM, S*P*g == Zero(n, q),
+                                       H*PhiT*(S*P*g + g) == Zero(n, q)]), *FORMS, QUIET],
+      note="R is the left side of (3.100), which is the form with the weight G put right in D71-E3.102.")
+
+CHAIN = [given("eigenvector", (D*P - C)*g == g*Psi), given("(3.105)", S*P*g == Zero(n, q)), given("(3.106)", H*PhiT*g == Zero(n, q))]
+TURN = {"n": 2, "p": 1, "q": 2, "Phi": [["3/5", "4/5"], ["-4/5", "3/5"]], "H": [[0, 0], [0, 0]], "M": [[0, 0]], "V": [[1]], "P": [[1, 0], [0, 1]],
+        "g": [[1, 0], [0, 1]], "Psi": [["3/5", "4/5"], ["-4/5", "3/5"]]}
+CHAIN_OVER = {**MODEL_P, Psi: nonsingular(q)}
+CHAIN_BY = [example(TURN), example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]]}),
+            example({**REST, "Phi": [[1]], "H": [[1]], "M": [[1]], "P": [[0]], "Psi": [[1]]}),
+            example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[0]], "Psi": [[2]]}),
+            instances(8, n=(2, 3), p=(1, 2), q=(1, 2), using={**AUX, K: symmetric_matrix(n - q)},
+                      made_by={Phi: E*LOWER*inv(E), H: E*diag(Zero(q, q), Y*T(Y))*T(E), g: inv(T(E))*FIRST, P: E*diag(Zero(q, q), K)*T(E), Psi: inv(T(D1))})]
+
+claim("D71-E3.107", "gamma is an eigenvector of the adjoint of Phi",
+      (T(Phi)*g == g*inv(T(Psi))) & (H*g == Zero(n, q)),
+      sizes=["n", "p", "q"], over=CHAIN_OVER, where=COEFFICIENTS, given=CHAIN, by=CHAIN_BY,
+      repair=repair("factor", "the factor is 1/psi, which is lambda* for the mode lambda = (psi*)^{-1}; the print has lambda",
+                    (T(Phi)*g == g*inv(Psi)) & (H*g == Zero(n, q)),
+                    sizes=["n", "p", "q"], over=CHAIN_OVER, where=COEFFICIENTS, given=CHAIN, by=CHAIN_BY),
+      note="psi stands on the right as a matrix; a complex one is [[a, b], [-b, a]] with gamma = [u, v], and psi* is its transpose. The two agree for real psi.")
+
+claim("D71-S38", "the conjugate reciprocal of psi is an undriven mode",
+      (T(Phi)*g == g*T(Lam)) & (H*g == Zero(n, q)),
+      sizes=["n", "p", "q"], over={**CHAIN_OVER, Lam: matrix(q, q)}, where=COEFFICIENTS, given=[*CHAIN, given("lambda = (psi*)^{-1}", Lam == inv(T(Psi)))],
+      by=[example({**TURN, "Lam": [["3/5", "4/5"], ["-4/5", "3/5"]]}),
+          example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]], "Lam": [["1/2"]]}),
+          example({**REST, "Phi": [[1]], "H": [[1]], "M": [[1]], "P": [[0]], "Psi": [[1]], "Lam": [[1]]}),
+          example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[0]], "Psi": [[2]], "Lam": [["1/2"]]}),
+          example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[0]], "Psi": [[1]], "Lam": [[2]]}),
+          instances(8, n=(2, 3), p=(1, 2), q=(1, 2), using={**AUX, K: symmetric_matrix(n - q)},
+                    made_by={Phi: E*LOWER*inv(E), H: E*diag(Zero(q, q), Y*T(Y))*T(E), g: inv(T(E))*FIRST, P: E*diag(Zero(q, q), K)*T(E), Psi: inv(T(D1)),
+                             Lam: D1})],
+      note="Phi' gamma = lambda* gamma and H gamma = 0 say that the mode lambda is undriven.")
+
 Q = symbols("Q")[0]
 
 claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
