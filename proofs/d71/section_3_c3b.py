@@ -145,7 +145,7 @@ claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal"
                       "length; and the same step leads back, so neither side has more blocks."),
           example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]], a="6/5", b="8/5"),
           example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], a="3/5", b="4/5"),
-          instances(8, n=(1, 2, 3), p=(1,), using={E: nonsingular(n), y: matrix(n, n), d: matrix(n, 1), e: matrix(n, 1)}, made_by=UNDRIVEN)],
+          instances(8, n=(1, 2), p=(1,), using={E: nonsingular(n), y: matrix(n, n), d: matrix(n, 1), e: matrix(n, 1)}, made_by=UNDRIVEN)],
       note="The ranks of the powers of R_p - omega I say which blocks there are at omega. The first part is for a real omega = a, the second for omega = "
            "a + ib, by the real matrix (R_p - a)^2 + b^2, which vanishes at omega and omega*; R_p is real, so both have the same blocks.")
 

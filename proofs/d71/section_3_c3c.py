@@ -465,6 +465,26 @@ claim("D71-T3.19", "the eigenvalue outside the unit circle gives the larger equi
       note="Of the hypotheses of the theorem this uses |psi_1| > 1, that P_a and P_b are Hermitian, P_b is a nonnegative equilibrium and the two share the "
            "columns 2 to n. beta is any number with |beta|^2 = |psi_1|^2 - 1, and k the first rows of the inverse of Gamma_a.")
 
+MODEL_ANY = {**MODEL, P: matrix(n, n)}
+
+claim("D71-Q3", "MPM' + V at every equilibrium",
+      pd(M*P*T(M) + V),
+      sizes=["n", "p"], over=MODEL_ANY, given=[EQUILIBRIUM],
+      by=[example(n=2, p=1, Phi=[[2, 1], [0, -3]], H=[["5/3", 0], [0, 0]], M=[[1, 1]], V=[[1]], P=[[3, -10], [0, 0]]), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "missing hypothesis", "an equilibrium that is not Hermitian can have MPM' + V < 0; for every Hermitian one MPM' + V is positive definite",
+          pd(M*P*T(M) + V),
+          sizes=["n", "p"], over={**MODEL, P: symmetric_matrix(n)}, given=[EQUILIBRIUM],
+          by=[steps("D71-E1.24", "D71-E3.128", facts=["Sylvester's law of inertia.", "A larger Hermitian matrix has no more negative eigenvalues."],
+                    prose="[[MPM' + V, MP], [PM', P]] is congruent to diag(V, P), by [[I, M], [0, I]], and to diag(MPM' + V, Q) with the Q of (1.24), by its Schur "
+                          "complement. So the number of negative eigenvalues of MPM' + V is that of P less that of Q, which is that of Phi Q Phi' = P - H; and "
+                          "P - H <= P has at least as many as P. Hence MPM' + V has none, and it is invertible."),
+              example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[-2]]),
+              instances(n=(1, 2, 3), p=(1, 2, 3), using={E: nonsingular(n), d: vector(n), w: scalar()},
+                        made_by={Phi: matrix_of(i, j, n, n, when(i == j, 1, 0)), M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
+                                 P: E*matrix_of(i, j, n, n, when((i == j) & (i <= p), when(d[i] > 0, d[i], 1/(1 - d[i]) - 1), 0))*T(E), **SOLVED})]),
+      note="The footnote offers it as a guess from numerical examples. The counterexample has p = 1 and MPM' + V = -6; its J has the eigenvalues 3 and 1/3.")
+
 POSITIVE_B = given("MP_bM' + V > 0", pd(M*Pb*T(M) + V))
 
 claim("D71-Q3.1", "Theorem 3.19 without undriven modes, if MPM' + V > 0",
