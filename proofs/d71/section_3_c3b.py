@@ -23,11 +23,10 @@ eigenvector at a + ib.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances, order, steps
+from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
-    Z,
     Zero,
     block,
     bottom,
@@ -36,7 +35,6 @@ from exactkf.language import (
     det,
     diag,
     forall,
-    function,
     given,
     hstack,
     iff,
@@ -50,7 +48,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     rank,
-    rational,
     rev,
     rows,
     scalar,
@@ -58,26 +55,23 @@ from exactkf.language import (
     sum_of,
     sym,
     symbols,
-    symplectic,
     top,
     vstack,
     when,
 )
-from proofs.d71.notation import H, M, Phi, V, across, gram, i, j, jordan_block, k, n, p, superdiagonal
+from proofs.d71.notation import H, M, Phi, V, across, gram, i, j, k, n, p
 
-q, U, L, Om, Om2, X, E = symbols("q U L Om Om2 X E")
+q, U, L, Om, X, E = symbols("q U L Om X E")
 S, Rp, RpInv, G1, G2 = symbols("S Rp RpInv G1 G2")
 I = Identity(n)
 I2 = Identity(2*n)
 PhiT = inv(T(Phi))
-Z2 = Zero(n, n)
 
 MODEL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
 R_BLOCKS = block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, PhiT]])
 R_WHERE = [let(S, gram()), let(Rp, R_BLOCKS)]
 #: the matrix on the left of (3.55)
 R_TURNED = block([[PhiT, -PhiT*S], [-H*PhiT, H*PhiT*S + Phi]])
-SIZES = {"n": (1, 2, 3), "p": (1, 2)}
 
 # --- a symmetry of the eigenvectors -------------------------------------------------------------------------------------
 
@@ -122,7 +116,7 @@ claim("D71-E3.56", "left eigenvectors of R_p from right ones",
       note="In (3.57) and (3.58) the matrix is R_p; the scan has R_d, which is n x n and does not fit. X exists by D71-T8.2.")
 
 a, b, c, d, e, l = symbols("a b c d e l")
-y, y1, w1, w2 = symbols("y y1 w1 w2")
+y, y1 = symbols("y y1")
 
 
 def quadratic(real, imaginary):
@@ -188,7 +182,7 @@ claim("D71-S34", "e^{X+Y} = e^X e^Y for matrices that do not commute",
 
 # --- undriven and unobservable modes ------------------------------------------------------------------------------------
 
-Nd, No, Ld, Lo, N, Lam, Rd, Pd, G, D1, D2 = symbols("Nd No Ld Lo N Lam Rd Pd G D1 D2")
+Nd, No, N, Lam, Rd, Pd, G, D1, D2 = symbols("Nd No N Lam Rd Pd G D1 D2")
 #: Phi with r undriven and with r unobservable modes: block triangular in the basis E
 CORNERED = block([[D1, Zero(q, n - q)], [G, D2]])
 
@@ -274,7 +268,6 @@ ON_CIRCLE = {**MODEL, f: matrix(n, q), g: matrix(n, q), W: matrix(q, q)}
 CAYLEY = rows([[1 - a**2, 2*a], [-2*a, 1 - a**2]])*(1/(1 + a**2))
 ROTATED = {"n": (2,), "p": (1, 2), "q": (2,)}
 ROT = {"using": {E: nonsingular(2), Q: nonsingular(2), a: scalar(), c: scalar(), d: scalar()}}
-SAME = {**MODEL}
 #: both f and g not zero: nothing is driven, nothing is measured
 STILL = {Phi: CAYLEY, H: Zero(2, 2), M: Zero(p, 2), W: CAYLEY}
 TURNS = matrix_of(i, j, 2, 2, when(i == j, c, when(i < j, d, -d)))
@@ -344,7 +337,7 @@ K = sym("K")
 
 BOTH_ENDS = block([[K, Zq], [Zq, N]])
 MU = inv(T(Lam))
-A1, A2, A3, B1, B2 = symbols("A1 A2 A3 B1 B2")
+A1, B1, B2 = symbols("A1 B1 B2")
 REST = n - 2*q
 THIRDS = {"using": {E: nonsingular(n), D1: nonsingular(q), D2: nonsingular(REST), A1: matrix(n - q, n - q), B1: matrix(p, q), B2: matrix(p, REST)},
           "made_by": {Lam: D1, Phi: E*diag(D1, inv(T(D1)), D2)*inv(E), H: E*diag(Zero(q, q), A1*T(A1))*T(E),

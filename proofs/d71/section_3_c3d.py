@@ -26,7 +26,6 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive_definite,
-    positive_semidefinite,
     psd,
     symbols,
     symmetric,
@@ -37,7 +36,7 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, K, M, P, Phi, Q, V, gain, gram, i, j, n, p, step, update
 
-q, S, Fq, Gq, Jq, Gp, Jp, Rp, Rq, x, W, E, G = symbols("q S Fq Gq Jq Gp Jp Rp Rq x W E G")
+q, S, Fq, Gq, Jq, Gp, Jp, Rq, x, E = symbols("q S Fq Gq Jq Gp Jp Rq x E")
 I, Zn = Identity(n), Zero(n, n)
 PhiT = inv(T(Phi))
 GRAM = let(S, gram())

@@ -29,8 +29,7 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive_definite,
-    positive_semidefinite,
-    standing,
+    sym,
     symbols,
     symmetric_matrix,
     trace,
@@ -119,7 +118,7 @@ claim("D71-E3.150", "the equation of the deviation",
       by=[example(SKEW), SOLVING],
       note="U is U_k and U1 is U_{k+1}. P and U may be any matrices, symmetric or not, for which the inverses exist.")
 
-K_ = symbols("K")[0]
+K_ = sym("K")
 HERMITIAN = {**SYSTEM, P: symmetric_matrix(n)}
 
 claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",

@@ -19,7 +19,7 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order, steps
+from exactkf.evidence import example, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -28,7 +28,6 @@ from exactkf.language import (
     eq,
     given,
     inv,
-    invertible,
     let,
     loewner,
     matrix,
@@ -41,15 +40,15 @@ from exactkf.language import (
     rational,
     rec,
     scalar,
-    standing,
+    sym,
     symbols,
     symmetric_matrix,
     when,
 )
 from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
 
-q, S, A, B, C, D, K, L, U, U0, U1, W, X, X1, t = symbols("q S A B C D K L U U0 U1 W X X1 t")
-Pi, Lam, Sk, E, Z, v, mu, Q, a = symbols("Pi Lam Sk E Z v mu Q a")
+q, S, A, B, C, D, K, L, U, U0, U1, W, X, t = symbols("q S A B C D K L U U0 U1 W X t")
+Pi, Lam, Sk, E, v, mu, Q, a = symbols("Pi Lam Sk E v mu Q a")
 I, Zn = Identity(n), Zero(n, n)
 PhiT = inv(T(Phi))
 GRAM = let(S, gram())
@@ -95,7 +94,7 @@ claim("D71-E3.181", "what the deviation loses against the bound",
       note="The left side is lost in the scan; it is the middle of (3.180).")
 
 SQUEEZE = K*(U[t]*inv(I + W*U[t]))*T(K)
-BOUND = symbols("BOUND")[0]
+BOUND = sym("BOUND")
 PUSHED = inv(I + U[t]*W)
 
 claim("D71-E3.182", "the deviation lies between zero and the linear bound",
@@ -208,7 +207,7 @@ claim("D71-E3.190", "the solution from zero",
       by=[instances(8, n=(1, 2), horizon=3)],
       note="K = B - PD, L = (K*)^{-1} = DP - C by (3.165) and W = K*D by D71-S53. The inverses exist as the X_k are positive definite.")
 
-Zk, ZX = symbols("Zk ZX")
+Zk = sym("Zk")
 XI = inv(X)
 NEXT_U = K*Zk*inv(X - T(Zk)*W*Zk)*T(K*Zk)
 
@@ -239,8 +238,6 @@ claim("D71-E3.209", "the sum S_k",
       sizes=["n"], over={**ANY_KL, E: matrix(n, n)}, where=POWERS_L, given=[SYLVESTER],
       by=[instances(8, n=(1, 2), made_by={D: L*E - E*K})],
       note="Notation as in D71-E3.208.")
-
-SOLVED_L = {"made_by": {**SOLVED, K: B - P*D, L: D*P - C}}
 
 claim("D71-E3.210", "the first equation for E gives the second",
       L*E*T(L) - E == D*T(L),

@@ -10,7 +10,7 @@ no unstable or random walk mode is undriven. With the right H and V the limit is
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, steps
+from exactkf.evidence import example, instances, steps
 from exactkf.language import (
     Identity,
     T,
@@ -29,7 +29,6 @@ from exactkf.language import (
     positive_semidefinite,
     rec,
     schur,
-    standing,
     sum_of,
     symbols,
     symmetric_matrix,
@@ -38,7 +37,7 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, K, M, P, Phi, V, gain, gram, i, j, k, n, p, step, update
 
-S, A, B, C, D, Ha, Va, Pa, Pa0, Pae, t, Pi, E, e, a, P1, Acl = symbols("S A B C D Ha Va Pa Pa0 Pae t Pi E e a P1 Acl")
+S, B, D, Ha, Va, Pa, Pa0, Pae, t, Pi, E, e, a, P1, Acl = symbols("S B D Ha Va Pa Pa0 Pae t Pi E e a P1 Acl")
 x, xh, dy, h, y, x1, xh1 = symbols("x xh dy h y x1 xh1")
 Rd, Nd, Lamd = symbols("Rd Nd Lamd")
 I, Zn = Identity(n), Zero(n, n)
