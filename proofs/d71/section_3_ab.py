@@ -40,7 +40,6 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     pd,
-    positive,
     positive_definite,
     positive_semidefinite,
     psd,
@@ -239,7 +238,7 @@ claim("D71-S21", "once positive definite, always positive definite",
                     by=[induction(base=order([P0]), step=order([Phi[k]*inv(inv(P[k]) + T(M[k])*inv(V[k])*M[k])*T(Phi[k]), H[k]])),
                         instances(8, **FOREVER)]),
       note="A nonsingular Phi is assumed from section C on, and in Chapter I for sampled continuous-time processes, "
-           "but not here.")
+           "but not here. The repair counts time from t_m.")
 
 claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
       forall(k, m, N, pd(P[k])),
@@ -276,15 +275,17 @@ claim("D71-T3.4", "the order of two solutions is kept",
       given=[given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
       by=[induction(base=order([Pb0], [Pa0 - Pb0]), step=order(JOSEPH_B, JOSEPH_D)),
           instances(8, **FOREVER, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})],
-      note="P_b >= 0 is Theorem 3.2 and carried along. The difference of two updates is (I - K_b M)[D - DM'(MP_aM' + V)^{-1}MD](I - K_b M)' with D = P_a - P_b, "
-           "and the bracket is the update of D for a measurement error of covariance MP_bM' + V.")
+      note="P_b >= 0 is Theorem 3.2 and carried along. The difference of two updates is (I - K_b M)[D - DM'(MP_aM' + V)^{-1}MD](I - K_b M)' with "
+           "D = P_a - P_b, and the bracket is the update of D for a measurement error of covariance MP_bM' + V.")
+
+X = sym("X")
 
 claim("D71-E3.4", "one step from a shifted covariance",
-      (step(P + e*I) == Phi*inv(inv(P + e*I) + gram())*T(Phi) + H)
-      & (step(P + e*I) - step(P) == e*Phi*inv(I + (P + e*I)*gram())*inv(I + gram()*P)*T(Phi)),
+      (step(P + X) == Phi*inv(inv(P + X) + gram())*T(Phi) + H)
+      & (step(P + X) - step(P) == Phi*inv(I + (P + X)*gram())*X*inv(I + gram()*P)*T(Phi)),
       sizes=["n", "p"],
-      over={e: positive(), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
+      over={X: positive_definite(n), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
             H: positive_semidefinite(n)},
-      by=[identity(n=range(1, 3), p=range(1, 3)), instances(n=range(1, 4), p=range(1, 4))],
-      note="The second equation is the limit: the shifted step differs from the unshifted one by e times a matrix "
-           "that stays bounded as e goes to 0.")
+      by=[instances(8, n=(1, 2), p=(1, 2))],
+      note="X is the shift e I of the print, or any positive definite matrix. The second equation is the limit: the shifted step differs from the "
+           "unshifted one by e times a matrix that stays bounded as e goes to 0.")

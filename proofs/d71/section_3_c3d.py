@@ -121,7 +121,8 @@ claim("D71-E3.142", "the matrix J of P, through Q",
       (S*(Phi*Q*T(Phi) + H) + I)*Gp == T(Phi)*Gp*Jp,
       sizes=["n", "p"], over={**ANY, Gp: matrix(n, n), Jp: matrix(n, n)}, where=[GRAM],
       given=[given("(3.141)", (PhiT*S*P + PhiT)*Gp == Gp*Jp), PREDICTION],
-      by=[instances(**MORE, using={E: nonsingular(n), P: symmetric_matrix(n), Q: symmetric_matrix(n)}, made_by={H: P - Phi*Q*T(Phi), Gp: E, Jp: inv(E)*(PhiT*gram()*P + PhiT)*E})],
+      by=[instances(**MORE, using={E: nonsingular(n), P: symmetric_matrix(n), Q: symmetric_matrix(n)},
+                    made_by={H: P - Phi*Q*T(Phi), Gp: E, Jp: inv(E)*(PhiT*gram()*P + PhiT)*E})],
       note="(3.141) with D_p = (Phi')^{-1}M'V^{-1}M and C_p = -(Phi')^{-1}.")
 
 claim("D71-E3.144", "the matrix J of Q",

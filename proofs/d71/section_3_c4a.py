@@ -72,7 +72,8 @@ claim("D71-E3.148", "a null vector of MPM' + V gives one of I + M'V^{-1}MP",
       sizes=["n", "p", "q"], over={**FREE, x: matrix(p, q), y: matrix(n, q)},
       given=[given("x is a null vector", INNOVATION*x == Zero(p, q)), given("y = M'x", y == T(M)*x)],
       by=[order([], [], [], [inv(V)]),
-          example(n=1, p=1, q=1, P=[[-1]], M=[[1]], V=[[1]], x=[2], y=[2]), example(n=1, p=2, q=1, P=[["-1/5"]], M=[[1], [2]], V=[[1, 0], [0, 1]], x=[1, 2], y=[5]),
+          example(n=1, p=1, q=1, P=[[-1]], M=[[1]], V=[[1]], x=[2], y=[2]),
+          example(n=1, p=2, q=1, P=[["-1/5"]], M=[[1], [2]], V=[[1, 0], [0, 1]], x=[1, 2], y=[5]),
           example(n=1, p=1, q=1, P=[[-1]], M=[[1]], V=[[1]], x=[2], y=[0]), example(n=1, p=1, q=1, P=[[0]], M=[[0]], V=[[1]], x=[2], y=[0]),
           instances(8, n=(2, 3), p=(1,), q=(1, 2), made_by={V: -M*P*T(M), y: T(M)*x})],
       note="y is not zero: it could be so only for x = 0.")
@@ -129,7 +130,9 @@ claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
 claim("D71-E3.151", "the linear equation",
       (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C)) & (T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)),
       sizes=["n", "p"], over={**HERMITIAN, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[instances(**MORE, made_by=SOLVED)])
+      by=[instances(**MORE, made_by=SOLVED)],
+      note="The deviation differs from (3.151) by a term of second order in U. For a Hermitian P, (3.151) is U -> K U K* with K = B - PD = (DP - C)^{-*}, whose "
+           "eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and grow if J has an eigenvalue inside.")
 
 CLOSED = K_*U*T(K_)*inv(I + D*U*T(K_))
 
