@@ -139,6 +139,26 @@ def show(setup: Setup, id: str, **how: Any) -> int:
     return show_command(Session.open(setup, [id], how))
 
 
+@main.command()
+@click.argument("file", metavar="FILE", type=click.Path(path_type=Path))
+@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the outcome as JSON.")
+@click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; past them the lemma is open.")
+@click.option("--degree", type=click.IntRange(min=1), default=8, show_default=True, metavar="N",
+              help="Longest word that the completion of the assumptions looks at.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of random instances.")
+def lemma(file: Path, json_file: Path | None, certificates: Path | None, time_limit: float, degree: int, seed: int) -> int:
+    """Prove a lemma of your own for every matrix size, or refute it by explicit matrices.
+
+    FILE is a text in the grammar that 'python -m pydoc exactkf.lemma.grammar' shows.
+
+    Exit status: 0 if it is proved, 1 if it is refuted or open, 2 if the call or the file is wrong.
+    """
+    from exactkf.lemma.command import lemma_command
+
+    return lemma_command(file, json_file, certificates, time_limit, degree, seed)
+
+
 @main.command("list")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @click.pass_obj
@@ -172,3 +192,33 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
     from exactkf.commands import Session, report_command
 
     return report_command(Session.open(setup, words, how), output, kept)
+
+
+@main.command()
+@click.argument("file", required=False, type=click.Path(path_type=Path))
+@click.option("--alpha", help="Coordinates alpha_1, ..., alpha_n, separated by commas.")
+@click.option("--gamma", help="Schur parameters gamma_0, ..., gamma_{n-1}.")
+@click.option("--a", help="With --g: a_1, ..., a_n. With --b: all coefficients of a(z), leading one first.")
+@click.option("--g", help="The vector g_1, ..., g_n.")
+@click.option("--b", help="All coefficients of b(z), leading one first; v = b/(2a).")
+@click.option("--covariances", help="1, c_1, c_2, ...")
+@click.option("--pi0", help="Order one: decide the Riccati equation started there.")
+@click.option("--after", type=click.IntRange(min=0), metavar="T", help="Also the state after T steps, without stepping.")
+@click.option("--digits", type=click.IntRange(min=1, max=100000), default=20, show_default=True, help="Decimal digits of numbers shown.")
+@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON.")
+@click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE", help="Write the certificate, for 'exactkf check'.")
+@click.option("--latex", "latex_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the derivation as LaTeX.")
+@click.option("--picture", "pictures", multiple=True, metavar="KIND=FILE",
+              help="Draw plane, gamma, alpha or spectrum as .png or .svg; may be repeated.")
+@click.option("--steps", type=click.IntRange(min=1, max=10000), default=60, show_default=True, help="Steps of the orbit in pictures.")
+def analyze(file: Path | None, **how: Any) -> int:
+    """Decide what the gain of a filter does: converge, escape, repeat or wander.
+
+    The filter comes in a .toml or .json FILE or in options. Numbers are fractions, decimals taken exactly,
+    sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
+
+    Exit status: 0 if the orbit is decided, 1 if it is undecided, 2 if the call is wrong.
+    """
+    from exactkf.dynamics.command import analyze_command
+
+    return analyze_command(file, **how)

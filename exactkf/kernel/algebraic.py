@@ -147,6 +147,14 @@ class Algebraic:
                 return 1 if low > 0 else -1
             self.field.refine()
 
+    def enclosed(self, width: Fraction) -> tuple[Fraction, Fraction]:
+        """An interval of at most that width around the number."""
+        while True:
+            low, high = _enclose(self.c, self.field.lo, self.field.hi)
+            if high - low <= width:
+                return low, high
+            self.field.refine()
+
     def __eq__(self, other: object) -> bool:
         y = self._coerce(other)
         return NotImplemented if y is None else (self - y).sign() == 0

@@ -17,13 +17,13 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
 from exactkf.kernel.recursion import Induction, inductions
-from exactkf.kernel.words import Reader, add, multiply, relations, residual_blocks, text, word_sizes
+from exactkf.kernel.words import Blocks, Poly, Relation, Size, Word, number, text, times_scalars
 
 __all__ = ["KINDS"]
 
@@ -35,37 +35,67 @@ def _need(condition: bool, step: str) -> None:
 
 def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     reader = Reader(statement)
-    goals = [(p, b.rows[i], b.cols[j]) for b in residual_blocks(reader, statement["says"])
-             for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+    goals = [cell for b in residual_blocks(reader, statement["says"]) for cell in b.cells()]
     assumed = relations(reader)
     _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
-    for number, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
-        _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {number}: the terms do not add up")
-    return [f"det({text(p)})" for p, _ in reader.inverses]
+    for place, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
+        _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {place}: the terms do not add up")
+    return [f"det({_text(term)})" for term, _ in reader.inverses]
 
 
-def _less_multiples(reader: Reader, assumed: Mapping[str, Any], rest: Any, rows: Any, cols: Any, terms: list) -> Any:
-    """What is left of a polynomial after multiples of assumptions are taken off."""
-    one = Fraction(1)
-    for c, left, name, right in terms:
-        product = multiply(multiply({((), tuple(left)): one}, assumed[name]), {((), tuple(right)): one})
-        for _, word in product:
-            _need(word_sizes(reader, word, rows) == cols, f"a word of relation {name} has other sizes than the block")
-        rest = add(rest, product, -Fraction(c))
-    return rest
+def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly, rows: Size, cols: Size, terms: list) -> Poly:
+    """What is left of a polynomial after multiples c s l (assumption) r are taken off; s is a monomial in the scalars."""
+    rest = dict(goal)
+    sizes: dict[tuple[Word, Size], Size] = {}
+
+    def after(word: Word, start: Size) -> Size:
+        if (word, start) not in sizes:
+            sizes[word, start] = word_sizes(reader, word, start)
+        return sizes[word, start]
+
+    for c, left, name, right, *more in terms:
+        before, behind = tuple(left), tuple(right)
+        scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
+        _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
+        relation = assumed[name] if isinstance(name, str) else _between_numbers(reader, assumed, name)
+        start = after(before, rows)
+        if relation.rows is not None:
+            _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
+            start = relation.cols  # type: ignore[assignment]
+        _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
+        factor = number(c)
+        for (s, word), value in relation.poly.items():
+            key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
+            rest[key] = rest.get(key, 0) - factor * value
+    return {key: value for key, value in rest.items() if value}
+
+
+def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any) -> Relation:
+    """A 1 x 1 word and its scalar; or an equation of scalars, with its proof as one of 1 x 1 matrices."""
+    if isinstance(name, list):
+        return reader.as_scalar(tuple(name))
+    one = (("", 1),)
+    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(c) for c, s in name["numbers"]}
+    _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
+    return Relation(poly, None, None)
+
+
+def _text(term: Blocks) -> str:
+    rows = [", ".join(text(p) for p in row) for row in term.grid]
+    return rows[0] if len(rows) == len(term.grid[0]) == 1 else f"[{'; '.join(rows)}]"
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     todo = list(leaves(statement, evidence.get("lemmas", ())))
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
-    for number, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
+    for place, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
         leaf = Leaf(case, formula, proof["sum"], proof.get("roots", ()), proof.get("null", ""))
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
-        _need(len(blocks) == len(leaf.goals), f"part {number}: as many lists of terms as blocks are needed")
+        _need(len(blocks) == len(leaf.goals), f"part {place}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
-            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {number}: the terms do not add up")
-        denominators.extend(f"det({text(p)})" for p, _ in leaf.known if f"det({text(p)})" not in denominators)
+            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {place}: the terms do not add up")
+        denominators.extend(d for term, _ in leaf.known if (d := f"det({_text(term)})") not in denominators)
     return denominators
 
 
@@ -73,15 +103,15 @@ def _word_induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -
     todo = list(inductions(statement))
     _need(len(todo) == len(evidence["conjuncts"]), "as many inductions as the conclusion has conjuncts are needed")
     denominators: list[str] = []
-    for number, (part, proofs) in enumerate(zip(todo, evidence["conjuncts"], strict=True), 1):
+    for place, (part, proofs) in enumerate(zip(todo, evidence["conjuncts"], strict=True), 1):
         made = Induction(part, evidence.get("also", ()), evidence.get("shapes"))
         cases = [*((f"base {k}", s) for k, s in enumerate(made.bases)), *([("step", made.step)] if made.step else [])]
-        _need(len(proofs) == len(cases), f"conjunct {number}: a proof for each base and for the step is needed")
+        _need(len(proofs) == len(cases), f"conjunct {place}: a proof for each base and for the step is needed")
         for (name, case), lemmas, proof in zip(cases, made.lemmas, proofs, strict=True):
             try:
                 denominators.extend(d for d in _order(case, {**proof, "lemmas": [*proof.get("lemmas", ()), *lemmas]}) if d not in denominators)
             except (Rejected, Undefined, Unknown) as error:
-                raise Rejected(f"conjunct {number}, {name}: {error}") from error
+                raise Rejected(f"conjunct {place}, {name}: {error}") from error
     return denominators
 
 

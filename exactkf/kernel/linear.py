@@ -3,7 +3,7 @@
 
 Determinants and inverses are found without division (sums of products of
 minors, memoised) as long as entries carry variables, by Gaussian elimination
-otherwise. Inertia is that of a symmetric LDL' with 1x1 pivots; where the
+otherwise; inverses of triangular matrices by substitution. Inertia is that of a symmetric LDL' with 1x1 pivots; where the
 diagonal is zero a congruence makes it nonzero first.
 """
 
@@ -130,6 +130,10 @@ class Matrix:
         self._square()
         n = self.nrows
         if self._has_variables():
+            for turned in (self, self.transpose()):
+                if all(x == 0 for i, r in enumerate(turned.rows) for x in r[:i]):
+                    upper = turned._inverse_of_upper()
+                    return upper if turned is self else upper.transpose()
             minors = _Minors(self)
             every = tuple(range(n))
             det = minors.minor(every, every)
@@ -143,6 +147,17 @@ class Matrix:
         if len(pivots) < n:
             raise Undefined("inverse of a singular matrix")
         return Matrix([r[n:] for r in reduced.rows], n)
+
+
+    def _inverse_of_upper(self) -> Matrix:
+        """Inverse of an upper triangular matrix, by substitution from the last row up."""
+        n, below = self.nrows, list[list]()
+        for i in reversed(range(n)):
+            if self.rows[i][i] == 0:
+                raise Undefined("inverse of a singular matrix")
+            unit, row = divide(1, self.rows[i][i]), self.rows[i][i + 1:]
+            below.insert(0, [unit * (int(i == j) - _dot(row, [r[j] for r in below])) if j >= i else 0 for j in range(n)])
+        return Matrix(below, n)
 
 
 def _dot(xs: Any, ys: Any) -> Any:

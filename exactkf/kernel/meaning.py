@@ -75,7 +75,9 @@ class World:
                 raise Unknown(f"{op!r} of quantities with variables")
             return _PLAIN[op](*args)
         try:
-            return _PLAIN[op](*(self.value(arg, local) for arg in tree[1:]))
+            if len(tree) == 3:
+                return _PLAIN[op](self.value(tree[1], local), self.value(tree[2], local))
+            return _PLAIN[op](*[self.value(arg, local) for arg in tree[1:]])
         except ZeroDivisionError as error:
             raise Undefined("division by zero") from error
 
@@ -442,9 +444,10 @@ def _diag(*xs: Any) -> Matrix:
 
 def _chain(test: Callable[[Any, Any], bool]) -> Callable:
     def holds(*xs: Any) -> bool:
-        if any(isinstance(x, bool) for x in xs):
-            raise Undefined("a formula stands where a term is needed")
-        return all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
+        for x in xs:
+            if x is True or x is False:
+                raise Undefined("a formula stands where a term is needed")
+        return test(*xs) if len(xs) == 2 else all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
     return holds
 
 

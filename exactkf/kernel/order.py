@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: MIT
 """Order and invertibility of matrices of every size, by a few classical facts.
 
-`definiteness` reads a term and says whether its form alone makes it positive
+`exactkf.kernel.definite` reads a term and says whether its form alone makes it positive
 (semi)definite under the hypotheses. The facts it uses:
 
 1. a variable of type psd, pd, and a hypothesis that says so; semidefinite and
    invertible is definite;
-2. the identity and I are positive definite; a nonnegative number times a
-   semidefinite matrix is semidefinite;
+2. the identity is positive definite; a nonnegative number times a
+   semidefinite matrix is semidefinite; sums and products of nonnegative
+   numbers are nonnegative, and so are squares;
 3. a sum of semidefinite matrices is semidefinite, definite if one of them is;
 4. a congruence X'PX of a semidefinite matrix is semidefinite, and of a definite
-   one definite if X is nonsingular;
+   one definite if X is nonsingular or has full column rank; a block diagonal
+   matrix is semidefinite if its blocks are;
 5. the inverse of an invertible semidefinite matrix is definite;
 6. a semidefinite matrix is the square of one;
 7. a null vector of a sum of semidefinite matrices is one of each of them, and
@@ -22,21 +24,23 @@ with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
 invertibility by an inverse. An equation may use fact 7 for a hypothesis Kx = 0
-with terms that add up to K. Lemmas are shown first and then used. An inverse that the evidence brings in must be one
-of a matrix that is nonsingular by its form (`exists`).
+with terms that add up to K. Lemmas are shown first and then used. An inverse
+that the evidence brings in must be one of a matrix that is nonsingular by its
+form.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.definite import are_transposed, definiteness, exists
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import ONE, Blocks, Poly, Reader, add, multiply, relations, residual_blocks
+from exactkf.kernel.reader import Reader, relations, residual_blocks
+from exactkf.kernel.words import Blocks, Relation, add
 
-__all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
+__all__ = ["Leaf", "goal_of", "leaves"]
 
 
 # ---------------------------------------------------------------------- taking a conclusion apart
@@ -110,7 +114,7 @@ class Leaf:
     ----------
     goals : list of (polynomial, rows, columns)
         To be made of the polynomials that `assumed` gives.
-    known : list of (polynomial, letter)
+    known : list of (term, inverse)
         Inverses of the statement.
 
     Raises
@@ -124,20 +128,21 @@ class Leaf:
         op, found, wanted, self.first = formula[0], [], 0, 0
         for tree in statement["own"]:
             _register_inverses(reader, tree)
+        reader.granted = list(reader.inverses), list(reader.quotients), set(reader.units)
         self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
         if statement.get("lemma") and not all(exists(reader, x, self.known) for x in formula[1:]):
             raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
-            if not isinstance(found[0], Blocks) or len(found[0].rows) != 1 or found[0].rows != found[0].cols:
-                raise Unknown("invertibility of block matrices or scalars")
+            if not isinstance(found[0], Blocks) or reader.total(found[0].rows) != reader.total(found[0].cols):
+                raise Unknown("invertibility of scalars or of matrices that are not square")
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
         relations(reader)
-        self.extra: dict[str, Poly] = {}
+        self.extra: dict[str, Relation] = {}
         for name, tree in roots:
             self._root(name, tree)
         for tree in terms:
@@ -146,22 +151,21 @@ class Leaf:
         if op == "invertible":
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
-            unit = Blocks(found[0].rows, found[0].cols, [[dict(ONE)]])
-            found = [reader._times(found[0], reader.read(terms[0])).plus(unit, -1)]
+            found = [reader._plus(reader._times(found[0], reader.read(terms[0])), Blocks.unit(found[0].rows), -1)]
         elif wanted:
             levels = [definiteness(reader, tree) for tree in terms]
             if 0 in levels or wanted > max(levels, default=1):
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
             for tree in terms:
-                found[0] = reader._plus(found[0], reader.read(tree), -1)
+                term = reader.read(tree)
+                found[0] = reader._plus(found[0], term, -1)
         elif terms and null:
             found = [self._null(null, terms), *found]
             self.first = 1
         else:
             for tree in terms:
                 reader.read(tree)
-        self.goals = [(p, b.rows[i], b.cols[j])
-                      for b in found for i, row in enumerate(b.grid) for j, p in enumerate(row)]
+        self.goals = [cell for b in found for cell in b.cells()]
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
@@ -172,8 +176,7 @@ class Leaf:
         square = reader.read(tree)
         reader.kinds[name] = ["psd"]
         reader._letter(name, square.rows[0], square.rows[0], True)
-        letter: Poly = {((), (name,)): Fraction(1)}
-        self.extra[f"root {name}"] = add(multiply(letter, letter), square.grid[0][0], -1)
+        self.extra[f"root {name}"] = Relation(add({((), (name, name)): 1}, square.grid[0][0], -1), square.rows[0], square.rows[0])
 
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
@@ -183,17 +186,19 @@ class Leaf:
             raise Unknown("no hypothesis Kx = 0")
         *factors, x = equation[1][1:]
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
-        self.vanishing: dict[str, Poly] = {}
+        self.vanishing: dict[str, Relation] = {}
         for n, tree in enumerate(terms):
             if not definiteness(reader, tree):
                 raise Unknown("a term is not semidefinite by its form")
             rest = reader._plus(rest, reader.read(tree), -1)
             for m, part in enumerate(_halves(reader, tree)):
-                p = reader._times(reader.read(part), reader.read(x)).grid[0][0]
-                self.vanishing[f"null {n}/{m}"], self.vanishing[f"null {n}/{m}'"] = p, reader.transpose_poly(p)
+                zero = reader._times(reader.read(part), reader.read(x))
+                for k, (p, rows, cols) in enumerate(zero.cells()):
+                    self.vanishing[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
+                    self.vanishing[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
         return rest
 
-    def assumed(self, goal: int) -> dict[str, Poly]:
+    def assumed(self, goal: int) -> dict[str, Relation]:
         """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
         return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
 
@@ -210,7 +215,7 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
         if factors.pop(0) == 0:
             return
     outer: list = []
-    while len(factors) > 1 and _transposed(reader, factors[0], factors[-1]):
+    while len(factors) > 1 and are_transposed(reader, factors[0], factors[-1]):
         outer.insert(0, factors.pop())
         factors.pop(0)
         if factors and not definiteness(reader, factors[0] if len(factors) == 1 else ["*", *factors]):
@@ -235,28 +240,6 @@ def _register_inverses(reader: Reader, tree: Any) -> None:
         _register_inverses(reader, part)
 
 
-def exists(reader: Reader, tree: Any, known: list) -> bool:
-    """Every inverse in a term is one of the statement or of a matrix that is nonsingular by its form."""
-    if not isinstance(tree, (list, tuple)):
-        return True
-    if tree and tree[0] in ("/", "^"):
-        return False
-    if tree and tree[0] == "at":
-        before = len(reader.inverses)
-        reader.read(tree)
-        return len(reader.inverses) == before
-    if tree and tree[0] == "inv":
-        term = reader.read(tree[1])
-        found = term.grid[0][0] if isinstance(term, Blocks) and len(term.rows) == len(term.cols) == 1 else None
-        if found is None:
-            return False
-        if not any(found in (p, reader.transpose_poly(p)) for p, _ in known) and not _nonsingular(reader, tree[1]):
-            return False
-    if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
-        return exists(reader, reader.lets[tree[1]][3], known)
-    return all(exists(reader, x, known) for x in tree[1:])
-
-
 def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:
     """Matrix that is to be semidefinite (1) or definite (2)."""
     op = formula[0]
@@ -269,94 +252,8 @@ def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:
         found = reader._plus(reader.read(big), reader.read(small), -1)
     else:
         raise Unknown(f"{op!r} is no statement of order")
-    if not isinstance(found, Blocks) or len(found.rows) != 1 or found.rows != found.cols:
-        raise Unknown("the order of block matrices or scalars")
+    if not isinstance(found, Blocks):
+        found = Blocks(((("", 1),),), ((("", 1),),), [[found]])
+    if found.rows != found.cols:
+        raise Unknown("the order of matrices that are not square")
     return found, 2 if op in ("pd", "<", ">") else 1
-
-
-def definiteness(reader: Reader, tree: Any) -> int:
-    """0: not known, 1: positive semidefinite, 2: positive definite."""
-    known = _by_hypothesis(reader, tree)
-    if known:
-        return known
-    if isinstance(tree, int):
-        return 1 if tree >= 0 else 0
-    op, args = tree[0], tree[1:]
-    if op == "sym":
-        definition = reader.lets.get(args[0])
-        if args[0] not in reader.kinds and definition is not None and definition[0] == "let" and not definition[2]:
-            return definiteness(reader, definition[3])
-        level = {"psd": 1, "pd": 2, "nonneg": 1, "positive": 2}.get(reader.kinds.get(args[0], ("",))[0], 0)
-        return 2 if level and _invertible_by_hypothesis(reader, tree) else level
-    if op == "I":
-        return 2
-    if op == "O":
-        return 1
-    if op == "+":
-        found = [definiteness(reader, a) for a in args]
-        return 0 if 0 in found else max(found)
-    if op == "inv":
-        return 2 if definiteness(reader, args[0]) else 0
-    if op == "T":
-        return definiteness(reader, args[0])
-    return _congruence(reader, list(args)) if op == "*" else 0
-
-
-def _congruence(reader: Reader, factors: list[Any]) -> int:
-    """X_1 ... X_k P X_k' ... X_1' (P = I may be left out), with nonnegative numbers in front."""
-    strict = True
-    while factors and isinstance(factors[0], int):
-        number = factors.pop(0)
-        if number < 0:
-            return 0
-        strict = strict and number > 0
-    while len(factors) > 1:
-        first, last = factors.pop(0), factors.pop()
-        if not _transposed(reader, first, last):
-            return 0
-        strict = strict and _nonsingular(reader, first)
-    middle = definiteness(reader, factors[0]) if factors else 2
-    return middle if strict or middle == 0 else 1
-
-
-def _transposed(reader: Reader, x: Any, y: Any) -> bool:
-    try:
-        a, b = reader.transpose(reader.read(x)), reader.read(y)
-    except (Undefined, Unknown):
-        return False
-    return isinstance(a, Blocks) and isinstance(b, Blocks) and (a.rows, a.cols, a.grid) == (b.rows, b.cols, b.grid)
-
-
-def _nonsingular(reader: Reader, tree: Any) -> bool:
-    """Nonsingular by its form: by type or hypothesis, definite, an inverse, a transpose or product of such matrices."""
-    if not isinstance(tree, (list, tuple)):
-        return False
-    if _invertible_by_hypothesis(reader, tree):
-        return True
-    if tree[0] == "T":
-        return _nonsingular(reader, tree[1])
-    if tree[0] == "*":
-        return all(_nonsingular(reader, x) for x in tree[1:])
-    if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
-        return True
-    if tree[0] == "sym" and tree[1] not in reader.kinds:
-        body = reader.lets.get(tree[1], ("", "", (), None))
-        if body[0] == "let" and not body[2]:
-            return _nonsingular(reader, body[3]) or _invertible_by_hypothesis(reader, tree)
-    return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
-
-
-def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
-    said = [f[1] for _, f, _kind in reader.statement["given"] if f[0] == "invertible"]
-    return tree in said or any(_transposed(reader, t, x) for x in said for t in (tree, ["T", tree]))
-
-
-def _by_hypothesis(reader: Reader, tree: Any) -> int:
-    for _, formula, _kind in reader.statement["given"]:
-        for part in formula[1:] if formula[0] == "and" else [formula]:
-            if part[0] in ("psd", "pd") and part[1] == tree:
-                return 2 if part[0] == "pd" or _invertible_by_hypothesis(reader, tree) else 1
-            if part[0] == "loewner" and (["-", part[1], part[2]] == tree or (part[2] == 0 and part[1] == tree)):
-                return 1
-    return 0
-

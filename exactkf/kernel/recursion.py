@@ -27,7 +27,8 @@ from contextlib import suppress
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.words import Blocks, Reader
+from exactkf.kernel.reader import Reader
+from exactkf.kernel.words import Blocks
 
 __all__ = ["FAMILIES", "Induction", "inductions"]
 
@@ -36,7 +37,7 @@ FAMILIES = {"sequence": "scalar", "signal": "scalar", "sequence_of": "", "signal
 
 Form = dict[str, int]
 _T = "t"  # the generic index
-_DEEPEST = 60
+_DEEPEST, _MOST_NODES = 60, 30000
 
 
 def inductions(statement: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -99,6 +100,7 @@ class Induction:
         self.shapes: dict[str, Any] = dict(shapes or {})
         self.named: list[str] = []  # recursions with a value that is named
         self.busy: set[str] = set()
+        self.nodes = 0
         self.first = max([low, *(d[3] + len(d[4]) - 1 for d in self.recursions.values())]) if self.index else low
         self.also, self.lemmas = also, list[Any]()
         self.bases = [self._base(k) for k in range(low, self.first + 1)]
@@ -186,8 +188,9 @@ class Induction:
         """A term or formula without indices; letters that it brings in are noted with their index and type."""
         if isinstance(tree, int):
             return tree
-        if depth > _DEEPEST:
-            raise Unknown("a definition that does not end")
+        self.nodes += 1
+        if depth > _DEEPEST or self.nodes > _MOST_NODES:
+            raise Unknown("a definition that does not end, or that is very large when written out")
         op = tree[0]
         if op == "rat":
             return list(tree)

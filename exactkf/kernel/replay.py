@@ -16,6 +16,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
+``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================
 
 What is proved with symbols holds wherever the recorded denominators are not
@@ -35,6 +36,7 @@ from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
+from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.symbolic import SymbolicField
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -84,7 +86,7 @@ def replay(certificate: Any) -> list[str]:
             return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, OverflowError, AssertionError) as error:
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError, AssertionError) as error:
         raise Rejected(f"{certificate['kind']}: malformed data ({type(error).__name__}: {error})") from error
 
 
@@ -396,6 +398,14 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
 
 
+# ---------------------------------------------------------------------- orbits
+def _orbit(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    _need(set(statement) == {"question", "answer"}, "the statement is not a question with an answer")
+    fault = check_order_one(statement["question"], statement["answer"])
+    _need(not fault, fault)
+    return []
+
+
 def _need(condition: bool, step: str) -> None:
     if not condition:
         raise Rejected(step)
@@ -403,5 +413,5 @@ def _need(condition: bool, step: str) -> None:
 
 _KINDS = {
     "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
-    "combination": _combination, "positivity": _positivity, "induction": _induction, **KINDS,
+    "combination": _combination, "positivity": _positivity, "induction": _induction, "orbit": _orbit, **KINDS,
 }

@@ -15,6 +15,7 @@ from exactkf.language import (
     Statement,
     T,
     Zero,
+    block,
     function,
     iff,
     inv,
@@ -22,11 +23,14 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
+    nonneg,
     nonsingular,
     pd,
     positive_definite,
     positive_semidefinite,
     psd,
+    rank,
+    scalar,
     standing,
     symbols,
     symmetric_matrix,
@@ -68,7 +72,36 @@ LEAVES |= {
     "null vectors of a sum": ({**VECTOR, "given": [standing("null", (P + Q) * x == 0)], "says": (P * x == 0) & (Q * x == 0)}, [[P, Q], [P, Q]], {}),
     "null vectors of a congruence": ({**VECTOR, "says": (T(A) * P * A * x == Zero(n, 1)) >> (P * A * x == Zero(n, 1))}, [[T(A) * P * A]], {}),
 }
+c = symbols("c")[0]
+m = symbols("m")[0]
+WITH_SCALAR = {**SQUARES, "over": {**SQUARES["over"], "c": nonneg(), "x": vector(n)}}
+INFORMATION = I(n) - P * x * T(x) / (1 + T(x) * P * x)
+LOWER = block([[I(n), Zero(n, m)], [T(B) * inv(A), I(m)]])
+LEAVES |= {
+    "a nonnegative number": ({**WITH_SCALAR, "says": psd(c * P + Q)}, (), {}),
+    "a square": ({**WITH_SCALAR, "over": {**WITH_SCALAR["over"], "c": scalar()}, "says": psd(P * c**2)}, (), {}),
+    "a quadratic form": ({**WITH_SCALAR, "says": T(x) * P * x >= 0}, (), {}),
+    "an update by a scalar": ({**WITH_SCALAR, "says": psd(P - P * x * T(x) * P / (1 + T(x) * P * x))},
+                              [[INFORMATION * P * T(INFORMATION) + P * x * (1 / (1 + T(x) * P * x) ** 2) * T(x) * P]], {}),
+    "full column rank": ({"sizes": ["n", "m"], "over": {"A": matrix(m, n), "P": positive_definite(m)}, "given": [standing("rank", rank(A) == n)],
+                          "says": pd(T(A) * P * A)}, (), {}),
+    "a block diagonal matrix": ({**SQUARES, "says": psd(block([[P, Zero(n, n)], [Zero(n, n), Q]]))}, (), {}),
+    "a Schur complement": ({"sizes": ["n", "m"], "over": {"A": positive_definite(n), "B": matrix(n, m), "P": symmetric_matrix(m)},
+                            "given": [standing("complement", psd(P - T(B) * inv(A) * B))], "says": psd(block([[A, B], [T(B), P]]))},
+                           [[LOWER * block([[A, Zero(n, m)], [Zero(m, n), P - T(B) * inv(A) * B]]) * T(LOWER)]], {}),
+}
 NOT_LEAVES = {
+    "a number of unknown sign": ({**WITH_SCALAR, "over": {**WITH_SCALAR["over"], "c": scalar()}, "says": psd(c * P)}, [[c * P]], {}),
+    "a number that may vanish": ({**WITH_SCALAR, "over": {"P": positive_definite(n), "c": nonneg()}, "says": pd(c * P)}, [[c * P]], {}),
+    "a division by what may vanish": ({**WITH_SCALAR, "says": pd(I(n) * c)}, [[I(n) / c * c * c]], {}),
+    "rank of the other side": ({"sizes": ["n", "m"], "over": {"A": matrix(m, n), "P": positive_definite(m)}, "given": [standing("rank", rank(A) == m)],
+                                "says": pd(T(A) * P * A)}, [[T(A) * P * A]], {}),
+    "blocks beside the diagonal": ({**SQUARES, "says": psd(block([[P, Q], [Q, P]]))}, [[block([[P, Q], [Q, P]])]], {}),
+    "an inverse hidden in a function, inside another": (
+        {**PAIR, "where": [function(K, [B], inv(B))], "says": invertible(A)}, [[inv(I(n) + T(K(A)) * K(A)) * (I(n) + T(K(A)) * K(A)) * K(A)]], {}),
+    "an inverse behind a premise": ({**VECTOR, "says": ((P == Q) >> (inv(A) == inv(A))) & ((A * x == Zero(n, 1)) >> (x == Zero(n, 1)))}, (), {}),
+    "an inverse of the other alternative": ({**VECTOR, "given": [standing("one", (A == Q) | (inv(A) * P == Q))],
+                                             "says": (A * x == Zero(n, 1)) >> (x == Zero(n, 1))}, (), {}),
     "null vectors of a difference": ({**VECTOR, "given": [standing("null", (P - Q) * x == 0)], "says": P * x == 0}, [[P, -Q]], {}),
     "null vectors of one part": ({**VECTOR, "given": [standing("null", (P + Q) * x == 0)], "says": A * x == 0}, [[P, Q]], {}),
     "terms that do not add up": ({**VECTOR, "given": [standing("null", P * x == 0)], "says": Q * x == 0}, [[P, Q]], {}),
@@ -165,8 +198,8 @@ def test_the_middle_of_a_congruence_need_not_be_semidefinite():
     terms = [list(statement["given"][0][1][1])]
     (case, formula), = leaves(statement)
     leaf = Leaf(case, formula, terms, (), "null")
-    vanishing = [p for k in range(len(leaf.goals)) for name, p in leaf.assumed(k).items() if name.startswith("null ")]
-    assert all(len(word) == 4 for p in vanishing for _, word in p)
+    vanishing = [r for k in range(len(leaf.goals)) for name, r in leaf.assumed(k).items() if name.startswith("null ")]
+    assert all(len(word) == 4 for relation in vanishing for _, word in relation.poly)
 
 
 def test_a_lemma_may_not_bring_in_an_inverse_that_need_not_exist():

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: MIT
+r"""From a user's data to the decision about the orbit.
+
+Main definitions
+----------------
+``analyze``       the decision about the filter in a mapping, a file or keyword arguments
+``filter_from``   the filter that a mapping describes
+``read_data``     a TOML or JSON file as such a mapping
+
+Notation
+--------
+A mapping describes a filter by one of these sets of keys:
+
+==================  ============================================================
+keys                meaning
+==================  ============================================================
+``alpha, gamma``    Kimura-Georgiou coordinates
+``a, g``            lower coefficients of a(z), and the vector g
+``b, a``            coefficients of b(z) and a(z), leading one first, v = b/(2a)
+``covariances``     1, c_1, c_2, ...; ``order`` may be given
+``F, g, h``         a realization c_k = h'F^{k-1}g in any basis
+``system``          an object with matrices A, B, C, D (from Python only)
+==================  ============================================================
+
+``floats`` says what floats mean ("exact", "decimal" or a largest denominator), and ``pi0``, in order
+one, asks about the Riccati equation started there.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from exactkf._errors import BadInput
+from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.filter import Filter
+from exactkf.dynamics.numbers import number
+from exactkf.exact._messages import bad
+from exactkf.exact.compositum import together
+
+__all__ = ["FORMS", "analyze", "filter_from", "read_data"]
+
+#: Sets of keys that describe a filter.
+FORMS = (("alpha", "gamma"), ("a", "g"), ("b", "a"), ("covariances",), ("F", "g", "h"), ("system",))
+_OPTIONS = ("floats", "order", "pi0")
+
+
+def filter_from(data: Mapping[str, Any]) -> Filter:
+    """Return the filter that the keys of a mapping describe.
+
+    Raises
+    ------
+    BadInput
+        If the keys are none of `FORMS`, or the values are refused by `Filter`.
+
+    Examples
+    --------
+    >>> filter_from({"alpha": ["1/2"], "gamma": ["1/3"]}).a
+    (1/6,)
+    """
+    keys = set(data) - set(_OPTIONS)
+    if tuple(sorted(keys)) not in {tuple(sorted(form)) for form in FORMS}:
+        forms = "; ".join(", ".join(form) for form in FORMS)
+        raise bad("data", "does not describe a filter by its keys", sorted(keys), f"pass one of: {forms}")
+    if "order" in data and "covariances" not in data:
+        raise bad("order", "goes with covariances only", data["order"], "leave it out")
+    floats = data.get("floats")
+    if "alpha" in keys:
+        return Filter.from_parameters(data["alpha"], data["gamma"], floats=floats)
+    if "covariances" in keys:
+        return Filter.from_covariances(data["covariances"], order=data.get("order"), floats=floats)
+    if "F" in keys:
+        return Filter.from_realization(data["F"], data["g"], data["h"], floats=floats)
+    if "system" in keys:
+        return Filter.from_state_space(data["system"], floats=floats)
+    if "b" in keys:
+        return Filter.from_polynomials(data["b"], data["a"], floats=floats)
+    return Filter.from_ag(data["a"], data["g"], floats=floats)
+
+
+def read_data(path: str | Path) -> dict[str, Any]:
+    """Return the mapping in a file that ends in .toml or .json.
+
+    Floats in the file are kept as the decimals that are written there.
+
+    Raises
+    ------
+    BadInput
+        If the file cannot be read, is not of its kind, or holds no mapping.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in (".toml", ".json"):
+        raise bad("FILE", "ends in neither .toml nor .json", str(path), "pass a file that does")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise bad("FILE", "cannot be read", str(path), f"pass a text file that you may read ({getattr(error, 'strerror', None) or 'not UTF-8'})") from None
+    try:
+        if path.suffix.lower() == ".toml":
+            data = tomllib.loads(text, parse_float=str)
+        else:
+            data = json.loads(text, parse_float=str, parse_constant=str)
+    except (ValueError, RecursionError) as error:
+        raise bad("FILE", f"is not {path.suffix[1:].upper()} ({' '.join(str(error).split())})", str(path), "mend it") from None
+    if not isinstance(data, dict):
+        raise bad("FILE", "holds no table of keys", str(path), 'write alpha = ["1/2"], gamma = ["1/3"] or the like')
+    unknown = set(data) - {key for form in FORMS for key in form} - set(_OPTIONS)
+    if unknown:
+        raise bad("FILE", f"has the unknown key {min(unknown)!r}", str(path), "leave it out")
+    return data
+
+
+def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **given: Any) -> Answer:
+    """Decide what the gain of a filter does.
+
+    Parameters
+    ----------
+    data : mapping, Filter or file name, optional
+        The filter; keyword arguments of the same names do as well.
+    **given
+        One of the sets of keys in the header, ``floats`` and ``pi0``.
+
+    Returns
+    -------
+    Answer
+
+    Raises
+    ------
+    BadInput
+        If the data are no filter, or ``pi0`` comes with an order above one.
+
+    Examples
+    --------
+    >>> analyze(alpha=[0], gamma=["1/2"]).behaviour
+    'converges'
+    """
+    if isinstance(data, Filter):
+        filter = data
+        unknown = set(given) - {"pi0", "floats"}
+        if unknown:
+            raise bad(min(unknown), "comes with a Filter", given[min(unknown)], "pass either a filter or its numbers")
+    else:
+        found = read_data(data) if isinstance(data, (str, Path)) else dict(data or {})
+        twice = set(found) & set(given)
+        if twice:
+            raise bad(min(twice), "is given twice", given[min(twice)], "give it once")
+        given = {**found, **given}
+        filter = filter_from({k: v for k, v in given.items() if k != "pi0"})
+    if given.get("pi0") is not None:
+        return _riccati(filter, number(given["pi0"], floats=given.get("floats"), name="pi0"))
+    if filter.order == 1:
+        from exactkf.dynamics.order_one import decide_order_one
+
+        return decide_order_one(filter.a[0] + filter.g[0], filter.g[0])
+    from exactkf.dynamics.every_order import decide
+
+    return decide(filter.a, filter.g)
+
+
+def _riccati(filter: Filter, pi0: Any) -> Answer:
+    """The Riccati equation of order one."""
+    if filter.order != 1:
+        raise BadInput(f"argument 'pi0' comes with a filter of order {filter.order}; the Riccati equation is decided for order one, leave it out")
+    from exactkf.dynamics.order_one import decide_riccati_one
+
+    (alpha, gamma, start), _ = together([filter.a[0] + filter.g[0], filter.g[0], pi0])
+    return decide_riccati_one(alpha, gamma, start)

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+r"""What is known about an orbit, with its derivation and its certificate.
+
+Main definitions
+----------------
+``Fact``     one sentence of the derivation, in words and in LaTeX
+``Answer``   the decision about one orbit
+
+Notation
+--------
+An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
+``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
+(coefficients from :math:`x^0` up) in the open interval.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from exactkf._errors import BadInput
+
+__all__ = ["BEHAVIOURS", "Answer", "Fact"]
+
+#: What an orbit can do.  ``dense`` (order one): it fills its hyperbola, or the line, densely.
+BEHAVIOURS = ("converges", "escapes", "periodic", "dense", "not convergent, not periodic", "undecided")
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One sentence of a derivation.
+
+    Attributes
+    ----------
+    words : str
+        Plain text.
+    latex : str
+        The same sentence in LaTeX, formulas between dollar signs.
+    """
+
+    words: str
+    latex: str
+
+
+@dataclass(frozen=True)
+class Answer:
+    r"""The decision about one orbit.
+
+    Attributes
+    ----------
+    order : int
+        The order `n` of the filter.
+    behaviour : str
+        One of `BEHAVIOURS`.
+    escape : int or None
+        The first `t` at which the state has no successor.
+    never_escapes : bool
+        It is decided that there is no such `t`.
+    limit : dict or None
+        Exact numbers in JSON: ``{"alpha": [...], "gamma": ...}``, or ``{"pi": ...}`` of a Riccati equation.
+    rate : object
+        The geometric rate of convergence of :math:`\alpha_t` as an exact number in JSON, or None.
+    monotone_from : int or None
+        The first step from which the orbit approaches its limit monotonically.
+    region : str
+        Where the orbit starts.
+    period : int or None
+        The least period; one at an equilibrium.
+    torus_dimension : int or None
+        The dimension of the torus that the orbit fills.
+    enters_positive_real : int or None
+        The first step in the positive real region.
+    facts : tuple of Fact
+        The derivation, in reading order.
+    reason : str
+        Why the question is undecided.
+    certificate : dict
+        Sealed, of kind ``orbit``; ``exactkf check`` replays it.
+
+    Raises
+    ------
+    BadInput
+        If `behaviour` is not one of `BEHAVIOURS`.
+    """
+
+    order: int
+    behaviour: str
+    escape: int | None = None
+    never_escapes: bool = False
+    limit: dict[str, Any] | None = None
+    rate: Any = None
+    monotone_from: int | None = None
+    region: str = ""
+    period: int | None = None
+    torus_dimension: int | None = None
+    enters_positive_real: int | None = None
+    facts: tuple[Fact, ...] = ()
+    reason: str = ""
+    certificate: dict[str, Any] = field(default_factory=dict, repr=False)
+
+    def __post_init__(self) -> None:
+        if self.behaviour not in BEHAVIOURS:
+            raise BadInput(f"behaviour = {self.behaviour!r} is not a behaviour of orbits; pass one of {', '.join(BEHAVIOURS)}")
+
+    def decided(self) -> dict[str, Any]:
+        """Return the fields that the certificate vouches for: all but the facts, the reason and the certificate."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.name not in ("facts", "reason", "certificate")}
+
+    def to_json(self) -> dict[str, Any]:
+        """Return the answer as plain data that `json` writes without help."""
+        data = {**self.decided(), "facts": [{"words": f.words, "latex": f.latex} for f in self.facts],
+                "reason": self.reason, "certificate": self.certificate}
+        return json.loads(json.dumps(data))
+
+    def words(self) -> str:
+        """Return the derivation in words, a sentence a line."""
+        return "\n".join([f.words for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else []))
+
+    def latex(self) -> str:
+        """Return the derivation as a LaTeX list."""
+        items = [f.latex for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else [])
+        return "\n".join(["\\begin{itemize}", *(f"  \\item {item}" for item in items), "\\end{itemize}"])

@@ -1,0 +1,461 @@
+# SPDX-License-Identifier: MIT
+"""Terms of a statement about matrices of every size, read as polynomials in words.
+
+A letter is a variable, its transpose, or (a block of) the inverse of a term
+that the statement inverts; each has a number of rows and of columns, and a
+product whose sizes do not fit is refused. Block matrices are opened into
+blocks. A 1 x 1 word is a number too: ``<v'*P*v>`` is the scalar of the word
+v'*P*v and of its transpose, and stands for it where sizes ask for a scalar.
+
+Main definitions
+----------------
+`Reader`
+    Reads terms; collects letters and the relations of the inverses.
+`residual_blocks`
+    Left minus right side of equations.
+`relations`
+    What the statement assumes: its equations, transposed too; V E = 1 and E V = 1
+    for each inverse V of E; V A = 1 or A V = 1 for a matrix A of which a hypothesis
+    says that its rank is its number of columns or rows. A term without value is
+    outside the statement, so an inverse that is written down exists. A one-sided
+    inverse of a square matrix is two-sided: M'JM = J gives MJM' = J, and XY = I
+    gives YX = I.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from typing import Any
+
+from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.words import ONE, Blocks, Poly, Relation, Size, Word, add, multiply, number, shape, text
+
+__all__ = ["Reader", "hypotheses", "relations", "residual_blocks", "word_sizes"]
+
+_ONE_ROW: Size = (("", 1),)
+
+
+def hypotheses(statement: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
+    """The hypotheses with their labels, the members of a conjunction apart."""
+    todo = [(label, formula) for label, formula, _ in reversed(statement["given"])]
+    while todo:
+        label, formula = todo.pop()
+        if formula[0] == "and":
+            todo.extend((f"{label}.{n}", part) for n, part in reversed(list(enumerate(formula[1:]))))
+        else:
+            yield label, formula
+
+
+class Reader:
+    """Reads the terms of one statement as block matrices of noncommutative polynomials."""
+
+    def __init__(self, statement: Mapping[str, Any]) -> None:
+        self.statement = statement
+        self.kinds = {name: kind for name, kind in statement["over"]}
+        self.lets = {d[1]: d for d in statement["where"]}
+        self.sizes: dict[str, tuple[Size, Size]] = {}  # letter -> (rows, columns)
+        self.transposed: dict[str, str] = {}  # letter -> letter of its transpose
+        self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
+        self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
+        self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
+        self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
+        self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
+        symmetric = {f[1][1] for _, f in hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
+        self.granted: tuple[list, list, set] = ([], [], set())  # inverses, quotients and units of the statement, see exactkf.kernel.definite
+        for name, kind in statement["over"]:
+            if kind[0] == "matrix":
+                self._letter(name, self.size(kind[1]), self.size(kind[2]), name in symmetric and kind[1] == kind[2])
+            elif kind[0] in ("symmetric", "psd", "pd"):
+                self._letter(name, self.size(kind[1]), self.size(kind[1]), True)
+            elif kind[0] in ("nonsingular", "diagonal"):
+                self._letter(name, self.size(kind[1]), self.size(kind[1]), kind[0] == "diagonal")
+
+    def _letter(self, name: str, rows: Size, cols: Size, symmetric: bool) -> None:
+        self.sizes[name] = (rows, cols)
+        other = name if symmetric else f"{name}'"
+        self.transposed[name], self.transposed[other] = other, name
+        self.sizes[other] = (cols, rows)
+
+    def size(self, tree: Any) -> Size:
+        """A size as a linear form in the named sizes."""
+        form = self._linear(tree)
+        return tuple(sorted((n, c) for n, c in form.items() if c))
+
+    def _linear(self, tree: Any) -> dict[str, int]:
+        if isinstance(tree, int):
+            return {"": tree}
+        op = tree[0]
+        if op == "sym" and tree[1] in self.statement["sizes"]:
+            return {tree[1]: 1}
+        if op in ("+", "-"):
+            out: dict[str, int] = {}
+            for k, part in enumerate(tree[1:]):
+                for n, c in self._linear(part).items():
+                    out[n] = out.get(n, 0) + (-c if op == "-" and k else c)
+            return out
+        if op == "*" and len(tree) == 3 and isinstance(tree[1], int):
+            return {n: tree[1] * c for n, c in self._linear(tree[2]).items()}
+        raise Unknown(f"size {tree!r} is not linear in the named sizes")
+
+    # ------------------------------------------------------------------ terms
+    def read(self, tree: Any, local: Mapping[str, Any] | None = None) -> Any:
+        """Blocks, or a Poly without letters for a scalar."""
+        local = local or {}
+        if isinstance(tree, int):
+            return {((), ()): tree} if tree else {}
+        method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
+        if method is None:
+            raise Unknown(f"{tree[0]!r} in a statement for every size")
+        return method(tree, local)
+
+    def _read_rational(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return {((), ()): number(Fraction(tree[1], tree[2]))} if tree[1] else {}
+
+    def _read_name(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        name = tree[1]
+        if name in local:
+            return local[name]
+        if name in self.kinds:
+            if name in self.sizes:
+                rows, cols = self.sizes[name]
+                return Blocks((rows,), (cols,), [[{((), (name,)): 1}]])
+            if self.kinds[name][0] in ("scalar", "nonzero", "positive", "nonneg"):
+                return {(((name, 1),), ()): 1}
+        if name in self.lets and self.lets[name][0] == "let" and not self.lets[name][2]:
+            return self.read(self.lets[name][3])
+        raise Unknown(f"name {name!r} in a statement for every size")
+
+    def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        definition = self.lets.get(tree[1])
+        if definition is None or definition[0] != "let" or not definition[2]:
+            raise Unknown(f"{tree[1]!r} with an index in a statement for every size")
+        return self.read(definition[3], dict(zip(definition[2], [self.read(a, local) for a in tree[2:]], strict=True)))
+
+    def _read_sum(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        acc = self.read(tree[1], local)
+        for part in tree[2:]:
+            acc = self._plus(acc, self.read(part, local), 1)
+        return acc
+
+    def _read_difference(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return self._plus(self.read(tree[1], local), self.read(tree[2], local), -1)
+
+    def _read_minus(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return self._scale(self.read(tree[1], local), -1)
+
+    def _scale(self, x: Any, c: Any) -> Any:
+        def by(p: Poly) -> Poly:
+            return {k: c * v for k, v in p.items()}
+        return x.map(by) if isinstance(x, Blocks) else by(x)
+
+    def _plus(self, x: Any, y: Any, factor: int) -> Any:
+        if isinstance(x, Blocks) and isinstance(y, Blocks):
+            if x.rows != y.rows or x.cols != y.cols:
+                x, y = self._split_like(x, y.rows, y.cols), self._split_like(y, x.rows, x.cols)
+            return x.plus(y, factor)
+        if isinstance(x, Blocks):
+            return x.plus(self._scalar_block(y, x), factor)
+        if isinstance(y, Blocks):
+            return self._scalar_block(x, y).plus(y, factor)
+        return add(x, y, factor)
+
+    def _scalar_block(self, p: Poly, like: Blocks) -> Blocks:
+        """A scalar beside a 1x1 matrix, or zero beside any matrix."""
+        if not p:
+            return like.map(lambda q: {})
+        if like.rows != (_ONE_ROW,) or like.cols != (_ONE_ROW,):
+            raise Undefined("a scalar is added to a matrix")
+        return Blocks(like.rows, like.cols, [[p]])
+
+    def _read_product(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        acc = self.read(tree[1], local)
+        for part in tree[2:]:
+            acc = self._times(acc, self.read(part, local))
+        return acc
+
+    def _times(self, x: Any, y: Any) -> Any:
+        if isinstance(x, Blocks) and isinstance(y, Blocks):
+            if x.cols != y.rows:
+                x, y = self._split_like(x, x.rows, y.rows), self._split_like(y, x.cols, y.cols)
+            if x.cols != y.rows and _is_number(x):
+                return self._times(self.scalar(x), y)
+            if x.cols != y.rows and _is_number(y):
+                return self._times(x, self.scalar(y))
+            return x.times(y)
+        if isinstance(x, Blocks):
+            return x.map(lambda p: multiply(y, p))
+        if isinstance(y, Blocks):
+            return y.map(lambda p: multiply(x, p))
+        return multiply(x, y)
+
+    def _read_quotient(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        below = self.read(tree[2], local)
+        return self._times(self.read(tree[1], local), self._inverse(self.scalar(below) if _is_number(below) else below))
+
+    def scalar(self, x: Blocks) -> Poly:
+        """The number in a 1 x 1 matrix."""
+        out: Poly = {}
+        for (scalars, word), c in x.grid[0][0].items():
+            own: Poly = {(scalars, ()): c}
+            name: Poly = {(((self.scalar_name(word), 1),), ()): 1} if word else ONE
+            out = add(out, multiply(own, name))
+        return out
+
+    def scalar_name(self, word: Word) -> str:
+        """Name of the scalar of a 1 x 1 word; a number is its own transpose."""
+        name = f"<{'*'.join(min(word, self._transpose_word(word)))}>"
+        self.numbers[name] = word
+        return name
+
+    def as_scalar(self, word: Word) -> Relation:
+        """A 1 x 1 word less its scalar."""
+        if word_sizes(self, word, _ONE_ROW) != _ONE_ROW:
+            raise Undefined(f"the word {'*'.join(word)} is not 1 x 1")
+        return Relation({((), word): 1, (((self.scalar_name(word), 1),), ()): -1}, _ONE_ROW, _ONE_ROW)
+
+    def _read_power(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        if not isinstance(tree[2], int):
+            raise Unknown("an exponent that is no number")
+        base = self.read(tree[1], local)
+        base = self._inverse(base) if tree[2] < 0 else base
+        if tree[2] == 0:
+            raise Unknown("power zero")
+        acc = base
+        for _ in range(abs(tree[2]) - 1):
+            acc = self._times(acc, base)
+        return acc
+
+    def _read_transpose(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return self.transpose(self.read(tree[1], local))
+
+    def transpose(self, x: Any) -> Any:
+        """Transpose of blocks; scalars stay."""
+        if not isinstance(x, Blocks):
+            return x
+        grid = [[self.transpose_poly(x.grid[i][j]) for i in range(len(x.rows))] for j in range(len(x.cols))]
+        return Blocks(x.cols, x.rows, grid)
+
+    def transpose_poly(self, p: Poly) -> Poly:
+        return {(s, self._transpose_word(w)): c for (s, w), c in p.items()}
+
+    def _transpose_word(self, word: Word) -> Word:
+        return tuple(self.transposed[a] for a in reversed(word))
+
+    def _read_inverse(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return self._inverse(self.read(tree[1], local))
+
+    def _inverse(self, x: Any) -> Any:
+        """A scalar monomial is turned over; a matrix gets letters for its inverse, a sum of scalars a name."""
+        if not isinstance(x, Blocks):
+            return self._quotient(x)
+        if self.total(x.rows) != self.total(x.cols):
+            raise Undefined(f"a {shape(x)} matrix is not square")
+        if len(x.rows) == len(x.cols) == 1 and list(x.grid[0][0]) == [((), ())]:
+            return x.map(lambda p: {((), ()): number(Fraction(1, p[(), ()]))})
+        for term, inverse in self.inverses:
+            if term == x:
+                return inverse
+        turned = self.transpose(x)
+        for term, inverse in self.inverses:
+            if term == turned:
+                return self.transpose(inverse)
+        self.inverses.append((x, self._letters(x, turned == x)))
+        return self.inverses[-1][1]
+
+    def _letters(self, x: Blocks, symmetric: bool, kind: str = "inv") -> Blocks:
+        """A letter, or a block of letters, for the inverse of x."""
+        if len(x.rows) == len(x.cols) == 1:
+            name = self._fresh(f"{kind}({text(x.grid[0][0], '1')})")
+            self._letter(name, x.cols[0], x.rows[0], symmetric)
+            return Blocks(x.cols, x.rows, [[{((), (name,)): 1}]])
+        stem = f"{kind}[{'; '.join(', '.join(text(p, '1') for p in row) for row in x.grid)}]"
+        names = [[self._fresh(f"{stem}.{i}.{j}") for j in range(len(x.rows))] for i in range(len(x.cols))]
+        for i, row in enumerate(names):
+            for j, name in enumerate(row):
+                self._letter(name, x.cols[i], x.rows[j], symmetric and i == j)
+        if symmetric:
+            for i, row in enumerate(names):
+                for j, name in enumerate(row):
+                    self.transposed[name] = names[j][i]
+        return Blocks(x.cols, x.rows, [[{((), (name,)): 1} for name in row] for row in names])
+
+    def _fresh(self, name: str) -> str:
+        if name in self.sizes or name in self.kinds:
+            raise Unknown(f"two meanings of {name}")
+        return name
+
+    def _quotient(self, p: Poly) -> Poly:
+        if not p:
+            raise Undefined("division by zero")
+        if len(p) == 1:
+            ((s, _), c), = p.items()
+            self.units.update(n for n, _ in s)
+            return {(tuple((n, -e) for n, e in s), ()): number(Fraction(1, c))}
+        name = f"inv({text(p, '1')})"
+        if (p, name) not in self.quotients:
+            self.quotients.append((p, self._fresh(name)))
+            self.units.add(name)
+        return {(((name, 1),), ()): 1}
+
+    def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        size = self.size(tree[1])
+        return Blocks((size,), (size,), [[dict(ONE)]])
+
+    def _read_zero(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        return Blocks((self.size(tree[1]),), (self.size(tree[2]),), [[{}]])
+
+    def _split_like(self, x: Blocks, rows: tuple, cols: tuple) -> Blocks:
+        """An identity or zero of a total size, opened into blocks."""
+        if (x.rows, x.cols) == (rows, cols) or len(x.rows) != 1 or len(x.cols) != 1:
+            return x
+        p = x.grid[0][0]
+        if not p and x.rows[0] == self.total(rows) and x.cols[0] == self.total(cols):
+            return Blocks(rows, cols, [[{} for _ in cols] for _ in rows])
+        if list(p) == [((), ())] and x.rows[0] == self.total(rows) and rows == cols:
+            return Blocks(rows, cols, [[dict(p) if i == j else {} for j in range(len(cols))] for i in range(len(rows))])
+        if list(p) == [((), ())] and x.rows[0] == self.total(rows) == self.total(cols):
+            finer = rows if len(rows) > len(cols) else cols
+            return Blocks(finer, finer, [[dict(p) if i == j else {} for j in range(len(finer))] for i in range(len(finer))])
+        return x
+
+    def total(self, parts: tuple) -> Size:
+        out: dict[str, int] = {}
+        for part in parts:
+            for n, c in part:
+                out[n] = out.get(n, 0) + c
+        return tuple(sorted((n, c) for n, c in out.items() if c))
+
+    def _read_block(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        cells = [[self.read(x, local) for x in row] for row in tree[1:]]
+        heights: list[tuple | None] = [next((c.rows for c in row if isinstance(c, Blocks)), None) for row in cells]
+        widths: list[tuple | None] = [next((row[j].cols for row in cells if isinstance(row[j], Blocks)), None) for j in range(len(cells[0]))]
+        if None in heights or None in widths:
+            raise Unknown("a block row or column without sizes")
+        grid: list[list[Poly]] = []
+        for row, height in zip(cells, heights, strict=True):
+            parts = []
+            for c, width in zip(row, widths, strict=True):
+                if not isinstance(c, Blocks):
+                    c = self._scalar_block(c, Blocks(height, width, [[{} for _ in width] for _ in height]))  # type: ignore[arg-type, union-attr]
+                c = self._split_like(c, height, width)  # type: ignore[arg-type]
+                if (c.rows, c.cols) != (height, width):
+                    raise Undefined("blocks of one row or column have different sizes")
+                parts.append(c)
+            grid.extend([sum((c.grid[i] for c in parts), []) for i in range(len(height))])  # type: ignore[arg-type]
+        return Blocks(sum(heights, ()), sum(widths, ()), grid)  # type: ignore[arg-type]
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, Blocks) and x.rows == x.cols == (_ONE_ROW,)
+
+
+_METHODS = {
+    "rat": "rational", "sym": "name", "at": "call", "+": "sum", "-": "difference", "neg": "minus", "*": "product", "/": "quotient",
+    "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block",
+}
+
+
+def residual_blocks(reader: Reader, formula: Any) -> list[Blocks]:
+    """Left minus right side of the equations of a conjunction."""
+    op = formula[0]
+    if op == "and":
+        return [b for part in formula[1:] for b in residual_blocks(reader, part)]
+    if op == "=":
+        sides = [reader.read(x) for x in formula[1:]]
+        out = [reader._plus(x, y, -1) for x, y in zip(sides, sides[1:], strict=False)]
+    elif op == "symmetric":
+        x = reader.read(formula[1])
+        out = [reader._plus(x, reader.transpose(x), -1)]
+    elif op == "symplectic":
+        m = _in_halves(reader, reader.read(formula[1]))
+        j = _form(m.rows)
+        out = [reader._times(reader._times(reader.transpose(m), j), m).plus(j, -1)]
+    else:
+        raise Unknown(f"{op!r} is no equation")
+    return [x if isinstance(x, Blocks) else Blocks((_ONE_ROW,), (_ONE_ROW,), [[x]]) for x in out]
+
+
+def _form(sizes: tuple[Size, ...]) -> Blocks:
+    """J = [[0, I], [-I, 0]]."""
+    return Blocks(sizes, sizes, [[{}, dict(ONE)], [{((), ()): -1}, {}]])
+
+
+def _in_halves(reader: Reader, m: Any) -> Blocks:
+    """A matrix as four square blocks of one size."""
+    if isinstance(m, Blocks) and len(m.rows) == len(m.cols) == 1 and all(c % 2 == 0 for _, c in m.rows[0]):
+        half = (tuple((n, c // 2) for n, c in m.rows[0]),) * 2
+        m = reader._split_like(m, half, half)
+    if not isinstance(m, Blocks) or len(m.rows) != 2 or m.rows != m.cols or m.rows[0] != m.rows[1]:
+        raise Unknown("symplectic matrix that is not given by four blocks")
+    return m
+
+
+def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
+    """What the two-sidedness of inverses of square matrices adds to a hypothesis."""
+    if formula[0] == "symplectic":
+        m = _in_halves(reader, reader.read(formula[1]))
+        j = _form(m.rows)
+        return [reader._times(reader._times(m, j), reader.transpose(m)).plus(j, -1)]
+    if formula[0] == "=" and isinstance(formula[1], list) and formula[1][0] == "*" and len(formula[1]) == 3 and isinstance(formula[2], list) and formula[2][0] == "I":
+        x, y = (reader.read(f) for f in formula[1][1:])
+        if isinstance(x, Blocks) and isinstance(y, Blocks) and x.rows == x.cols == y.rows == y.cols:
+            return [reader._plus(y.times(x), reader.read(formula[2]), -1)]
+    return []
+
+
+def relations(reader: Reader) -> dict[str, Relation]:
+    """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
+    out: dict[str, Relation] = {}
+    for label, formula in hypotheses(reader.statement):
+        try:
+            if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
+                formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
+            if formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
+                found = _one_sided(reader, formula[1][1], formula[2])
+            else:
+                found = residual_blocks(reader, formula) + _other_side(reader, formula)
+        except (Unknown, TypeError):
+            continue  # an inequality is not used
+        for n, blocks in enumerate(found):
+            _note(out, reader, f"{label}/{n}", blocks)
+    for n, (term, inverse) in enumerate(reader.inverses, 1):
+        _note(out, reader, f"inverse {n}/right", term.times(inverse).plus(Blocks.unit(term.rows), -1))
+        _note(out, reader, f"inverse {n}/left", inverse.times(term).plus(Blocks.unit(term.cols), -1))
+    for n, (p, name) in enumerate(reader.quotients, 1):
+        out[f"quotient {n}"] = Relation(add(multiply(p, {(((name, 1),), ()): 1}), ONE, -1), None, None)
+    return out
+
+
+def _note(out: dict[str, Relation], reader: Reader, name: str, blocks: Blocks) -> None:
+    for i, row in enumerate(blocks.grid):
+        for j, p in enumerate(row):
+            if p and not any(word for _, word in p) and (blocks.rows[i], blocks.cols[j]) == (_ONE_ROW, _ONE_ROW):
+                out[f"{name}/{i}/{j}"] = Relation(p, None, None)
+            elif p:
+                out[f"{name}/{i}/{j}"] = Relation(p, blocks.rows[i], blocks.cols[j])
+                out[f"{name}/{i}/{j}'"] = Relation(reader.transpose_poly(p), blocks.cols[j], blocks.rows[i])
+
+
+def _one_sided(reader: Reader, tree: Any, rank: Any) -> list[Blocks]:
+    """A matrix whose rank is its number of columns has a left inverse, one whose rank is its number of rows a right one."""
+    x, r = reader.read(tree), reader.size(rank)
+    out = []
+    if isinstance(x, Blocks) and r in (reader.total(x.rows), reader.total(x.cols)):
+        v = next((v for y, v in reader.sides if y == x), None) or reader._letters(x, False, "side")
+        reader.sides.append((x, v))
+        if r == reader.total(x.cols):
+            out.append(v.times(x).plus(Blocks.unit(x.cols), -1))
+        if r == reader.total(x.rows):
+            out.append(x.times(v).plus(Blocks.unit(x.rows), -1))
+    return out
+
+
+def word_sizes(reader: Reader, word: Word, rows: Size) -> Size:
+    """Columns of a word that starts with so many rows; a product that does not fit is refused."""
+    at = rows
+    for letter in word:
+        if letter not in reader.sizes or reader.sizes[letter][0] != at:
+            raise Undefined(f"letter {letter!r} does not fit in the word {'*'.join(word)}")
+        at = reader.sizes[letter][1]
+    return at

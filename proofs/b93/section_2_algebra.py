@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""The algebra of section 2: the distance to the identity, one step of the filter, and the Gramians of Lemma 2.8.
+
+The logarithms l_1 <= ... <= l_d of the eigenvalues of a positive Q have log|Q| = l_d and
+log|inv(Q)| = -l_1, so that the squared distance of Q to the identity, the sum of the
+squares, lies between the larger of l_1^2 and l_d^2 and d times that: between two bounds no
+square exceeds the squares of both.
+
+The map Phi of a system sends the identity to T inv(I + RT) = inv(inv(T) + R) with
+T = AA* + S, which is at most T, because T - inv(inv(T) + R) = T(inv(R) + T)inv T where R
+is invertible, and T H inv(I + HTH) H T for a root H of R in any case.
+
+With P_n = Phi_n(P_{n-1}) and W = A_n P_{n-1} A_n* + S_n, P_n(I + R_n W) = W gives
+P_n = (I - P_n R_n) W, and therefore
+
+    P_n = (I - P_n R_n) W (I - P_n R_n)* + P_n R_n P_n = B_n P_{n-1} B_n* + T_n.
+
+Write H_n = I - P_n R_n and K_n = P_n C_n*, so that B_n = H_n A_n = A_n - K_n C_n A_n. The
+wide matrices of Lemma 2.8 grow by W_n = (K_n, F_n, A_n W_{n-1}) and
+V_n = (K_n, H_n F_n, B_n V_{n-1}). As H_n F_n = F_n - K_n (C_n F_n) and, if V_{n-1} = W_{n-1} U_{n-1},
+B_n V_{n-1} = A_n W_{n-1} U_{n-1} - K_n (C_n A_n V_{n-1}), each column of V_n is the same column
+of W_n combined with columns to its left: V_n = W_n U_n with
+
+          [ I   -C_n F_n   -C_n A_n V_{n-1} ]
+    U_n = [ 0      I              0         ] ,
+          [ 0      0           U_{n-1}      ]
+
+upper triangular with unit diagonal. Their Gramians follow recursions in one size d:
+V_n V_n* = T_n + B_n (V_{n-1} V_{n-1}*) B_n*, which is that of G_n, and
+W_n W_n* = K_n K_n* + S_n + A_n (W_{n-1} W_{n-1}*) A_n*, which stays above that of the right side
+of the printed inequality.
+"""
+
+from exactkf.claims import claim
+from exactkf.evidence import example, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    block,
+    forall,
+    function,
+    given,
+    hstack,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    nonsingular,
+    positive_semidefinite,
+    psd,
+    rec,
+    sequence,
+    signal_of,
+    standing,
+    sum_of,
+    symbols,
+    symmetric,
+    symmetric_matrix,
+    vector,
+    when,
+)
+from proofs.b93.notation import d, k, p, q
+
+A, B, C, F, H, K, P, R, S, W, V, U, X, Y = symbols("A B C F H K P R S W V U X Y")
+P0, T0, l, m, t = symbols("P0 T0 l m t")
+eps, eta, x, xhat, x1, y1, xhat1 = symbols("eps eta x xhat x1 y1 xhat1")
+
+larger, total = symbols("larger total")
+claim("B93-L2.3", "the distance to the identity between two multiples of a logarithm",
+      (larger <= total) & (total <= d * larger), sizes=["d"], over={l: sequence(1, d)},
+      where=[let(larger, when(l[1] ** 2 >= l[d] ** 2, l[1] ** 2, l[d] ** 2)), let(total, sum_of(k, 1, d, l[k] ** 2))],
+      given=[given("in ascending order", forall(k, 1, d - 1, l[k] <= l[k + 1]))],
+      by=[instances(24, d=range(1, 7), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t] ** 2))}),
+          instances(24, d=range(1, 7), using={m: sequence(1, d)}, made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2))}),
+          instances(8, d=(2, 3))],
+      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d, log|inv(Q)| = -l_1, and the squared "
+           "distance is the sum of their squares.")
+
+SYSTEM = {A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}
+ONE_STEP = (let(S, F * T(F)), let(R, T(C) * C))
+SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2)}
+
+claim("B93-S63", "the image of the identity",
+      ((A * T(A) + S) * inv(Identity(d) + R * S + R * A * T(A)) == T0 * inv(Identity(d) + R * T0))
+      & (T0 * inv(Identity(d) + R * T0) == inv(inv(T0) + R)) & psd(T0 - inv(inv(T0) + R)),
+      sizes=["d", "p", "q"], over=SYSTEM, where=[*ONE_STEP, let(T0, A * T(A) + S)],
+      by=[order([], [], [T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0]), instances(**SMALL)],
+      note="T_0 stands for the T of the text.")
+
+claim("B93-S73", "the error of the filter follows the closed loop",
+      xhat1 - x1 == (A - P * R * A) * (xhat - x) + P * T(C) * eta + (P * R - Identity(d)) * F * eps,
+      sizes=["d", "p", "q"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P: matrix(d, d), x: vector(d), xhat: vector(d), eps: vector(p), eta: vector(q)},
+      where=[let(R, T(C) * C), let(x1, A * x + F * eps), let(y1, C * x1 + eta), let(xhat1, (A - P * R * A) * xhat + P * T(C) * y1)],
+      by=[instances(**SMALL)],
+      note="x, xhat and x1, xhat1 are the state and the estimate before and after; nothing is needed of P.")
+
+claim("B93-L2.7", "the covariance as a sum along the closed loop",
+      P == B * P0 * T(B) + P * R * P + (Identity(d) - P * R) * S * T(Identity(d) - P * R),
+      sizes=["d", "p", "q"], over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P0: positive_semidefinite(d), P: matrix(d, d)},
+      where=[*ONE_STEP, let(W, A * P0 * T(A) + S), let(B, A - P * R * A)],
+      given=[given("P = Phi(P_0)", P == W * inv(Identity(d) + R * W))],
+      by=[order(lemmas=[symmetric(P), P + P * R * W == W]), instances(**SMALL, made_by={P: W * inv(Identity(d) + R * W)})],
+      note="P_0 stands for P_{n-1}, and P for P_n.")
+
+# ---------------------------------------------------------------- Lemma 2.8
+Wm, Um = symbols("Wm Um")
+LOOP = (let(R, T(C) * C), let(K, P * T(C)), let(H, Identity(d) - P * R), let(B, A - P * R * A))
+claim("B93-S74", "the wide matrices of the closed and the open loop, one step of the induction",
+      (hstack(K, H * F) == hstack(K, F) * block([[Identity(q), -C * F], [Zero(p, q), Identity(p)]]))
+      & (hstack(K, H * F, B * (Wm * Um))
+         == hstack(K, F, A * Wm) * block([[Identity(q), -C * F, -C * A * Wm * Um], [Zero(p, q), Identity(p), Zero(p, m)],
+                                          [Zero(m, q), Zero(m, p), Um]])),
+      sizes=["d", "p", "q", "m"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P: symmetric_matrix(d), Wm: matrix(d, m), Um: matrix(m, m)}, where=LOOP,
+      by=[instances(**SMALL, m=(1, 2, 3))],
+      note="Stated as the two halves of an induction on n, with U_n given: the first line is n = 1; in the second V_{n-1} = W_{n-1} U_{n-1} "
+           "with m columns, and (K_n, H_n F_n, B_n V_{n-1}) is V_n. U_n is upper triangular with unit diagonal if U_{n-1} is.")
+
+Gs, Vv = symbols("G VV")
+LOOPS = {A: signal_of(matrix(d, d), 0), F: signal_of(matrix(d, p), 0), C: signal_of(matrix(q, d), 0), P: signal_of(symmetric_matrix(d), 0)}
+PIECES = (function(R, [t], T(C[t]) * C[t]), function(S, [t], F[t] * T(F[t])), function(K, [t], P[t] * T(C[t])),
+          function(H, [t], Identity(d) - P[t] * R(t)), function(B, [t], A[t] - P[t] * R(t) * A[t]))
+claim("B93-S76", "G is the Gramian of V",
+      always(t, Gs[t] == Vv[t]), sizes=["d", "p", "q"], over=LOOPS,
+      where=[*PIECES,
+             rec(Gs, t, P[0] * R(0) * P[0] + H(0) * S(0) * T(H(0)),
+                 P[t + 1] * R(t + 1) * P[t + 1] + H(t + 1) * S(t + 1) * T(H(t + 1)) + B(t + 1) * Gs[t] * T(B(t + 1))),
+             rec(Vv, t, K(0) * T(K(0)) + (H(0) * F[0]) * T(H(0) * F[0]),
+                 K(t + 1) * T(K(t + 1)) + (H(t + 1) * F[t + 1]) * T(H(t + 1) * F[t + 1]) + B(t + 1) * Vv[t] * T(B(t + 1)))],
+      by=[induction(), instances(12, **SMALL, horizon=3)],
+      note="Times are counted from 0. VV is V_n V_n*, which for V_n = (K_n, H_n F_n, B_n V_{n-1}) follows the recursion that defines it here; "
+           "G follows from T_n + B_n G_{n-1} B_n*.")
+
+Ww, Ss = symbols("WW SS")
+claim("B93-S75", "the Gramian of W lies above the controllability sum",
+      always(t, loewner(Ww[t], Ss[t])), sizes=["d", "p", "q"], over=LOOPS,
+      where=[*PIECES[1:3], rec(Ww, t, K(0) * T(K(0)) + S(0), K(t + 1) * T(K(t + 1)) + S(t + 1) + A[t + 1] * Ww[t] * T(A[t + 1])),
+             rec(Ss, t, S(0), S(t + 1) + A[t + 1] * Ss[t] * T(A[t + 1]))],
+      by=[induction(base=order([K(0) * T(K(0))]), step=order([K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])])),
+          instances(12, **SMALL, horizon=3)],
+      note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}). So W_n has rank d wherever the sum on the right is "
+           "invertible, and so has V_n = W_n U_n.")
+
+Vn, Sn = symbols("Vn Sn")
+claim("B93-L2.8", "where the controllability sum is invertible, so is G",
+      x == Zero(d, 1), sizes=["d", "m"],
+      over={Wm: matrix(d, m), Um: nonsingular(m), Sn: symmetric_matrix(d), x: vector(d)}, where=[let(Vn, Wm * Um)],
+      given=[standing("the sum is nonnegative", psd(Sn)), given("the sum is invertible", invertible(Sn)),
+             given("WW* is at least the sum", loewner(Wm * T(Wm), Sn)),
+             given("x is a null vector of G", Vn * T(Vn) * x == Zero(d, 1))],
+      by=[order([Vn * T(Vn)], [inv(Um)], [Wm * T(Wm) - Sn, Sn], [inv(Sn)],
+                lemmas=[T(Vn) * x == Zero(m, 1), Wm * T(Wm) * x == Zero(d, 1), Sn * x == Zero(d, 1)]),
+          example(d=1, m=1, Wm=[[0]], Um=[[1]], Sn=[[0]], x=[1]), example(d=1, m=1, Wm=[[1]], Um=[[1]], Sn=[["1/2"]], x=[1]),
+          example(d=2, m=1, Wm=[[1], [0]], Um=[[2]], Sn=[[1, 0], [0, 1]], x=[0, 1]),
+          instances(d=(1, 2, 3), m=(1, 2, 3, 4), made_by={Sn: Wm * T(Wm) / 2, x: Zero(d, 1)})],
+      note="The event that the controllability sum S_n is invertible has positive probability for some n, by weak controllability; on it "
+           "G_n = V_n V_n* (S76) with V_n = W_n U_n (S74) and W_n W_n* >= S_n (S75) is shown to have no null vector.")

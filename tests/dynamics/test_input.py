@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The ways in which a filter is given, and what is refused."""
+
+import json
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from flint import fmpq
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from exactkf._errors import BadInput
+from exactkf.dynamics.analyze import analyze, filter_from, read_data
+from exactkf.dynamics.filter import Filter
+
+small = st.fractions(min_value=-4, max_value=4, max_denominator=6)
+
+
+@st.composite
+def filters(draw):
+    """A rational filter of order one to four, from its coordinates."""
+    n = draw(st.integers(1, 4))
+    alpha, gamma = ([draw(small) for _ in range(n)] for _ in range(2))
+    assume(all(x * x != 1 for x in gamma))
+    return Filter.from_parameters(alpha, gamma), alpha, gamma
+
+
+@given(filters())
+def test_every_way_in_gives_the_same_filter(made):
+    """Coordinates, polynomials, a realization in another basis and covariances agree."""
+    f, alpha, gamma = made
+    n = f.order
+    assert f.parameters() == (tuple(fmpq(x.numerator, x.denominator) for x in alpha), tuple(fmpq(x.numerator, x.denominator) for x in gamma))
+    assert Filter.from_ag(f.a, f.g) == f
+    assert Filter.from_polynomials([1, *f.b], [1, *f.a]) == f
+    F = [[-f.a[i] if j == 0 else fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
+    assert Filter.from_realization(F, f.g, [1] + [0] * (n - 1)) == f
+    if n > 1:  # the basis changed by adding the first row to the second: T F T^-1, T g, h' T^-1
+        F[1] = [x + y for x, y in zip(F[1], F[0], strict=True)]
+        F = [[row[0] - row[1], *row[1:]] for row in F]
+        g = [f.g[0], f.g[0] + f.g[1], *f.g[2:]]
+        assert Filter.from_realization(F, [[x] for x in g], [[1] + [0] * (n - 1)]) == f
+    try:
+        assert Filter.from_covariances([1, *f.covariances(2 * n + 2)], order=n) == f
+    except BadInput as error:
+        assert "singular Hankel" in str(error)
+
+
+def test_a_state_space_object_is_normalized():
+    """The transfer function is divided by 2D; numpy's floats need a rule."""
+    system = SimpleNamespace(A=np.array([[0.5, 0.0], [0.25, -0.25]]), B=np.array([[1.0], [0.5]]), C=np.array([[0.5, 0.25]]), D=np.array([[1.0]]))
+    f = Filter.from_state_space(system, floats="exact")
+    assert f.a == (fmpq(-1, 4), fmpq(-1, 8))
+    assert f.covariances(1) == (fmpq(5, 16),)  # CB / 2D
+    with pytest.raises(BadInput, match=r"is a float"):
+        Filter.from_state_space(system)
+    assert filter_from({"system": system, "floats": "decimal"}) == f
+
+
+def test_irrational_entries_share_a_field():
+    """All numbers of a filter lie in one field."""
+    f = Filter.from_parameters(["sqrt(2)", "1/2"], ["0", "sqrt(3)"])
+    assert f.field.degree == 4 and all(x.field is f.field for x in (*f.a, *f.g))
+    assert f.parameters()[0][0] ** 2 == 2
+
+
+@pytest.mark.parametrize("data, says", [
+    ({"alpha": [1], "gamma": [1]}, "argument 'gamma[0]' is 1 or -1"), ({"alpha": [1, 2], "gamma": [0, -1]}, "argument 'gamma[1]' is 1 or -1"),
+    ({"alpha": [1], "gamma": [0, 0]}, "argument 'gamma' has 2 entries where alpha has 1"), ({"a": [1], "g": ["-1"]}, "argument 'g[0]'"),
+    ({"a": [1], "g": [0, 0]}, "argument 'g' has 2 entries"), ({"b": [2, 1], "a": [1, 1]}, "argument 'b' is not monic"),
+    ({"b": [1, 1], "a": [2, 1]}, "argument 'a' is not monic"), ({"b": [1, 1, 1], "a": [1, 1]}, "argument 'b' has degree 2 where a has degree 1"),
+    ({"covariances": [1, "1/2"]}, "argument 'covariances' has 1 covariances after the first, too few"), ({"covariances": [2, 1, 1]}, "does not begin with 1"),
+    ({"covariances": [1, "1/2", "1/4", "1/3"]}, "not the covariance sequence"), ({"covariances": [1, 0, 0]}, "singular Hankel"),
+    ({"covariances": [1, "1/2", "1/4"], "order": 2}, "too few for order 2"), ({"covariances": [1, "1/2", "1/4"], "order": "x"}, "argument 'order' is no order"),
+    ({"F": [[1, 2]], "g": [1], "h": [1]}, "argument 'F' is not square"), ({"F": [[1]], "g": [1, 2], "h": [1]}, "argument 'g' has 2 entries"),
+    ({"F": [], "g": [1], "h": [1]}, "argument 'F' is empty"), ({"F": [[1, 2], [3, 4]], "g": [[1, 2], [3, 4]], "h": [1, 0]}, "argument 'g' is a matrix"),
+    ({"a": [], "g": []}, "argument 'a' is empty"), ({"a": "ab", "g": [1]}, "argument 'a' is no vector"), ({"a": 1, "g": [1]}, "argument 'a' is no vector"),
+    ({"a": [0.5], "g": [0]}, "argument 'a[0]' is a float"), ({"a": [float("nan")], "g": [0], "floats": "exact"}, "not finite"),
+    ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"), ({"alpha": [1]}, "does not describe a filter"),
+    ({}, "does not describe a filter"), ({"alpha": [1], "gamma": [0], "b": [1]}, "does not describe a filter"),
+    ({"alpha": [1], "gamma": [0], "order": 1}, "argument 'order' goes with covariances"), ({"alpha": ["root(x^2, -1, 1, 2)"], "gamma": [0]}, "4 arguments"),
+    ({"system": object()}, "has no matrices"), ({"alpha": [True], "gamma": [0]}, "truth value"),
+])
+def test_bad_input_is_one_line(data, says):
+    """The message names the argument and what is wrong with it."""
+    with pytest.raises(BadInput) as caught:
+        filter_from(data)
+    assert says in str(caught.value) and "\n" not in str(caught.value)
+
+
+def test_files_keep_decimals_exact(tmp_path):
+    """A decimal in TOML or JSON is the number that is written there."""
+    (tmp_path / "f.toml").write_text('alpha = [0.1, "sqrt(2)"]\ngamma = [1e-1, 0]\n')
+    (tmp_path / "f.json").write_text(json.dumps({"alpha": [0.1, "sqrt(2)"], "gamma": [0.1, 0]}))
+    read = [read_data(tmp_path / name) for name in ("f.toml", "f.json")]
+    assert [filter_from(r).parameters()[1][0] for r in read] == [fmpq(1, 10)] * 2
+
+
+@pytest.mark.parametrize("name, text, says", [
+    ("f.txt", "", "neither .toml nor .json"), ("f.toml", "alpha = [", "is not TOML"), ("f.json", "[1]", "no table"), ("f.json", "{", "is not JSON"),
+    ("f.toml", "beta = 1", "unknown key 'beta'"), ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
+])
+def test_bad_files_are_one_line(tmp_path, name, text, says):
+    """A file that is none of ours is named with what is wrong."""
+    (tmp_path / name).write_text(text)
+    with pytest.raises(BadInput, match="argument") as caught:
+        filter_from(read_data(tmp_path / name))
+    assert says in str(caught.value) and "\n" not in str(caught.value)
+    with pytest.raises(BadInput, match="cannot be read"):
+        read_data(tmp_path / "missing.toml")
+
+
+def test_analyze_refuses_mixtures():
+    """A filter is given once, and pi0 goes with order one."""
+    f = Filter.from_ag(["1/2"], ["1/4"])
+    with pytest.raises(BadInput, match="'alpha' comes with a Filter"):
+        analyze(f, alpha=[1])
+    with pytest.raises(BadInput, match="'a' is given twice"):
+        analyze({"a": [1], "g": [0]}, a=[1])
+    with pytest.raises(BadInput, match="'pi0' comes with a filter of order 2"):
+        analyze(a=["1/2", 0], g=[0, "1/3"], pi0="1/2")
