@@ -111,8 +111,8 @@ claim("D71-E3.182", "the deviation lies between zero and the linear bound",
 # --- from zero ----------------------------------------------------------------------------------------------------------
 
 claim("D71-S53", "the weight W is symmetric and nonnegative definite",
-      (inv(I + S*P)*S == INNOVATION) & psd(INNOVATION),
-      sizes=["n", "p"], over={P: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}, where=[GRAM],
+      (inv(I + S*P)*S == INNOVATION) & psd(W),
+      sizes=["n", "p"], over={P: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}, where=[GRAM, let(W, INNOVATION)],
       by=[order([inv(I + T(M)*inv(V)*M*P)], [INNOVATION]), instances(**MORE)])
 
 claim("D71-E3.183", "the equation of the distance from below",
