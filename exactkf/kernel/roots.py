@@ -169,6 +169,6 @@ def circle_sign(d: Laurent) -> str:
     # g keeps one sign on (-2, 2): any point that is not a root shows it
     x: Any = 0
     while _at(g, x) == 0:
-        x = divide(x + 2, 3) if x else divide(1, 7)
+        x = divide(x + 2, 3) if x else divide(g[-1] - g[-1] + 1, 7)  # a scalar of the type of the coefficients
     positive = sign(_at(g, x)) > 0
     return ("0+" if touches else "+") if positive else ("-0" if touches else "-")
