@@ -144,7 +144,8 @@ claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a 
       repair=repair("sign", SIGN, GAIN * N * T(GAIN) == -(LAST * Oi * BOTTOM),
                     sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=FILTER_LETS, given=[ONE_INVERSE, NOISE, RANK],
                     by=[filter_identities(before=m), example({**SMALL, U1: [[2]]}), drawn(m=(1, 2))]),
-      note="The error of the estimate (3.4) is the gain times the noise (A nu - u; r).")
+      note=("The error of the estimate (3.4) is the gain times the noise (A nu - u; r). The scan of (3.5) is damaged in the first row of the matrix; its "
+            "outer factors are clear, and no sign stands before them, while (4.19) and (4.20) have it."))
 
 Rows = sym("Rows")
 PRINTED_ROWS = block([[A * P * T(A) + Q, S, E], [T(S), R, C]])
@@ -210,9 +211,9 @@ claim("NWL92-E3.6", "the Riccati equation of Wang and Bernhard follows from that
       note=("Sigma is any covariance of the prediction; the left side is APA' + Q with the error covariance P of the next filtered "
             "estimate. Where the 3-block matrix is invertible, so is M (NWL92-E3.7)."))
 
-claim("NWL92-E3.7", "M is invertible exactly if the 3-block matrix is, and both have the same last block of the inverse",
+claim("NWL92-E3.7", "M is invertible exactly if the 3-block matrix is",
       iff(invertible(WIDE), invertible(Mj)), sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
-      by=[instances(**WB_SIZES)], note="A definition; what is checked is that M takes the place of the 3-block matrix.")
+      by=[instances(**WB_SIZES)], note="A definition; what is checked is that M takes the place of the 3-block matrix. Their last blocks of the inverse are NWL92-E3.10.")
 
 Pb, Pj = symbols("Pb Pj")
 AHEAD = hstack(A, -Identity(l))

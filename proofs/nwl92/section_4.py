@@ -277,7 +277,7 @@ FOILS = [example({**SMALL, a: 1, b: 0, v1: [[1]], v2: [[0]]}), example(ALONE), e
 claim("NWL92-E4.41", "the solution of the Riccati equation along an eigenvector",
       (1 - (a * a + b * b)) * quadratic(P) == quadratic(GAIN * PRINTED_G * vstack(T(L), T(K))),
       sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER, given=EIGEN_GIVEN,
-      by=[example({**NOISELESS, A: [["1/2"]], a: "1/2"}), *eigenvalues(contracting, False)],
+      by=[example({**NOISELESS, A: [[1]], a: 1}), example({**NOISELESS, A: [["1/2"]], a: "1/2"}), *eigenvalues(contracting, False)],
       repair=repair("sign", S_SIGN,
                     (1 - (a * a + b * b)) * quadratic(P) == quadratic(GAIN * NOISE_G * vstack(T(L), T(K))),
                     sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
@@ -356,7 +356,7 @@ MADE_ONCE, FREE_ONCE = solved()
 SAME = instances(made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
                  using={**FREE_ONCE, **made_blocks(Oma)[1], **made_blocks(Omb, OTHER_INVERSE, Y2)[1], H0: matrix(l + p, l + p),
                         P: positive_semidefinite(n)}, l=(1, 2), p=1, n=(1, 2))
-claim("NWL92-S39", "there is one nonnegative solution",
+claim("NWL92-S39", "there is at most one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
       by=[steps("NWL92-E4.45", facts=["X = MXN' has the solution zero alone if M and N are stable"],
@@ -451,7 +451,7 @@ claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
           instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + X0 * 0 + H0 * e0}, using={X0: matrix(n, 1), H0: positive_semidefinite(n),
                                                                                                   e0: scalar()}, n=(1, 2, 3))],
       note=("e stands for c rho^j. The paper asks for P_j^0 -> P only; for an exponential rate of P_j the lower bound needs one as well, which this "
-            "statement includes."))
+            "statement includes. It has one, as P - P_(j+1)^0 = (LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
 
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
 CLOSED_W = CLOSED * (Wt[t] - Pt[t]) * T(CLOSED)

@@ -305,7 +305,8 @@ def third(s, t):
     return det(block([[Zero(n, n), s * T(K) + t * T(F)], [s * F + t * K, -s * G]]))
 
 
-ODD = {"k": 1, "n": 1, F: [[1]], K: [[0]], G: [[0]], s: 1, t: 1}
+#: l = 2, p = 1, n = 1, E = (1; 0), A = C = 0, G = I
+ODD = {"k": 3, "n": 1, F: [[1], [0], [0]], K: [[0], [0], [0]], G: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], s: 1, t: 1}
 SWAP = to_expr(-1) ** (k * n)
 ROWS_SIGN = "exchanging k rows with n rows changes the sign of the determinant if k and n are odd"
 EVERY = {"k": (1, 2), "n": (1, 2)}
@@ -342,7 +343,7 @@ claim("NWL92-E5.14", "determinants of (5.13)",
       by=[identity(**EVERY), instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
-      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
+      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
       by=[identity(**EVERY), instances(**SIZES)])
 
 # ------------------------------------------------------------------ the stable eigenspace
@@ -387,12 +388,10 @@ w, h, h2 = symbols("w h h2")
 LYAPUNOV = given("(5.27)", YFX == T(Y) * G * Y + T(J) * YFX * J)
 NULL_W = given("F'Yw = 0", T(F) * Y * w == Zero(n, 1))
 STABLE = given("J stable", schur(J))
-PSD_YFX = standing("Y'FX >= 0 (NWL92-S50)", psd(YFX))
-YW = Y * w
-QUADRATIC = T(w) * T(Y) * G * (Y * w) + T(J * w) * YFX * (J * w)
-ENERGY_W = [T(w) * T(Y) * G * Y * w, T(J * w) * (T(Y) * F * X) * (J * w)]
+NULL_ENERGY = steps("NWL92-E5.27", facts=["a symmetric solution of a Lyapunov equation with stable J and nonnegative right side is nonnegative"],
+                    prose=("w'Y'F = 0, so that w times (5.27) times w leaves 0 = (Yw)'G(Yw) + (Jw)'Y'FX(Jw); both terms are nonnegative, hence zero, "
+                           "and G >= 0 gives GYw = 0."))
 
-ROWS_BOTH = [*FIRST_RELATIONS, FULL_ROW]
 #: a system in which F'Y is singular: the second state neither noise nor gain; k = 2, n = 2
 d0, d1, d2 = symbols("d0 d1 d2")
 HALF = instances(made_by={k1: B0 * X0 * (1 / (1 + trace(X0 * X0))) * inv(B0), P: B0 * T(B0), F: V * Identity(n), K: V * k1,
@@ -404,15 +403,13 @@ ONE = {"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[1]], X: [[0]], Y: [[1]], J: [[0]
 W_FOILS = [example(ONE), example({**ONE, F: [[1]], X: [[1]]}), example({**ONE, F: [[1]], Y: [[1]], X: [[1]], w: [1], J: [[0]]})]
 claim("NWL92-E5.28", "F'Yw = 0 gives GYw = 0",
       G * (Y * w) == Zero(k, 1), sizes=["k", "n"], over={**EIGENSPACE, w: vector(n)},
-      given=[LYAPUNOV, NULL_W, standing("J stable", schur(J)), PSD_YFX],
-      by=[order([], ENERGY_W, lemmas=[QUADRATIC * Identity(1) == Zero(1, 1)]), *W_FOILS, HALF, spaces({w: Zero(n, 1)})],
-      note="That Y'FX is nonnegative follows from (5.27) and stability of J (NWL92-S50), and is listed for the proof.")
+      given=[LYAPUNOV, NULL_W, standing("J stable", schur(J))],
+      by=[NULL_ENERGY, *W_FOILS, HALF, spaces({w: Zero(n, 1)})])
 
 claim("NWL92-E5.29", "F'Yw = 0 gives w'Y'[F, G] = 0",
       T(w) * T(Y) * hstack(F, G) == Zero(1, n + k), sizes=["k", "n"], over={**EIGENSPACE, w: vector(n)},
-      given=[LYAPUNOV, NULL_W, standing("J stable", schur(J)), PSD_YFX],
-      by=[order([], ENERGY_W, lemmas=[QUADRATIC * Identity(1) == Zero(1, 1), G * (Y * w) == Zero(k, 1)]), *W_FOILS, HALF, spaces({w: Zero(n, 1)})],
-      note="That Y'FX is nonnegative follows from (5.27) and stability of J (NWL92-S50), and is listed for the proof.")
+      given=[LYAPUNOV, NULL_W, standing("J stable", schur(J))],
+      by=[NULL_ENERGY, *W_FOILS, HALF, spaces({w: Zero(n, 1)})])
 
 claim("NWL92-S47", "stabilizability gives [F, G] full row rank",
       rank(hstack(F, G)) == k, sizes=["k", "n"], over={**PENCIL, **ROW_INVERSE}, given=[STABILIZABLE],

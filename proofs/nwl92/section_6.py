@@ -15,7 +15,7 @@ gives the adjusted estimate, and minus its last block the error covariance.
 
 from __future__ import annotations
 
-from exactkf.claims import claim
+from exactkf.claims import claim, repair
 from exactkf.evidence import Evidence, example, instances, order
 from exactkf.language import (
     Identity,
@@ -54,10 +54,17 @@ claim("NWL92-E6.24", "the estimate from past data is x with an error of covarian
 # ------------------------------------------------------------------ the adjusted estimate
 n, g = symbols("n g")
 P, V, F, xh, w, nu = symbols("P V F xh w nu")
+PAST, FUTURE = given("(6.24)", xh == x + nu), given("(6.3)", F * x == w)
+BOTH = {"sizes": ["n", "g"], "over": {F: matrix(g, n), x: vector(n), xh: vector(n), nu: vector(n), w: vector(g)}}
+CONSISTENT = instances(made_by={xh: x + nu, w: F * x}, n=(1, 2), g=(1, 2))
 claim("NWL92-E6.25", "past and future as one measurement",
-      vstack(x + nu, F * x + w) == vstack(Identity(n), F) * x + vstack(nu, w), sizes=["n", "g"],
-      over={F: matrix(g, n), x: vector(n), nu: vector(n), w: vector(g)}, by=[instances(n=(1, 2), g=(1, 2))],
-      note="Where (6.3) holds with w of the opposite sign the second entry is zero; the covariance of w is the same.")
+      vstack(xh, Zero(g, 1)) == vstack(Identity(n), F) * x + vstack(nu, w), given=[PAST, FUTURE], **BOTH,
+      by=[example({"n": 1, "g": 1, F: [[1]], x: [1], xh: [1], nu: [0], w: [1]}), CONSISTENT],
+      repair=repair("sign", "by (6.3) the noise of the second row is -w", vstack(xh, Zero(g, 1)) == vstack(Identity(n), F) * x + vstack(nu, -w),
+                    given=[PAST, FUTURE], **BOTH,
+                    by=[*[example({"n": 1, "g": 1, F: [[0]], x: [0], nu: [0], **change}) for change in ({xh: [1], w: [0]}, {xh: [0], w: [1]})],
+                        CONSISTENT]),
+      note="The covariance of -w is that of w, so that (6.26) and (6.27) stand. (3.3) and (6.1) have the sign of u right.")
 
 Zm, Zi, W1, W2, W3, U1, U2, Tb, Y0, M1, M2, X2 = symbols("Zm Zi W1 W2 W3 U1 U2 T Y0 M1 M2 X2")
 OVER = {P: positive_semidefinite(n), V: positive_semidefinite(g), F: matrix(g, n), W1: symmetric_matrix(n), W2: matrix(n, g), W3: symmetric_matrix(g),
