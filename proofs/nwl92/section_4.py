@@ -226,9 +226,9 @@ def eigenvalues(drawn_by, unstable, also=None):
     """Instances with a real eigenvalue for n = 1 and a complex one for n = 2; ``drawn_by`` takes the matrix LA is to be similar to."""
     outside = 1 + a0 * a0 if unstable else a0 * (1 / NORM)
     free = {a0: scalar(), b0: scalar()}
-    return [drawn_by(Identity(1) * a, made_by=also, before={a: outside, b: 0 * b0}, using=free, l=(1, 2), n=1),
+    return [drawn_by(Identity(1) * a, made_by=also, before={a: outside, b: 0 * b0}, using=free, count=8, l=(1, 2), n=1),
             drawn_by(block([[a, -b], [b, a]]), made_by={**EIGENVECTOR, **(also or {})}, before={a: outside, b: b0 * (1 if unstable else 1 / NORM)},
-                     using=free, l=2, n=2)]
+                     using=free, count=8, l=2, n=2)]
 
 
 V, M0 = symbols("V M0")
@@ -286,6 +286,10 @@ claim("NWL92-E4.41", "the solution of the Riccati equation along an eigenvector"
                         *eigenvalues(contracting, False), *eigenvalues(noiseless, True)]))
 
 UNSTABLE = given("|lam| >= 1", a * a + b * b >= 1)
+#: |lam| >= 1: all terms of (4.41) on one side, each of them nonnegative
+ALL_TERMS = quadratic(GAIN * NOISE_G * vstack(T(L), T(K))) + (a * a + b * b - 1) * quadratic(P)
+NOISE_BY_FORM = noise_by_form(Zero(n, n), n)
+TERMS = [v * GAIN * NOISE_BY_FORM * T(v * GAIN) for v in (v1, v2)] + [(a * a + b * b - 1) * v * P * T(v) for v in (v1, v2)]
 claim("NWL92-E4.42", "v(L K) annihilates the noise",
       (v1 * GAIN * PRINTED_G == Zero(1, l + p)) & (v2 * GAIN * PRINTED_G == Zero(1, l + p)),
       sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER, given=[*EIGEN_GIVEN, UNSTABLE],
@@ -294,7 +298,8 @@ claim("NWL92-E4.42", "v(L K) annihilates the noise",
                     (v1 * GAIN * NOISE_G == Zero(1, l + p)) & (v2 * GAIN * NOISE_G == Zero(1, l + p)),
                     sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
                     given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE],
-                    by=[*FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]),
+                    by=[order([], TERMS, TERMS, lemmas=[ALL_TERMS * Identity(1) == Zero(1, 1)]),
+                        *FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]),
       note="The scan has hyphens between the blocks of these matrices; they are read as space, as in (4.47).")
 
 claim("NWL92-E4.43", "lam vLE",
@@ -352,8 +357,10 @@ SOLVED = [given("P1 solves (4.31)", riccati(Pa, La, Ka)), given("P2 solves (4.31
 PAIR_OF_SOLUTIONS = {"l": 1, "p": 1, "n": 1, A: [[2]], E: [[1]], C: [[1]], Q: [[0]], S: [[0]], R: [[1]], Pa: [["3/4"]], Pb: [[0]],
                      **dict(zip(INVERSE, ([["1/4"]], [["-1/4"]], [["1/4"]], [["1/4"]], [["3/4"]], [["-3/4"]]), strict=True)),
                      **dict(zip(OTHER_INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True))}
+#: the same with A = 0, where 0 is the only solution
+ONE_SOLUTION = {A: [[0]], **dict(zip(INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True)), **ZEROS, Na: [[1]], Mc: [[-1]], Md: [[1]]}
 MADE_ONCE, FREE_ONCE = solved()
-SAME = instances(made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
+SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
                  using={**FREE_ONCE, **made_blocks(Oma)[1], **made_blocks(Omb, OTHER_INVERSE, Y2)[1], H0: matrix(l + p, l + p),
                         P: positive_semidefinite(n)}, l=(1, 2), p=1, n=(1, 2))
 claim("NWL92-S39", "there is at most one nonnegative solution",
@@ -362,7 +369,7 @@ claim("NWL92-S39", "there is at most one nonnegative solution",
       by=[steps("NWL92-E4.45", facts=["X = MXN' has the solution zero alone if M and N are stable"],
                 prose="Both L A are stable (NWL92-S37), so that (4.45) leaves only P1 - P2 = 0."),
           example({**PAIR_OF_SOLUTIONS, **ZEROS}),
-          example({**PAIR_OF_SOLUTIONS, A: [[0]], Pa: [[1]], **ZEROS, Na: [[1]], Nb: [[0]], Mc: [[-1]], Md: [[1]]}), SAME],
+          *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME],
       note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
 
 claim("NWL92-E4.45", "difference of two solutions",
