@@ -121,14 +121,14 @@ def noise_by_form(P: Expr, m: Any) -> Expr:
     return J * COVARIANCE * J + before * P * T(before)
 
 
-def filter_identities(*sums: list, of: Sequence[tuple[Expr, Blocks]] = ((P, INVERSE),), before: Any = n) -> Evidence:
-    """The conclusion for every size, from LE + KC = I and N(U1; U2) + (E; C)T = 0 for each covariance and (1)-inverse."""
+def filter_identities(*sums: list, of: Sequence[tuple[Expr, Blocks]] = ((P, INVERSE),), before: Any = n, then: Sequence[Expr] = ()) -> Evidence:
+    """The conclusion for every size, from LE + KC = I and N(U1; U2) + (E; C)T = 0 for each covariance and (1)-inverse, and equations that follow."""
     lemmas, needs = [], []
     for covariance, (W1, W2, W3, U1, U2, T0) in of:
         more, most = block_identities(noise_by_form(covariance, before), F_BLOCK, block([[W1, W2], [T(W2), W3]]), vstack(U1, U2), T0,
                                       n, l + p, GRAM)
         lemmas, needs = lemmas + more, needs + most
-    return order(*needs, *sums, lemmas=lemmas)
+    return order(*needs, *([] for _ in then), *sums, lemmas=[*lemmas, *then])
 
 
 # ------------------------------------------------------------------ instances

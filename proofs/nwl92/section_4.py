@@ -288,8 +288,8 @@ claim("NWL92-E4.41", "the solution of the Riccati equation along an eigenvector"
 UNSTABLE = given("|lam| >= 1", a * a + b * b >= 1)
 #: |lam| >= 1: all terms of (4.41) on one side, each of them nonnegative
 ALL_TERMS = quadratic(GAIN * NOISE_G * vstack(T(L), T(K))) + (a * a + b * b - 1) * quadratic(P)
-NOISE_BY_FORM = noise_by_form(Zero(n, n), n)
-TERMS = [v * GAIN * NOISE_BY_FORM * T(v * GAIN) for v in (v1, v2)] + [(a * a + b * b - 1) * v * P * T(v) for v in (v1, v2)]
+FLIP = block([[Identity(l), Zero(l, p)], [Zero(p, l), -Identity(p)]])
+TERMS = [v * GAIN * FLIP * PRINTED_G * FLIP * T(GAIN) * T(v) for v in (v1, v2)] + [(a * a + b * b - 1) * v * P * T(v) for v in (v1, v2)]
 claim("NWL92-E4.42", "v(L K) annihilates the noise",
       (v1 * GAIN * PRINTED_G == Zero(1, l + p)) & (v2 * GAIN * PRINTED_G == Zero(1, l + p)),
       sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER, given=[*EIGEN_GIVEN, UNSTABLE],
@@ -324,7 +324,8 @@ claim("NWL92-E4.44", "v(L K) annihilates the rows of the stabilizability matrix"
       by=[example({**NOISELESS, A: [[1]], a: 1}), *eigenvalues(noiseless, True)],
       repair=repair("sign", S_SIGN, annihilated(NOISE_G), sizes=["l", "n", "p"], over=EIGEN_OVER, where=FILTER,
                     given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE],
-                    by=[*FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]))
+                    by=[filter_identities([], [], TERMS, TERMS, then=[ALL_TERMS * Identity(1) == Zero(1, 1)]),
+                        *FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]))
 
 EIGEN_FORMULA = (v1 * (L * A) == Z_1) & (v2 * (L * A) == Z_2)
 NOT_ZERO = (v1 != Zero(1, n)) | (v2 != Zero(1, n))
