@@ -24,7 +24,7 @@ that (A.14) does not feel because U'RWR = 0.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances
+from exactkf.evidence import combination, example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -93,7 +93,7 @@ HH = T(H) * H
 
 claim("NWL92-EA.1", "full column rank means that H'H is invertible",
       iff(rank(H) == n, invertible(HH)), sizes=["p", "n"], over={H: matrix(p, n)},
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-EA.2", "in blocks, ZGZ = Z is the three equations (A.3), (A.4), (A.5)",
       Zm * Zd * Zm - Zm == block([

@@ -178,7 +178,7 @@ claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
       sizes=["n", "p"],
       over={P: symmetric_matrix(n), N: symmetric_matrix(p), C: matrix(p, n), x: vector(n), m: vector(n), z: vector(p)},
-      where=BAYES, by=[instances(n=(1, 2, 3), p=(1, 2))],
+      where=BAYES, by=[order(), instances(n=(1, 2, 3), p=(1, 2))],
       note=("The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - "
             "x and z - Cx have covariances P and N."))
 
@@ -279,7 +279,7 @@ ANY = {R: positive_semidefinite(p), H: matrix(p, n)}
 FULL_ROW_RANK = given("[R H] has full row rank", rank(RH) == p)
 claim("NWL92-S4", "Z is invertible exactly if H has full column rank and [R H] full row rank",
       iff(invertible(Zm), (rank(H) == n) & (rank(RH) == p)), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
+      by=[order([], [], [R]), steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
                 facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
                 prose=("Necessity: the last n columns [H; 0] and the first p rows [R H] of an invertible matrix are "
                        "independent. Sufficiency is Lemma 2.1.")),
@@ -295,8 +295,8 @@ claim("NWL92-L2.1", "two rank conditions make Z invertible",
           instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
-      symmetric(Zm) & (size_of(Zm) == p + n), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
-      by=[identity(p=(1, 2, 3), n=(1, 2, 3)), instances(p=(1, 2, 3), n=(1, 2, 3))])
+      symmetric(Zm) & (T(Zm) * Identity(p + n) == Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
+      by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 not_checked("NWL92-E2.11", "a left null vector of Z", ("the assumption of a proof: it fixes notation and asserts "
                                                        "nothing"))

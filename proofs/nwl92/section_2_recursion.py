@@ -205,10 +205,8 @@ claim("NWL92-E2.31", "the batch system",
       BATCH_SYSTEM * vstack(la, lb, xh, zh) == vstack(a, b, Zero(n, 1), Zero(m, 1)),
       sizes=["p", "q", "n", "m"],
       over={**MODEL, la: vector(p), lb: vector(q), xh: vector(n), zh: vector(m), a: vector(p), b: vector(q)},
-      given=[given("(2.9)", two_block(RB, HB, n + m) * vstack(vstack(la, lb), vstack(xh, zh))
-                   == vstack(vstack(a, b), Zero(n + m, 1)))],
-      by=[combination([(1, "(2.9)", 1)], p=(1, 2), q=(1, 2), n=(1, 2), m=(1, 2)),
-          instances(made_by={N: kernel_basis(T(HB)), la: T(upper(p, q)) * N * T(N) * h,
+      given=[given("(2.9)", (RB * vstack(la, lb) + HB * vstack(xh, zh) == vstack(a, b)) & (T(HB) * vstack(la, lb) == Zero(n + m, 1)))],
+      by=[instances(made_by={N: kernel_basis(T(HB)), la: T(upper(p, q)) * N * T(N) * h,
                              lb: T(lower(p, q)) * N * T(N) * h,
                              a: V * la + H * xh, b: W * lb + J * xh + K * zh}, using={h: vector(p + q)}, **SIZES)],
       note="The conditions (2.9) for the measurement (a, b) of (x, z) with noise covariance diag(V, W).")
@@ -233,10 +231,8 @@ MULTIPLIERS = {N: kernel_basis(T(K)), lb: N * T(N) * h, l1: -T(J) * lb, xh1: P1 
 claim("NWL92-E2.33", "the sequential system",
       SEQUENTIAL_SYSTEM * vstack(l1, lb, xh, zh) == vstack(xh1, b, Zero(n, 1), Zero(m, 1)),
       sizes=["q", "n", "m"], over=SECOND_STAGE,
-      given=[given("(2.9)", two_block(diag(P1, W), HS, n + m) * vstack(vstack(l1, lb), vstack(xh, zh))
-                   == vstack(vstack(xh1, b), Zero(n + m, 1)))],
-      by=[combination([(1, "(2.9)", 1)], q=(1, 2), n=(1, 2), m=(1, 2)),
-          instances(made_by=MULTIPLIERS, using={h: vector(q)}, q=(1, 2), n=(1, 2), m=(1, 2))],
+      given=[given("(2.9)", (diag(P1, W) * vstack(l1, lb) + HS * vstack(xh, zh) == vstack(xh1, b)) & (T(HS) * vstack(l1, lb) == Zero(n + m, 1)))],
+      by=[instances(made_by=MULTIPLIERS, using={h: vector(q)}, q=(1, 2), n=(1, 2), m=(1, 2))],
       note="The conditions (2.9) for the measurement (xh1, b) of (x, z) with noise covariance diag(P1, W).")
 
 SYSTEM_33 = given("(2.33)", SEQUENTIAL_SYSTEM * vstack(l1, lb, xh, zh) == vstack(xh1, b, Zero(n, 1), Zero(m, 1)))
@@ -347,11 +343,9 @@ JOINT_MADE = {N: kernel_basis(T(HJ)), l1: T(upper(p, k)) * N * T(N) * h, l2: T(l
 claim("NWL92-E2.40", "stationarity conditions for x1 and x2",
       SYSTEM * vstack(l1, l2, x1, x2) == vstack(y1, y2, Zero(n, 1), Zero(m, 1)),
       sizes=["p", "k", "n", "m"], over=JOINT,
-      given=[given("(2.9)", two_block(block([[R11, R12], [T(R12), R22]]), HJ, n + m) * vstack(vstack(l1, l2),
-                                                                                              vstack(x1, x2))
-                   == vstack(vstack(y1, y2), Zero(n + m, 1)))],
-      by=[combination([(1, "(2.9)", 1)], p=(1, 2), k=(1, 2), n=(1, 2), m=(1, 2)),
-          instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
+      given=[given("(2.9)", (block([[R11, R12], [T(R12), R22]]) * vstack(l1, l2) + HJ * vstack(x1, x2) == vstack(y1, y2))
+                   & (T(HJ) * vstack(l1, l2) == Zero(n + m, 1)))],
+      by=[instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
 
 claim("NWL92-S17", "the multiplier of y2 is zero",
       l2 == Zero(k, 1), sizes=["k", "m"], over={H3: matrix(k, m), l2: vector(k)},
