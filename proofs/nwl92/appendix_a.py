@@ -93,7 +93,7 @@ HH = T(H) * H
 
 claim("NWL92-EA.1", "full column rank means that H'H is invertible",
       iff(rank(H) == n, invertible(HH)), sizes=["p", "n"], over={H: matrix(p, n)},
-      by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))])
+      by=[order([HH]), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
 claim("NWL92-EA.2", "in blocks, ZGZ = Z is the three equations (A.3), (A.4), (A.5)",
       Zm * Zd * Zm - Zm == block([

@@ -178,7 +178,9 @@ claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),
       sizes=["n", "p"],
       over={P: symmetric_matrix(n), N: symmetric_matrix(p), C: matrix(p, n), x: vector(n), m: vector(n), z: vector(p)},
-      where=BAYES, by=[order(), instances(n=(1, 2, 3), p=(1, 2))],
+      where=BAYES,
+      by=[order([], [T(upper(n, p)) * R * upper(n, p)], [T(lower(n, p)) * R * lower(n, p)],
+                [upper(n, p) * P * T(upper(n, p)), lower(n, p) * N * T(lower(n, p))]), instances(n=(1, 2, 3), p=(1, 2))],
       note=("The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - "
             "x and z - Cx have covariances P and N."))
 

@@ -205,7 +205,7 @@ claim("NWL92-E2.31", "the batch system",
       BATCH_SYSTEM * vstack(la, lb, xh, zh) == vstack(a, b, Zero(n, 1), Zero(m, 1)),
       sizes=["p", "q", "n", "m"],
       over={**MODEL, la: vector(p), lb: vector(q), xh: vector(n), zh: vector(m), a: vector(p), b: vector(q)},
-      given=[given("(2.9)", (RB * vstack(la, lb) + HB * vstack(xh, zh) == vstack(a, b)) & (T(HB) * vstack(la, lb) == Zero(n + m, 1)))],
+      given=[given("(2.9)", (block([[V, Zero(p, q)], [Zero(q, p), W]]) * vstack(la, lb) + HB * vstack(xh, zh) == vstack(a, b)) & (T(HB) * vstack(la, lb) == Zero(n + m, 1)))],
       by=[instances(made_by={N: kernel_basis(T(HB)), la: T(upper(p, q)) * N * T(N) * h,
                              lb: T(lower(p, q)) * N * T(N) * h,
                              a: V * la + H * xh, b: W * lb + J * xh + K * zh}, using={h: vector(p + q)}, **SIZES)],
@@ -231,7 +231,7 @@ MULTIPLIERS = {N: kernel_basis(T(K)), lb: N * T(N) * h, l1: -T(J) * lb, xh1: P1 
 claim("NWL92-E2.33", "the sequential system",
       SEQUENTIAL_SYSTEM * vstack(l1, lb, xh, zh) == vstack(xh1, b, Zero(n, 1), Zero(m, 1)),
       sizes=["q", "n", "m"], over=SECOND_STAGE,
-      given=[given("(2.9)", (diag(P1, W) * vstack(l1, lb) + HS * vstack(xh, zh) == vstack(xh1, b)) & (T(HS) * vstack(l1, lb) == Zero(n + m, 1)))],
+      given=[given("(2.9)", (block([[P1, Zero(n, q)], [Zero(q, n), W]]) * vstack(l1, lb) + HS * vstack(xh, zh) == vstack(xh1, b)) & (T(HS) * vstack(l1, lb) == Zero(n + m, 1)))],
       by=[instances(made_by=MULTIPLIERS, using={h: vector(q)}, q=(1, 2), n=(1, 2), m=(1, 2))],
       note="The conditions (2.9) for the measurement (xh1, b) of (x, z) with noise covariance diag(P1, W).")
 
