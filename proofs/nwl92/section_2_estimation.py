@@ -145,7 +145,7 @@ not_checked("NWL92-E2.1", "the measurement y = Hx + v", "a definition: it fixes 
 
 # ------------------------------------------------------------------ Bayesian estimation is a special case
 P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
-BAYES = (let(H, vstack(Identity(n), C)), let(R, diag(P, N)))
+BAYES = (let(H, vstack(Identity(n), C)), let(R, block([[P, Zero(n, p)], [Zero(p, n), N]])))
 I_n, Q, UB = Identity(n), sym("Q"), sym("UB")
 FIRST_N, LAST_P = L * upper(n, p), L * lower(n, p)
 NOISE_BLOCK = block([[R, Zero(p, n)], [Zero(n, p), Zero(n, n)]])
