@@ -147,31 +147,68 @@ SAME_PROOF = steps(
            "the identity (2.32) for the first estimate (NWL92-EA.15)"], prose=PROSE)
 
 
-def lemma(id, title, says, given_, note=""):
-    """Lemma 2.3 and its parts."""
-    claim(id, title, says, sizes=["p", "q", "n", "m"], over=TWO_WAYS,
-          where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
-          given=[*WAYS, *given_],
-          by=[SAME_PROOF,
-              together(*MADE, **SIZES)],
-          note=note)
+#: gains of both ways and the multipliers' part beside them, by blocks
+Uax, Uaz, Ubx, Ubz, Txx, Txz, Tzz, Sxx, Sxz, Sbx, Sbz, Qxx, Qxz, Qzz = symbols("Uax Uaz Ubx Ubz Txx Txz Tzz Sxx Sxz Sbx Sbz Qxx Qxz Qzz")
+UB, TB = block([[Uax, Uaz], [Ubx, Ubz]]), block([[Txx, Txz], [T(Txz), Tzz]])
+US, TS = block([[Sxx, Sxz], [Sbx, Sbz]]), block([[Qxx, Qxz], [T(Qxz), Qzz]])
+R_BATCH = block([[V, Zero(p, q)], [Zero(q, p), W]])
+R_SUMMARY = block([[P1, Zero(n, q)], [Zero(q, n), W]])
+ALL_COLUMNS = block([[Identity(n), Zero(n, m)], [Zero(m, n), Identity(m)]])
+GAINS_BY_BLOCKS = {U1: matrix(p, n), T1: symmetric_matrix(n), Uax: matrix(p, n), Uaz: matrix(p, m), Ubx: matrix(q, n), Ubz: matrix(q, m),
+                   Txx: symmetric_matrix(n), Txz: matrix(n, m), Tzz: symmetric_matrix(m), Sxx: matrix(n, n), Sxz: matrix(n, m), Sbx: matrix(q, n),
+                   Sbz: matrix(q, m), Qxx: symmetric_matrix(n), Qxz: matrix(n, m), Qzz: symmetric_matrix(m)}
+GAINS_GIVEN = [given("(2.25) for x from a", (V * U1 + H * T1 == Zero(p, n)) & (T(H) * U1 == Identity(n))),
+               given("(2.25) for x and z from a and b", (R_BATCH * UB + HB * TB == Zero(p + q, n + m)) & (T(HB) * UB == ALL_COLUMNS)),
+               given("(2.25) for x and z from the estimate and b",
+                     (R_SUMMARY * US + HS * TS == Zero(n + q, n + m)) & (T(HS) * US == ALL_COLUMNS))]
+#: both gains on (a, b); R_BATCH as a sum that is semidefinite by its form
+COMPOSED = block([[U1 * Sxx, U1 * Sxz], [Sbx, Sbz]])
+BETWEEN = UB - COMPOSED
+BY_FORM = upper(p, q) * V * T(upper(p, q)) + lower(p, q) * W * T(lower(p, q))
+SAME_GAIN = [R_BATCH * COMPOSED + HB * TS == Zero(p + q, n + m), T(HB) * BETWEEN == Zero(n + m, n + m),
+             T(BETWEEN) * BY_FORM * BETWEEN * ALL_COLUMNS == Zero(n + m, n + m), BY_FORM * BETWEEN == Zero(p + q, n + m)]
 
 
-lemma("NWL92-L2.3", "measurements a may be replaced by the estimate of x from them",
-      (BATCH_ESTIMATE == SEQUENTIAL_ESTIMATE) & (BATCH_ERROR == SEQUENTIAL_ERROR),
-      [FULL_COLUMN_RANK, given("z is estimable from a and b", Z_ESTIMABLE)],
-      "Estimates of x and z stacked, and their joint error covariance. x is estimable from a exactly if H has full "
-      "column rank.")
+def corners(G, names, rows, cols):
+    """Blocks of G between coordinates: made_by for the names."""
+    return {name: T(row) * G * col for name, row, col in zip(names, rows, cols, strict=True)}
 
-lemma("NWL92-L2.3.1", "the estimate of x and its error covariance are the same",
-      (T(upper(n, m)) * BATCH_ESTIMATE == T(upper(n, m)) * SEQUENTIAL_ESTIMATE)
-      & (T(upper(n, m)) * BATCH_ERROR * upper(n, m) == T(upper(n, m)) * SEQUENTIAL_ERROR * upper(n, m)),
-      [FULL_COLUMN_RANK, standing("z is estimable from a and b", Z_ESTIMABLE)])
 
-lemma("NWL92-L2.3.2", "the estimate of z and its error covariance are the same",
-      (T(lower(n, m)) * BATCH_ESTIMATE == T(lower(n, m)) * SEQUENTIAL_ESTIMATE)
-      & (T(lower(n, m)) * BATCH_ERROR * lower(n, m) == T(lower(n, m)) * SEQUENTIAL_ERROR * lower(n, m)),
-      [FULL_COLUMN_RANK, given("z is estimable from a and b", Z_ESTIMABLE)])
+def coordinates(*sizes):
+    """Columns of the identity for consecutive coordinates of these sizes."""
+    return [vstack(*(Identity(size) if i == j else Zero(other, size) for j, other in enumerate(sizes))) for i, size in enumerate(sizes)]
+
+
+AT_A, AT_B, AT_X, AT_Z = coordinates(p, q, n, m)
+AT_1, AT_2, AT_X2, AT_Z2 = coordinates(n, q, n, m)
+BATCH_Z, SUMMARY_Z, BATCH_G, SUMMARY_G = symbols("Zbatch Zsummary Gbatch Gsummary")
+LEMMA_MADE = {
+    Z1: two_block(V, H, n), **some_inverse(G1, Z1, Y1, p + n)[0], U1: T(upper(p, n)) * G1 * lower(p, n), T1: T(lower(p, n)) * G1 * lower(p, n),
+    P1: T(U1) * V * U1, BATCH_Z: two_block(RB, HB, n + m), **some_inverse(BATCH_G, BATCH_Z, Yb, p + q + n + m)[0],
+    **corners(BATCH_G, (Uax, Uaz, Ubx, Ubz, Txx, Txz, Tzz), (AT_A, AT_A, AT_B, AT_B, AT_X, AT_X, AT_Z), (AT_X, AT_Z, AT_X, AT_Z, AT_X, AT_Z, AT_Z)),
+    SUMMARY_Z: two_block(diag(P1, W), HS, n + m), **some_inverse(SUMMARY_G, SUMMARY_Z, Ys, n + q + n + m)[0],
+    **corners(SUMMARY_G, (Sxx, Sxz, Sbx, Sbz, Qxx, Qxz, Qzz), (AT_1, AT_1, AT_2, AT_2, AT_X2, AT_X2, AT_Z2),
+              (AT_X2, AT_Z2, AT_X2, AT_Z2, AT_X2, AT_Z2, AT_Z2))}
+LEMMA_FREE = {Y1: matrix(p + n, p + n), Yb: matrix(p + q + n + m, p + q + n + m), Ys: matrix(n + q + n + m, n + q + n + m)}
+
+
+def lemma(id, title, columns, note=""):
+    """Lemma 2.3 and its parts: estimates and error covariances for these block columns of the gains."""
+    batch, summary = UB * columns, US * columns
+    claim(id, title,
+          (T(batch) * vstack(a, b) == T(summary) * vstack(xh1, b)) & (T(batch) * R_BATCH * batch == T(summary) * R_SUMMARY * summary),
+          sizes=["p", "q", "n", "m"], over={**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), **GAINS_BY_BLOCKS},
+          where=[let(a, H * x + V * v), let(b, J * x + K * z + W * w), let(xh1, T(U1) * a), let(P1, T(U1) * V * U1)], given=GAINS_GIVEN,
+          by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN),
+              instances(10, made_by=LEMMA_MADE, using=LEMMA_FREE, p=(1, 2, 3), q=(1, 2), n=(1, 2), m=(1, 2))],
+          note=note + ("The gains are any that satisfy (2.25), as every symmetric (1)-inverse does (NWL92-E2.25); that x is estimable from a, and z from "
+                       "a and b, is what makes (2.25) solvable."))
+
+
+lemma("NWL92-L2.3", "measurements a may be replaced by the estimate of x from them", ALL_COLUMNS,
+      "Estimates of x and z stacked, and their joint error covariance. ")
+lemma("NWL92-L2.3.1", "the estimate of x and its error covariance are the same", upper(n, m))
+lemma("NWL92-L2.3.2", "the estimate of z and its error covariance are the same", lower(n, m))
 
 #: the first estimate alone, with blocks of its (1)-inverse
 PROBLEM = {V: positive_semidefinite(p), H: matrix(p, n), W1: symmetric_matrix(p), U1: matrix(p, n),
