@@ -448,34 +448,33 @@ claim("NWL92-E2.44b", "so is the estimate of x2; the noises have the joint error
       note="The noises u1 and u2 together are the gain times v.")
 
 HT = block([[H, G, Zero(p, m)], [J, Zero(q, g), K]])
-SELECT = block([[Identity(n), Zero(n, g), Zero(n, m)], [Zero(m, n), Zero(m, g), Identity(m)]])
-ERROR = gaing * V * T(gaing)
+#: columns of x1 and z of the gain from a and b, of x1 of the gain from a, and what stands beside them in (2.25)
+T21, Tgx, Tgz, Tzx = symbols("T21 Tgx Tgz Tzx")
+TB3 = block([[Txx, Txz], [Tgx, Tgz], [Tzx, Tzz]])
+COLUMNS_3 = block([[Identity(n), Zero(n, m)], [Zero(g, n), Zero(g, m)], [Zero(m, n), Identity(m)]])
+BEST_TWO = [given("(2.25) for x1 from a", (V * U1 + H * T1 + G * T21 == Zero(p, n)) & (T(H) * U1 == Identity(n)) & (T(G) * U1 == Zero(g, n))),
+            given("(2.25) for x1 and z from a and b", (R_BATCH * UB + HT * TB3 == Zero(p + q, n + m)) & (T(HT) * UB == COLUMNS_3)), GAINS_GIVEN[2]]
+SAME_GAIN_3 = [R_BATCH * COMPOSED + HT * block([[Qxx, Qxz], [T21 * Sxx, T21 * Sxz], [T(Qxz), Qzz]]) == Zero(p + q, n + m),
+               T(HT) * BETWEEN == Zero(n + g + m, n + m), *SAME_GAIN[2:]]
+AT_A3, AT_B3, AT_X3, AT_G3, AT_Z3 = coordinates(p, q, n, g, m)
+S18_MADE = {
+    **LEMMA_MADE, Z1: two_block(V, HG, n + g), U1: T(upper(p, n + g)) * G1 * vstack(Zero(p, n), Identity(n), Zero(g, n)),
+    T1: T(vstack(Zero(p, n), Identity(n), Zero(g, n))) * G1 * vstack(Zero(p, n), Identity(n), Zero(g, n)),
+    T21: hstack(Zero(g, p), Zero(g, n), Identity(g)) * G1 * vstack(Zero(p, n), Identity(n), Zero(g, n)), BATCH_Z: two_block(RB, HT, n + g + m),
+    **corners(BATCH_G, (Uax, Uaz, Ubx, Ubz, Txx, Txz, Tgx, Tgz, Tzx, Tzz), (AT_A3, AT_A3, AT_B3, AT_B3, AT_X3, AT_X3, AT_G3, AT_G3, AT_Z3, AT_Z3),
+              (AT_X3, AT_Z3) * 5)}
 claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
-      (SELECT * gainb * vstack(a, b) == gains * vstack(xh1, b))
-      & (SELECT * gainb * RB * T(gainb) * T(SELECT) == gains * diag(P1, W) * T(gains)),
+      (T(UB) * vstack(a, b) == T(US) * vstack(xh1, b)) & (T(UB) * R_BATCH * UB == T(US) * R_SUMMARY * US),
       sizes=["p", "q", "n", "g", "m"],
-      over={**SPLIT, W: positive_semidefinite(q), J: matrix(q, n), K: matrix(q, m), x1: vector(n), x2: vector(g),
-            z: vector(m), v: vector(p),
-            w: vector(q),
-            Gb: symmetric_matrix(p + q + n + g + m), Gs: symmetric_matrix(n + q + n + m)},
-      where=[*GAIN_G, let(a, HG * vstack(x1, x2) + V * v), let(b, J * x1 + K * z + W * w),
-             let(xh1, T(upper(n, g)) * gaing * a), let(P1, T(upper(n, g)) * ERROR * upper(n, g)),
-             let(Zb, two_block(RB, HT, n + g + m)),
-             let(gainb, T(lower(p + q, n + g + m)) * Gb * upper(p + q, n + g + m)), *SEQUENTIAL],
-      given=[*SPLIT_GIVEN, is_inverse(Gb, Zb, "x1, x2 and z from a and b"),
-             is_inverse(Gs, Zs, "x1 and z from the estimate and b"),
-             given("K has full column rank", rank(K) == m)],
-      by=[steps("NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
-                "NWL92-E2.40", "NWL92-S17", "NWL92-E2.41",
-                facts=["stationary points of (2.6) are minima (NWL92-E2.21)",
-                       "the identity (2.32) for the first estimate (NWL92-EA.15)"],
-                prose=("Lemma 2.3 with (x1, x2) for x puts both estimates in place of a. The estimate of x2 is a "
-                       "measurement of x2, which enters nothing else, with H3 = I, and Lemma 2.4 drops it. The "
-                       "estimates agree for all data, so the gains agree on the range of the data and the error "
-                       "covariances are equal.")),
-          together(SPLIT_MADE, some_inverse(Gb, Zb, Yb, p + q + n + g + m), some_inverse(Gs, Zs, Ys, n + q + n + m),
-                   p=(2, 3), q=(1, 2), n=1, g=(1, 2), m=1)],
-      note="Estimates of x1 and z stacked, and their joint error covariance.")
+      over={**MODEL, G: matrix(p, g), x1: vector(n), x2: vector(g), z: vector(m), v: vector(p), w: vector(q), **GAINS_BY_BLOCKS,
+            T21: matrix(g, n), Tgx: matrix(g, n), Tgz: matrix(g, m), Tzx: matrix(m, n)},
+      where=[let(a, H * x1 + G * x2 + V * v), let(b, J * x1 + K * z + W * w), let(xh1, T(U1) * a), let(P1, T(U1) * V * U1)], given=BEST_TWO,
+      by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN_3),
+          instances(10, made_by=S18_MADE, using={Y1: matrix(p + n + g, p + n + g), Yb: matrix(p + q + n + g + m, p + q + n + g + m),
+                                                 Ys: matrix(n + q + n + m, n + q + n + m)}, p=(2, 3), q=(1, 2), n=1, g=(1, 2), m=1)],
+      note=("Estimates of x1 and z stacked, and their joint error covariance. The gains are any that satisfy (2.25), as every symmetric (1)-inverse does "
+            "(NWL92-E2.25); full column rank of [H G] and K is what makes it solvable. The composed gain is unbiased for (a, b), and R times it lies in the "
+            "range of the measurement matrix; this is Lemma 2.3 for (x1, x2) with Lemma 2.4 for the estimate of x2, in one step."))
 
 # ------------------------------------------------------------------ Lemma 2.5
 V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
