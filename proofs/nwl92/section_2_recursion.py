@@ -46,7 +46,6 @@ from exactkf.language import (
     matrix,
     positive_semidefinite,
     rank,
-    standing,
     sym,
     symbols,
     symmetric_matrix,

@@ -530,7 +530,8 @@ claim("NWL92-E5.39", "P = X(F'Y)^-1 satisfies the Riccati equation, as printed",
       by=[example(SCALAR), spaces()],
       repair=repair("factor", "a factor F stands after KPK', where its size does not even fit unless F is square",
                     X * Identity(n) * inv(FY) == equation_39(OWN, None), sizes=["k", "n"], over=EIGENSPACE, given=FIRST_RELATIONS,
-                    by=[example({**UNRELATED, F: [[2]]}), example({**UNRELATED, K: [[1]]}), spaces()]))
+                    by=[example({**UNRELATED, F: [[2]]}), example({**UNRELATED, K: [[1]]}), spaces()]),
+      note="The letter F stands twice at the border of two blocks; with one of them the display is the corrected statement.")
 
 claim("NWL92-S50", "Y'FX solves (5.39) and is nonnegative",
       (YFX == equation_39(YFX, None)) & psd(YFX), sizes=["k", "n"], over=EIGENSPACE, given=[*FIRST_RELATIONS, STABLE],

@@ -3,7 +3,7 @@
 
 What past data say about x is the measurement xh = x + nu, where nu has the
 error covariance P of the estimate. If future dynamics are equivalent to one
-more measurement 0 = Fx + w with independent noise of covariance V, both
+more measurement Fx = w, 0 = Fx - w, with independent w of covariance V, both
 together are a measurement of x with the matrix (I; F) and the noise
 covariance diag(P, V). The matrix (I; F) has full column rank whatever F is,
 so that the last block row of any symmetric (1)-inverse of
