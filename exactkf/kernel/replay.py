@@ -39,6 +39,7 @@ from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
+from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -209,12 +210,16 @@ def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicFiel
     _need(not new, f"the evidence divides by {', '.join(field.text(field.factors[index]) for index in sorted(new))}, which may vanish")
 
 
-def _divisors(x: Any) -> set[int]:
-    """Factors of the denominators in a value."""
+def _divisors(x: Any, below: Laurent | None = None) -> set[int]:
+    """Factors of the denominators in a value; a polynomial in z among them divides ``below``, which the statement divides by."""
     if isinstance(x, Matrix):
-        return {index for r in x.rows for y in r for index in _divisors(y)}
+        return {index for r in x.rows for y in r for index in _divisors(y, below)}
     if isinstance(x, Ratio):
-        _need(len(x.den.c) == 1, "the evidence divides by a polynomial in z")
+        if len(x.den.c) > 1:
+            _need(below is not None, "the evidence divides by a polynomial in z, which may vanish")
+            quotient, rest = divmod_poly(*(p.shift(-p.order).dense() for p in (below, x.den)))  # type: ignore[union-attr]
+            _need(not rest, "the evidence divides by a polynomial in z, which may vanish")
+            return _divisors(x.num) | _divisors(Laurent(dict(enumerate(quotient))))
         x = x.num
     if isinstance(x, Laurent):
         return {index for y in x.c.values() for index in _divisors(y)}
@@ -285,6 +290,22 @@ def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) 
     raise Unknown(f"{op!r} is not an equation")
 
 
+def _never_zero(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, names: list[str]) -> set[int]:
+    """Factors of the states that never vanish: not at 0, nor at t + 1 where not at t and all has a value."""
+    t = _GENERIC_T
+    out: set[int] = set()
+    allowed = set(range(known)) | {index for x in _not_zero(statement, world) if isinstance(x, Symbolic) for index, _ in field.factor(x.num)}
+    for name in names:
+        start, now, then = (world.call(name, (k,)) for k in (0, t, t + 1))
+        if not all(isinstance(x, Symbolic) for x in (now, then)) or start == 0:
+            continue
+        own = {index for index, _ in field.factor(now.num)}
+        first = {index for index, _ in field.factor(start.num)} if isinstance(start, Symbolic) else set()
+        if first <= allowed and {index for index, _ in field.factor(then.num)} <= allowed | own:
+            out |= own
+    return out
+
+
 def _zero(x: Any) -> bool:
     if isinstance(x, Matrix):
         return all(y == 0 for r in x.rows for y in r)
@@ -302,12 +323,13 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
         known, divisors = len(field.factors), set[int]()
         for goal, terms in zip(goals, evidence["terms"], strict=True):
             rest = goal
-            for *sides, label in ([left, right, label] for left, label, right in terms):
+            for left, label, right in terms:
                 (h,) = residual[label]
                 h = h.transpose() if label.endswith("'") else h
-                left, right = (world.value(x) for x in sides)
-                divisors |= _divisors(left) | _divisors(right)
-                rest = rest - left * h * right
+                sides = [world.value(x) for x in (left, right)]
+                for x in sides:
+                    divisors |= _divisors(x, goal.den if isinstance(goal, Ratio) else None)
+                rest = rest - sides[0] * h * sides[1]
             _need(_zero(rest), f"the combination does not add up for {_ints(world)}")
         _nothing_new(statement, world, field, known, divisors)
         _collect(found, field)
@@ -474,6 +496,8 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
             divisors |= _divisors(sides[0]) | _divisors(sides[1])
             rest = rest - sides[0] * before[k] * sides[1]
         _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
+    if not divisors <= set(range(known)):
+        divisors -= _never_zero(statement, world, field, known, [d[1] for d in recursions])
     _nothing_new(statement, world, field, known, divisors)
     for d in recursions:
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
