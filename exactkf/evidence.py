@@ -140,13 +140,13 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
     return Evidence("generic index", hints)
 
 
-def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
-    (``z`` for the exponent in an equation of polynomials).
+    (``z`` for the exponent in an equation of polynomials). In the step of a ``bare`` lemma exponents are of no account.
     """
-    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "uses": list(uses)}
+    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "uses": list(uses)}
 
 
 def use(number: int | Expr, /, *args: Any, **places: Any) -> dict[str, Any]:

@@ -128,6 +128,10 @@ class Terms:
         op = tree[0]
         if op == "rat":
             return self.number(Fraction(tree[1], tree[2]))
+        if self.is_matrix(tree):
+            if self.shape(tree, env) != ({"": 1}, {"": 1}):
+                raise Undefined("a matrix stands where a scalar is needed")
+            return self.entry(tree, {"": 1}, {"": 1}, env)
         if op in ("+", "-", "*", "/"):
             out = self.value(tree[1], env)
             for part in tree[2:]:
@@ -203,6 +207,8 @@ class Terms:
                 factor = factor * (value if e > 0 else value.inverse())
             elif x[0] == "*":
                 parts = [(y, e) for y in x[1:]] + parts
+            elif x[0] == "/":
+                parts = [(x[1], e), (x[2], -e), *parts]
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
                 m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
             elif e > 0:
@@ -225,8 +231,8 @@ class Terms:
         return _mentions_z(tree, self.in_z)
 
     # ------------------------------------------------------------------ definitions
-    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m)."""
+    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
         d = self.definitions.get(name)
@@ -239,8 +245,8 @@ class Terms:
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
-                place = () if m is None else (form_key(self.region.reduce(m)),)
-                return self.atom(("at" if m is None else "coeff", name, *map(form_key, args), *place))
+                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
+                return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         self.depth += 1
         try:
             if self.depth > _MOST_OPEN:
@@ -302,6 +308,8 @@ class Terms:
         if not self.region.holds(plus(plus(high, low, -1), {"": 1})) or self.region.decide(plus(high, low, -1)) is False:
             return self.number(0)
         length = self.region.reduce(plus(high, low, -1))
+        if self.region.decide(plus({}, length, -1)) is True:
+            length = {}
         if set(length) <= {""}:
             out = self.number(0)
             for k in range(length.get("", 0) + 1):
@@ -395,6 +403,9 @@ class Terms:
         if key[0] == "sum":
             raise Unknown("sums within sums that depend on the outer index")
         forms = [dict(x) for x in key[2:]]
+        if key[0] == "entry":
+            t, i, *j = (self.region.reduce(x) for x in forms)
+            return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
         if key[0] == "coeff":
             *args, m = forms
             return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)
@@ -411,10 +422,15 @@ class Terms:
             kinds = {name: kind[0] for name, kind in self.statement["over"]}
             if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", "matrix"):
                 return True
-            return d is not None and d[0] == "let" and len(d[2]) == len(tree) - 2 + (tree[0] == "sym") * 0 and self.is_matrix(d[3])
+            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
+        if tree[0] == "/":
+            return self.is_matrix(tree[1])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
+        """Numbers of rows and columns; a scalar is 1 x 1."""
+        if not self.is_matrix(tree):
+            return {"": 1}, {"": 1}
         op = tree[0]
         if op == "mat":
             return self.index(tree[3], env), self.index(tree[4], env)
@@ -438,11 +454,18 @@ class Terms:
                 kind = kinds[tree[1]]
                 return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
             d = self.definitions[tree[1]]
+            if d[0] == "rec":
+                return self.shape(d[4][0], {})
             return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
+        if op == "/":
+            return self.shape(tree[1], env)
         if op == "*":
-            parts = [x for x in tree[1:] if self.is_matrix(x)]
-            return self.shape(parts[0], env)[0], self.shape(parts[-1], env)[1]
-        return self.shape(next(x for x in tree[1:] if self.is_matrix(x)), env)
+            chain = self._factors(tree, env)[1]
+            return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
+        shapes = [self.shape(x, env) for x in tree[1:]]
+        if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
+            raise Undefined("sizes do not fit")
+        return shapes[0]
 
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
@@ -456,19 +479,18 @@ class Terms:
         if op == "T":
             return self.entry(tree[1], j, i, env)
         if op in ("+", "-", "neg"):
-            parts = [self.entry(x, i, j, env) for x in tree[1:]]
+            self.shape(tree, env)
+            parts = [self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env) for x in tree[1:]]
             out = -parts[0] if op == "neg" else parts[0]
             for x in parts[1:]:
                 out = out + x if op == "+" else out - x
             return out
         if op == "*":
-            factor, parts = self.number(1), []
-            for x in tree[1:]:
-                if self.is_matrix(x):
-                    parts.append(x)
-                else:
-                    factor = factor * self.value(x, env)
-            return factor * self._chain(parts, i, j, env)
+            scalars, chain = self._factors(tree, env)
+            factor = self.number(1)
+            for part in scalars:
+                factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
+            return factor * (self._chain(chain, i, j, env) if chain else self.number(1))
         if op == "block":
             for row in tree[1:]:
                 height = self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1}
@@ -476,16 +498,39 @@ class Terms:
                     return self.entry(row[0], i, j, env) if self.is_matrix(row[0]) else self.value(row[0], env)
                 i = self.region.reduce(plus(i, height, -1))
             raise Undefined("no entry there")
+        if op == "/":
+            return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
         if op in ("sym", "at"):
             if tree[1] in self.sequences:
                 return self.atom(("at", tree[1], form_key(i)))
             d = self.definitions[tree[1]]
+            if d[0] == "rec":
+                place = (i, j) if self.shape(d[4][0], {})[1] != {"": 1} else (i,)
+                return self._call(tree[1], (self.index(tree[2], env),), lambda body, inner: self.entry(body, i, j, inner), place=place)
             return self.entry(d[3], i, j, dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
         raise Unknown(f"{op!r} of matrices at a generic index")
 
+    def _factors(self, tree: Any, env: Mapping[str, Form]) -> tuple[list[list], list]:
+        """A product as products of size 1 x 1, and what is left; sizes that fit are checked."""
+        one: tuple[Form, Form] = ({"": 1}, {"": 1})
+        scalars, chain, shape = list[list](), list[Any](), one
+        for x in tree[1:]:
+            mine = self.shape(x, env)
+            if chain and shape != one and mine != one:
+                if self.region.reduce(plus(shape[1], mine[0], -1)):
+                    raise Undefined("sizes do not fit")
+                chain, shape = [*chain, x], (shape[0], mine[1])
+            elif mine == one and shape != one:
+                scalars.append([x])
+            else:
+                if chain:
+                    scalars.append(chain)
+                chain, shape = [x], mine
+        return scalars, chain
+
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         if len(parts) == 1:
-            return self.entry(parts[0], i, j, env)
+            return self.entry(parts[0], i, j, env) if self.is_matrix(parts[0]) else self.value(parts[0], env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
 

@@ -23,6 +23,7 @@ Main statements
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from typing import Any
 
 from exactkf.kernel.generic import Terms
@@ -33,8 +34,10 @@ from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["generic_index"]
 
+_LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _RESERVED = {INDEX, "z", "row", "column"}
+_PLACE: dict[str, Form] = {"row": {"row": 1}, "column": {"column": 1}}
 _ONE: Form = {"": 1}
 Goal = Callable[[Terms], list[Symbolic]]
 
@@ -64,15 +67,26 @@ class _Proof:
         names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
-        self.sizes = [{name: 1} for name in statement["sizes"]]
+        self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
+        terms = Terms(statement, Region([]))
+        for _, formula, _ in statement["given"]:  # a hypothesis such as n > 1; the others are not used
+            if formula[0] in _LEAST and len(formula) == 3:
+                with suppress(Unknown):
+                    gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
+                    self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
-        """X_t has exponents 0 .. t."""
+        """X_t has exponents 0 .. t; for a function, whatever its other arguments."""
         d = next(d for d in self.statement["where"] if d[1] == name)
-        if d[0] != "rec" or d[3] != 0 or len(d[4]) != 1:
+        if d[0] == "let" and d[2]:
+            others = {p: {f"@{p}": 1} for p in d[2][:-1]}
+            cases = [(d[3], {**others, d[2][-1]: last}, forms, last) for forms, last in (([], {}), ([{INDEX: 1}], {INDEX: 1, "": 1}))]
+        elif d[0] == "rec" and d[3] == 0 and len(d[4]) == 1:
+            cases = [(d[4][0], {}, [], {}), (d[5], {d[2]: {INDEX: 1}}, [{INDEX: 1}], {INDEX: 1, "": 1})]
+        else:
             raise Rejected(f"{name} is no recursion with one value at 0")
-        for tree, env, forms, last in ((d[4][0], {}, [], {}), (d[5], {d[2]: {INDEX: 1}}, [{INDEX: 1}], {INDEX: 1, "": 1})):
+        for tree, env, forms, last in cases:
             for outside in ({"z": -1, "": -1}, plus({"z": 1, "": -1}, last, -1)):
                 self._close(Region([*forms, outside]), lambda terms, tree=tree, env=env: [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)],
                             [], {}, f"exponents of {name}", limited=True)
@@ -85,10 +99,12 @@ class _Proof:
         rules = list(_rules(says, index, place)) if lemma.get("rule") else []
         self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), [], f"{place}, base")
         self.lemmas.append(lemma)
+        known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
         self.rules.update((name, (None, index, term)) for name, term in rules)
         self._show(says, {index: {INDEX: 1, "": 1}}, Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)]), lemma.get("uses", ()), f"{place}, step",
                    {index: {INDEX: 1}}, len(self.lemmas) - 1)
         self.rules.update((name, (first, index, term)) for name, term in rules)
+        self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
         says, uses = self.statement["says"], evidence.get("uses", ())
@@ -96,49 +112,61 @@ class _Proof:
             name = f"conclusion {place}"
             if part[0] == "always" or (part[0] == "forall" and type(part[2]) is int):
                 low = part[2] if part[0] == "forall" else 0
-                shift = evidence.get("shift", 0) if part[0] == "forall" else 0
+                if low < 0 or type(evidence.get("shift", 0)) is not int:
+                    raise Rejected(f"{name}: indices are not negative")
+                shift = max(0, min(low, evidence.get("shift", 0)))  # t = @ + shift, and every t from low on is reached
                 t: Form = plus({INDEX: 1}, {"": shift})
                 forms = [*self.sizes, {INDEX: 1}, plus(t, {"": low}, -1)]
-                if type(shift) is not int or low < 0:
-                    raise Rejected(f"{name}: indices are not negative")
                 terms = Terms(self.statement, Region([]))
                 if part[0] == "forall":
                     forms.append(plus(terms.index(part[3], {}), t, -1))
-                if shift > low:
-                    raise Rejected(f"{name}: the first indices are left out")
                 self._show(part[-1], {part[1]: t}, Region(forms), uses, name)
-            elif part[0] == "=" and len(part) == 3 and part[1][0] == "det" and part[2][0] == "prod":
-                self._determinant(part, evidence["triangular"], uses, name)
+            elif part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det":
+                if part[2] == 1:
+                    self._unit_triangular(part[1][1], uses, name)
+                elif isinstance(part[2], list) and part[2][0] == "prod":
+                    self._determinant(part, evidence["triangular"], uses, name)
+                else:
+                    raise Rejected(f"{name}: a determinant at a generic size is one, or a product over the rows")
             else:
                 self._show(part, {}, Region(self.sizes), uses, name)
 
     def _determinant(self, part: Any, triangular: Any, uses: Any, name: str) -> None:
         """det M = product of d_k: LM is upper triangular with diagonal d, L is unit lower triangular."""
         _, k, low, high, body = part[2]
-        matrix, i, j = part[1][1], {"row": 1}, {"column": 1}
         terms = Terms(self.statement, Region(self.sizes))
-        rows, cols = terms.shape(matrix, {})
+        rows = terms.shape(part[1][1], {})[0]
         first, last = terms.index(low, {}), terms.index(high, {})
-        if plus(rows, cols, -1) or plus(plus(rows, last, -1), plus(first, _ONE, -1)):
-            raise Rejected(f"{name}: as many factors as the square matrix has rows are needed")
-        square = [*self.sizes, plus(i, _ONE, -1), plus(rows, i, -1), plus(j, _ONE, -1), plus(rows, j, -1)]
-        on, above, below = ([plus(i, j, -1), plus(j, i, -1)], [plus(plus(j, i, -1), _ONE, -1)], [plus(plus(i, j, -1), _ONE, -1)])
+        if plus(plus(rows, last, -1), plus(first, _ONE, -1)):
+            raise Rejected(f"{name}: as many factors as the matrix has rows are needed")
+        self._unit_triangular(triangular, uses, f"{name}, L")
+        product = ["*", triangular, part[1][1]]
+        on, _, below = self._triangles(product, name)
 
-        def at(tree: Any) -> Callable[[Terms], Symbolic]:
-            return lambda t: t.entry(tree, t.region.reduce(i), t.region.reduce(j), {})
+        def diagonal(t: Terms) -> list[Symbolic]:
+            return [_entry(t, product) - t.value(body, {k: t.region.reduce(plus(plus(first, {"row": 1}), _ONE, -1))})]
 
-        def factor(t: Terms) -> Symbolic:
-            return t.value(body, {k: t.region.reduce(plus(plus(first, i), _ONE, -1))})
+        self._close(on, diagonal, uses, _PLACE, f"{name}: diagonal of LM")
+        self._close(below, lambda t: [_entry(t, product)], uses, _PLACE, f"{name}: LM is upper triangular")
 
-        product = ["*", triangular, matrix]
-        probe = terms.shape(triangular, {})
-        if plus(probe[0], rows, -1) or plus(probe[1], rows, -1):
-            raise Rejected(f"{name}: L does not have the size of M")
-        env = {"row": i, "column": j}
-        self._close(Region([*square, *on]), lambda t: [at(triangular)(t) - t.number(1)], [], env, f"{name}: diagonal of L")
-        self._close(Region([*square, *above]), lambda t: [at(triangular)(t)], [], env, f"{name}: L is lower triangular")
-        self._close(Region([*square, *on]), lambda t: [at(product)(t) - factor(t)], uses, env, f"{name}: diagonal of LM")
-        self._close(Region([*square, *below]), lambda t: [at(product)(t)], uses, env, f"{name}: LM is upper triangular")
+    def _unit_triangular(self, matrix: Any, uses: Any, name: str) -> None:
+        """Lower triangular with ones on the diagonal, hence of determinant one."""
+        on, above, _ = self._triangles(matrix, name)
+        self._close(on, lambda t: [_entry(t, matrix) - t.number(1)], uses, _PLACE, f"{name}: diagonal")
+        self._close(above, lambda t: [_entry(t, matrix)], uses, _PLACE, f"{name}: lower triangular")
+
+    def _triangles(self, matrix: Any, name: str) -> list[Region]:
+        """Places on, above and below the diagonal of a square matrix."""
+        terms = Terms(self.statement, Region(self.sizes))
+        if not terms.is_matrix(matrix):
+            raise Rejected(f"{name}: no matrix")
+        rows, cols = terms.shape(matrix, {})
+        if plus(rows, cols, -1):
+            raise Rejected(f"{name}: the matrix is not square")
+        i, j = {"row": 1}, {"column": 1}
+        square = Region([*self.sizes, plus(i, _ONE, -1), plus(rows, i, -1), plus(j, _ONE, -1), plus(rows, j, -1)])
+        gap = plus(j, i, -1)
+        return [square.and_(gap, plus({}, gap, -1)), square.and_(plus(gap, _ONE, -1)), square.and_(plus(plus({}, gap, -1), _ONE, -1))]
 
     # ------------------------------------------------------------------ formulas
     def _show(self, says: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: Mapping[str, Form] | None = None,
@@ -253,6 +281,10 @@ class _Proof:
                 self.denominators.append(text)
 
 
+def _entry(terms: Terms, matrix: Any) -> Symbolic:
+    return terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), {})
+
+
 def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, Any]]:
     """Name and term of each equation X[t] = term; the terms have none of the names."""
     parts = says[1:] if says[0] == "and" else [says]
@@ -301,16 +333,19 @@ def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
 
 
 def _pivot(terms: Terms, row: Symbolic) -> int | None:
-    """An atom, sums first, that occurs linearly with a constant factor over the denominator."""
-    for place in sorted(range(len(terms.atoms)), key=lambda k: ("sum", "coeff", "at").index(terms.atoms[k][0])):
+    """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
+    found = []
+    present = {place for monomial in row.num for place, e in enumerate(exponents(monomial)) if e}
+    for place in sorted(present):
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
-            lead = parts[1]
+            lead, left = parts[1], 0
             for index, e in row.den:
-                lead, _ = row.field.cancel(lead, index, e)
+                lead, times = row.field.cancel(lead, index, e)
+                left += e - times
             if set(lead) == {0}:
-                return place
-    return None
+                found.append((left, ("sum", "coeff", "entry", "at").index(terms.atoms[place][0]), place))
+    return min(found)[2] if found else None
 
 
 def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:

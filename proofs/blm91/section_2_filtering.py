@@ -27,7 +27,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -108,7 +108,7 @@ claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
            "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
 FORM = (SHIFT, *CANONICAL)
 claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(), instances(n=(1, 2, 3, 4))])
 FREE = {J: matrix(n, n), h: vector(n), a: vector(n), x: vector(n)}
 claim("BLM91-S19", "F on the companion gain", F * x == J * x - a * (T(h) * x), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
       by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))], note="For any vector in place of k*_t, gamma_t being h'k*_t by (2.21), and any J, with F = J - a h' as in (2.23).")
@@ -119,9 +119,10 @@ claim("BLM91-E2.24", "what the change of variables does: the filter matrix depen
 
 STRIPPED = stripped(g + a, g)
 AG = {a: vector(n), g: vector(n)}
+SOME = [standing("n >= 1", n >= 1)]
 claim("BLM91-E2.25", "the stripped fast algorithm",
-      always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED],
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+      always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED], given=SOME,
+      by=[generic_index(lemma(t, (q[t] == fk[t] + a) & (qs[t] == fks[t]), rule=True)), instances(n=(1, 2, 3))])
 
 # ---------------------------------------------------------------------- the polynomials
 POLY = (*STRIPPED, *POLYNOMIALS)
@@ -130,8 +131,8 @@ claim("BLM91-E2.26", "the polynomials carry the state of the algorithm",
       where=[FIRST, *POLY], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="The display defines Q_t and Q*_t. Checked is another form of the same polynomials, by characteristic polynomials of J - q_t h' and J - q*_t h'.")
 claim("BLM91-E2.27", "the polynomials obey the Szego recursion",
-      always(t, (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))), sizes=["n"], over=AG, where=POLY,
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))])
+      always(t, (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))), sizes=["n"], over=AG, where=POLY, given=SOME,
+      by=[generic_index(), instances(n=(1, 2, 3))])
 claim("BLM91-S20", "degrees of the polynomials",
       forall(t, 0, m, (degree(Qp(t)) == n) & (degree(Qs(t)) == n - 1)), sizes=["n", "m"], over=AG, where=POLY,
       by=[example(n=1, m=1, a=["-1/2"], g=["1/2"]), instances(n=(1, 2), m=(0, 1, 2))],
@@ -139,7 +140,7 @@ claim("BLM91-S20", "degrees of the polynomials",
                     "and 0 at t = 1; n - 1 is a bound",
                     always(t, (Qp(t) == sum_of(i, 0, n, coeff(Qp(t), n - i) * Z ** (n - i))) & (coeff(Qp(t), n) == r[t])
                            & (Qs(t) == sum_of(i, 1, n, coeff(Qs(t), n - i) * Z ** (n - i))) & (coeff(Qs(t), n - 1) == r[t] * gam(t))),
-                    sizes=["n"], over=AG, where=POLY, by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))]),
+                    sizes=["n"], over=AG, where=POLY, given=SOME, by=[generic_index(), instances(n=(1, 2, 3))]),
       note="The zero polynomial has degree -1 here.")
 claim("BLM91-E2.28", "the invariant pseudo-polynomial",
       always(t, 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t))) == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT],
