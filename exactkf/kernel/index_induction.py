@@ -27,7 +27,7 @@ from contextlib import suppress
 from typing import Any
 
 from exactkf.kernel.generic import Terms
-from exactkf.kernel.numbers import Rejected, Undefined, Unknown
+from exactkf.kernel.numbers import Rejected, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
@@ -87,9 +87,11 @@ class _Proof:
         else:
             raise Rejected(f"{name} is no recursion with one value at 0")
         for tree, env, forms, last in cases:
+            def goal(terms: Terms, tree: Any = tree, env: dict[str, Form] = env) -> list[Symbolic]:
+                return [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)]
+
             for outside in ({"z": -1, "": -1}, plus({"z": 1, "": -1}, last, -1)):
-                self._close(Region([*forms, outside]), lambda terms, tree=tree, env=env: [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)],
-                            [], {}, f"exponents of {name}", limited=True)
+                self._close(Region([*forms, outside]), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
@@ -193,7 +195,8 @@ class _Proof:
         else:
             raise Unknown(f"{op!r} at a generic index")
 
-    def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form], current: int | None) -> None:
+    def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form],
+                  current: int | None) -> None:
         terms = Terms(self.statement, region)
         if terms.is_matrix(left) or terms.is_matrix(right):
             shapes = [terms.shape(x, env) if terms.is_matrix(x) else (_ONE, _ONE) for x in (left, right)]
@@ -216,10 +219,8 @@ class _Proof:
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
-            try:
+            with suppress(Unknown):  # it speaks of names of another part
                 yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]))
-            except Unknown:
-                pass
             return
         number = use["lemma"]
         if type(number) is not int or not 0 <= number < len(self.lemmas):

@@ -44,7 +44,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SUMS, SUMS, z
+from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -229,8 +229,8 @@ claim("BLZ94-EA.13", "coefficients of phi_t^(1), k = 1, ..., t", forall(t, 1, n,
       repair=repair("boundary case", "For k = t the right side is gamma_t gamma_0, but the coefficient is -gamma_t; "
                                      "the range is k = 1, ..., t - 1.",
                     forall(t, 1, n, _thirteen(t - 1) & (cot(phi, 1, t, t) == -gamma[t])), **_SHIFT,
-                    by=[generic_index(SHIFT_BACK, SHIFTED_SUMS, SHIFTED_MONIC, **FOUR, uses=[
-                        *(use(m, t=t, z=x) for m in (0, 1) for x in (t - k, t - k + 1, 0, 1)), use(2, t=t - k)]), instances(n=(2, 3, 4))]))
+                    by=[generic_index(SHIFT_BACK, SHIFTED_SUMS, SHIFTED_MONIC, SHIFTED_SECOND, **FOUR, uses=[
+                        *(use(m, t=t, z=x) for m in (0, 1) for x in (t - k, t - k + 1, 0, 1)), *(use(m, t=x) for m in (2, 3) for x in (t, t - k, t - k - 1))]), instances(n=(2, 3, 4))]))
 
 _FOURTEEN = ((cot(phi, 1, n, 1) + alpha[1][1] == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2))
               + alpha0[1])

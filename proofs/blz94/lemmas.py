@@ -47,3 +47,7 @@ SHIFT_BACK = lemma(t, (phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z
 SHIFTED_SUMS = lemma(t, (phis(0, t) == 1 - sum_of(k, 0, t - 1, gamma[k] * Z * phi(0, k)))
                      & (psis(0, t) == 1 + sum_of(k, 0, t - 1, gamma[k] * Z * psi(0, k))), uses=[use(1, t=t, z=z)])
 SHIFTED_MONIC = lemma(t, (coeff(phi(0, t), t) == 1) & (coeff(psi(0, t), t) == 1), uses=[use(2, t=t)])
+#: fourth of a list: (A-12) for the leading coefficient, and the lowest coefficients
+SHIFTED_SECOND = lemma(t, (coeff(rho(0, t), t - 1) == gamma[0]) & (coeff(phis(0, t), t) == -coeff(psis(0, t), t))
+                       & (coeff(psi(0, t), 0) == -coeff(phi(0, t), 0)) & (coeff(phis(0, t), 0) == 1) & (coeff(psis(0, t), 0) == 1)
+                       & (coeff(psis(0, t), 1) == coeff(phis(0, t), 1) + 2 * gamma[0]), start=1, uses=[use(2, t=t), use(3, t=t)])
