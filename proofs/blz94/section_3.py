@@ -66,6 +66,20 @@ from exactkf.language import (
     vstack,
     when,
 )
+from proofs.blz94.lemmas import (
+    BOTH_MONIC,
+    FOUR,
+    LEMMA_3_3,
+    MONIC,
+    ORTHOGONAL,
+    ORTHOGONAL_FREE,
+    PAIR,
+    REVERSED,
+    REVERSED_PSI,
+    WITH_C,
+    row,
+)
+from proofs.blz94.lemmas import column as col
 from proofs.blz94.notation import (
     CORRELATIONS,
     HALF,
@@ -101,20 +115,6 @@ from proofs.blz94.notation import (
     t,
     u,
 )
-from proofs.blz94.lemmas import (
-    BOTH_MONIC,
-    FOUR,
-    LEMMA_3_3,
-    MONIC,
-    ORTHOGONAL,
-    ORTHOGONAL_FREE,
-    PAIR,
-    REVERSED,
-    REVERSED_PSI,
-    WITH_C,
-    row,
-)
-from proofs.blz94.lemmas import column as col
 
 v, w, x, q, y = symbols("v w x q y")
 M, Phi, Psi, C, A, W, O, R, tau = symbols("M Phi Psi C A W O R tau")
