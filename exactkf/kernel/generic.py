@@ -65,6 +65,7 @@ class Terms:
         self.places: dict[tuple, int] = {}
         self.fresh = count()
         self.depth = 0
+        self.in_values = False  # polynomials are read as functions of z
         self.limited = False  # exponents are known for indices up to that of the induction
 
     def atom(self, key: tuple) -> Symbolic:
@@ -226,6 +227,31 @@ class Terms:
             term = self.coefficient(["*", x, *others], m, env)
             out = out - term if several[0] == "neg" or (several[0] == "-" and k) else out + term
         return factor * out
+
+    def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
+        """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""
+        if not self.has_z(tree):
+            return self.value(tree, env)
+        op = tree[0]
+        if op == "z":
+            return self.atom(("at", "z")).inverse() if flip else self.atom(("at", "z"))
+        if op == "recip":
+            return self.at_z(tree[1], env, not flip)
+        if op == "neg":
+            return -self.at_z(tree[1], env, flip)
+        if op in ("+", "-", "*", "/"):
+            out = self.at_z(tree[1], env, flip)
+            for part in tree[2:]:
+                y = self.at_z(part, env, flip)
+                out = out + y if op == "+" else out - y if op == "-" else out * y if op == "*" else out / y
+            return out
+        if op in ("sym", "at"):
+            args = tuple(self.index(a, env) for a in tree[2:])
+            if tree[1] in self.closed:
+                return self.atom(("value at 1/z" if flip else "value", tree[1], *map(form_key, args)))
+            if tree[1] not in self.recursive and tree[1] in self.definitions:
+                return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
+        raise Unknown(f"{op!r} as a function of z")
 
     def has_z(self, tree: Any) -> bool:
         return _mentions_z(tree, self.in_z)

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from itertools import islice
 from typing import Any
 
 from exactkf.kernel.generic import Terms
@@ -34,6 +35,7 @@ from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["generic_index"]
 
+_FIRST = ("value", "value at 1/z", "sum", "coeff", "entry", "at")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _RESERVED = {INDEX, "z", "row", "column"}
@@ -62,6 +64,7 @@ class _Proof:
         self.statement, self.closed = statement, closed
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
+        self.in_values = False  # polynomials are read as functions of z, not by coefficients
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
         names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
@@ -99,17 +102,22 @@ class _Proof:
         if type(first) is not int or first < 0:
             raise Rejected(f"{place}: it starts before zero")
         rules = list(_rules(says, index, place)) if lemma.get("rule") else []
+        self.in_values = bool(lemma.get("in values"))
+        generic = Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)])
+        if lemma.get("direct"):  # no induction: at any index from the first on
+            self._show(says, {index: {INDEX: 1}}, generic, lemma.get("uses", ()), place)
+            self.lemmas.append(lemma)
+            return
         self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), [], f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
         self.rules.update((name, (None, index, term)) for name, term in rules)
-        self._show(says, {index: {INDEX: 1, "": 1}}, Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)]), lemma.get("uses", ()), f"{place}, step",
-                   {index: {INDEX: 1}}, len(self.lemmas) - 1)
+        self._show(says, {index: {INDEX: 1, "": 1}}, generic, lemma.get("uses", ()), f"{place}, step", {index: {INDEX: 1}}, len(self.lemmas) - 1)
         self.rules.update((name, (first, index, term)) for name, term in rules)
         self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
-        says, uses = self.statement["says"], evidence.get("uses", ())
+        says, uses, self.in_values = self.statement["says"], evidence.get("uses", ()), bool(evidence.get("in values"))
         for place, part in enumerate(says[1:] if says[0] == "and" else [says]):
             name = f"conclusion {place}"
             if part[0] == "always" or (part[0] == "forall" and type(part[2]) is int):
@@ -214,7 +222,7 @@ class _Proof:
 
             def goal(t: Terms) -> list[Symbolic]:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
-        self._close(region, goal, uses, names, place, current)
+        self._close(region, goal, uses, names, place, current, in_values=self.in_values)
 
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
@@ -252,25 +260,31 @@ class _Proof:
         elif says[0] == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
                 if terms.has_z(left) or terms.has_z(right):
-                    if "z" in places:
+                    if terms.in_values:
+                        yield from (terms.at_z(left, env, flip) - terms.at_z(right, env, flip) for flip in (False, True))
+                    elif "z" in places:
                         yield _difference(terms, left, right, places["z"], env)
                 else:
                     yield _difference(terms, left, right, {}, env)
 
     # ------------------------------------------------------------------ one equation
     def _close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
-               splits: int = 0, limited: bool = False) -> None:
+               splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
         """The goal follows from the uses in every part of the region."""
         terms = Terms(self.statement, region, self.supported, self.rules, self.closed)
-        terms.limited = limited
+        terms.limited, terms.in_values = limited, in_values
         try:
             wanted = goal(terms)
-            known = [x for use in uses for x in self._instances(terms, use, names, current)]
+            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current)]
+            for use in uses:
+                if "times" in use:  # a multiple of the first of its equations is taken off
+                    for x in islice(self._instances(terms, use, names, current), 1):
+                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
         except Split as split:
             if splits >= _MOST_SPLITS:
                 raise Rejected(f"{place}: too many cases") from None
             for part in region.cases(split.form):
-                self._close(part, goal, uses, names, place, current, splits + 1, limited)
+                self._close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
             return
         for x in wanted:
             rest = _reduced(terms, x, known)
@@ -304,6 +318,8 @@ def _heads(tree: Any) -> set[str]:
 
 def _difference(terms: Terms, left: Any, right: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
     """Left minus right side, or its coefficient at m."""
+    if terms.in_values:
+        return terms.at_z(left, env) - terms.at_z(right, env)
     if terms.has_z(left) or terms.has_z(right):
         return terms.coefficient(left, m, env) - terms.coefficient(right, m, env)
     if isinstance(left, list) and left[0] in ("nrows", "ncols"):
@@ -345,7 +361,7 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((left, ("sum", "coeff", "entry", "at").index(terms.atoms[place][0]), place))
+                found.append((left, _FIRST.index(terms.atoms[place][0]), place))
     return min(found)[2] if found else None
 
 
