@@ -7,6 +7,8 @@
     equations, order and invertibility: terms, and multiples of the assumptions
 ``word induction``
     base and step, each by an ``order``
+``generic index``
+    recursions of growing degree: lemmas by induction, then the conclusion
 
 Main definitions
 ----------------
@@ -19,6 +21,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves, register_inverses
 from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
@@ -138,4 +141,4 @@ def _word_induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -
     return denominators
 
 
-KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction}
+KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}

@@ -15,6 +15,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
+``generic index``  for every size: coefficients and sums at a generic index, by induction
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================
