@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -59,8 +59,8 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     symplectic,
-    trace,
     vector,
+    vstack,
 )
 from proofs.b93.notation import (
     FORM,
@@ -251,6 +251,7 @@ _ideal("B93-P1.1.4", "H0 is a two-sided ideal", in_h0,
        (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
        positive_definite(d), positive_definite(d), (1, 1, 1, 2), UP, DOWN)
 
+ZERO = Zero(d, d)
 NONNEGATIVE_PAIR = {P: positive_semidefinite(d), Q: positive_semidefinite(d)}
 claim("B93-L1.2", "I + PQ is invertible for nonnegative P and Q",
       invertible(Identity(d) + P * Q), sizes=["d"], over=NONNEGATIVE_PAIR,
@@ -263,10 +264,7 @@ claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
       where=[let(M, T(U) * inv(L))],
       given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)),
              given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
-      by=[steps(facts=["every positive P is LL* with a nonsingular L",
-                       "every symmetric matrix is UDU* with U orthogonal and D diagonal"],
-                prose="Such L and U exist; inv(P) = inv(L*)inv(L) = M*M, Q = inv(L*)UDU*inv(L) = M*DM and D = "
-                      "U*(L*QL)U >= 0; then PQ = inv(M)inv(M*)M*DM = inv(M)DM."),
+      by=[order([], [], [T(U) * (T(L) * Q * L) * U]),
           instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
                     made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
                              Q: inv(T(L)) * U * D * T(U) * inv(L)})],
@@ -280,16 +278,13 @@ claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
           "boundary case",
           "Every null vector of P or of Q gives the eigenvalue one: the eigenvalues are at least one, and greater than "
           "one only if both matrices are positive.",
-          psd(W), sizes=["d"], over=NONNEGATIVE_PAIR,
-          where=[let(W, matrix_of(i, j, d, d, trace((P * Q) ** (i + j - 1))))],
-          by=[steps("B93-L1.2",
-                    facts=["a matrix N has real nonnegative eigenvalues only exactly when the matrix with the entries "
-                           "tr N^(i+j-1) is nonnegative", "XY and YX have the same eigenvalues if both are square"],
-                    prose="With H the symmetric root of P, PQ = H(HQ) has the eigenvalues of HQH, which is symmetric "
-                          "and nonnegative. One is added to each for I + PQ."),
-              instances(d=(1, 2, 3, 4))]),
-      note="The eigenvalues are real, so greater than one means outside the unit circle. In the correction W is "
-           "nonnegative exactly when the eigenvalues of PQ are real and nonnegative.")
+          psd(H * Q * H) & (block([[Identity(d) + P * Q, ZERO], [H * Q, Identity(d)]]) * block([[Identity(d), H], [ZERO, Identity(d)]])
+                            == block([[Identity(d), H], [ZERO, Identity(d)]]) * block([[Identity(d), ZERO], [H * Q, Identity(d) + H * Q * H]])),
+          sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d), H: symmetric_matrix(d)},
+          given=[given("H is a root of P", P == H * H)],
+          by=[order([H * Q * H]), instances(d=(1, 2, 3), made_by={P: H * H})]),
+      note="The eigenvalues are real, so greater than one means outside the unit circle. The correction is a similarity of block triangular "
+           "matrices: beside d eigenvalues one on both sides, those of I + PQ are those of the symmetric I + HQH, where HQH is nonnegative.")
 
 claim("B93-S17", "C1 inv(A1) and inv(A2)B2 are nonnegative",
       (Q1 == inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,
@@ -396,8 +391,7 @@ claim("B93-E11", "A*C of a product as a sum of nonnegative matrices",
 # The product of the first t matrices is [[a, b], [c, e]]; alpha is the product of their A; O and K are the two sums.
 t, a, b, c, e, alpha, O, K_, Z_, Y_, N_, W_, Ps, Qs = symbols("t a b c e alpha O K Z Y N W Ps Qs")
 As, Bs, Cs, Ds = symbols("A B C D")
-Mk, Pi = symbols("M Pi")
-ZERO = Zero(d, d)
+Mk, Pi, Both = symbols("M Pi both")
 MEMBERS = {As: sequence_of(nonsingular(d), 1, n), Bs: sequence_of(matrix(d, d), 1, n), Cs: sequence_of(matrix(d, d), 1, n),
            Ds: sequence_of(matrix(d, d), 1, n)}
 PRODUCTS = (
@@ -482,14 +476,15 @@ claim("B93-P1.3.2", "a product is in H, and its BA* has the null vectors of the 
       note=AS_NULL_VECTORS)
 
 claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
-      forall(t, 1, n, iff(_lower(t) * x == Zero(d, 1),
-                          (_lower(t - 1) * x == Zero(d, 1)) & (T(As[t]) * Cs[t] * alpha[t - 1] * x == Zero(d, 1)))),
-      sizes=["d", "n"], over={**MEMBERS, N_: COMPLEMENTS[N_], Z_: COMPLEMENTS[Z_], x: vector(d)}, where=[*PRODUCTS, ALPHA],
+      forall(t, 1, n, iff(Xi(t) * x == Zero(d, 1), Both(t) * x == Zero(2 * d, 1))),
+      sizes=["d", "n"], over={**MEMBERS, N_: COMPLEMENTS[N_], Z_: COMPLEMENTS[Z_], x: vector(d)},
+      where=[*PRODUCTS, ALPHA, function(Xi, [k], _lower(k)), function(Both, [k], vstack(_lower(k - 1), T(As[k]) * Cs[k] * alpha[k - 1]))],
       given=[ALL_IN_H, _complement("null vectors", *BOTH_LOWER[0])],
       by=[induction(also=[*IN_H_t, c[t] * N_[t] == ZERO, (alpha[t] - a[t]) * N_[t] == ZERO], base=START,
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower,
                                roots=NEXT.roots)),
-          _many(BOTH_LOWER[0], **{"x": _null_at(_lower(n))}), _many(BOTH_LOWER[0], **{"x": _null_at(_lower(1))}), _many(BOTH_LOWER[0])],
+          _many(BOTH_LOWER[0], **{"x": _null_at(_lower(n))}), _many(BOTH_LOWER[0], **{"x": _null_at(_lower(1))}),
+          _many(BOTH_LOWER[0], **{"x": _null_at(T(As[n]) * Cs[n] * alpha[n - 1])}), _many(BOTH_LOWER[0])],
       note="Going down from t = n it is the second equivalence; the first is S23 for M_1 and the product of the others, which is in H by "
            "Proposition 1.1.")
 
