@@ -48,15 +48,15 @@ claim("B93-S88", "the constant of a composition is at most the product over bloc
       forall(t, 0, n, rho[t] <= B[t]), sizes=["n"], over={R: sequence(0, n), rho: sequence(0, n)},
       where=[rec(B, t, rho[0], B[t] * R[t + 1])],
       given=[given("constants", forall(k, 0, n, R[k] >= 0)), given("one block more", forall(k, 1, n, rho[k] <= rho[k - 1] * R[k]))],
-      by=[induction(step=order([(B[t] - rho[t]) * R[t + 1], rho[t] * R[t + 1] - rho[t + 1]])),
+      by=[induction(step=order([(B[t] - rho[t]) * R[t + 1], 1 * (rho[t] * R[t + 1] - rho[t + 1])])),
           instances(n=(1, 2, 3), using={F: sequence(0, n)}, made_by={R: (k, F[k] ** 2)}),
           instances(n=(1, 2, 3), using={F: sequence(0, n)}, made_by={R: (k, F[k] ** 2), rho: (k, 0 * F[k])})],
       note="rho_t is the constant of the composition of t + 1 blocks, R_k that of the k-th; in logarithms it is the printed inequality.")
 
 claim("B93-S90", "two successive approximations of the stationary solution",
       d1 <= r1 * d0, over={r1: nonneg(), f: nonneg(), d0: nonneg(), d1: nonneg()},
-      given=[given("the maps up to k", d1 <= r1 * f), given("one map more", f == d0)],
-      by=[positivity([(1, 1, ["the maps up to k"])]), instances(made_by={f: d0, d1: r1 * d0}), instances(made_by={f: d0, d1: r1 * d0 / 2})],
+      given=[given("the maps up to k", d1 <= r1 * f), given("one map more", f <= d0)],
+      by=[positivity([(1, 1, ["the maps up to k"]), (1, 1, ["one map more", "r1"])]), instances(made_by={f: d0, d1: r1 * d0}), instances(made_by={f: d0, d1: r1 * d0 / 2})],
       note="f and d0 are the distance of x to its image under the last map, d1 that of the images of both under the composition of the others.")
 
 claim("B93-S91", "a solution approaches the stationary one",
@@ -64,7 +64,7 @@ claim("B93-S91", "a solution approaches the stationary one",
       where=[rec(B, t, 1, B[t] * R[t + 1])],
       given=[given("at the start", D[0] <= d0), given("constants", forall(k, 0, n, R[k] >= 0)),
              given("one map more", forall(k, 1, n, D[k] <= D[k - 1] * R[k]))],
-      by=[induction(base=order([d0 - D[0]]), step=order([(B[t] * d0 - D[t]) * R[t + 1], D[t] * R[t + 1] - D[t + 1]])),
+      by=[induction(base=order([1 * (d0 - D[0])]), step=order([(B[t] * d0 - D[t]) * R[t + 1], 1 * (D[t] * R[t + 1] - D[t + 1])])),
           instances(n=(1, 2, 3), using={F: sequence(0, n), B: sequence(0, n)}, made_by={R: (k, F[k] ** 2), D: (k, 0 * F[k])})],
       note="D_t is the distance of the two solutions at time t. With S88 it is the printed inequality, in which one constant stands for the product.")
 
@@ -82,16 +82,16 @@ claim("B93-R3.1", "if the first step from x0 has a finite logarithm, so has that
            "positive part of log g is then at most a constant plus the positive parts of log f and log r1.")
 
 claim("B93-R3.1.2", "the first step from x and from x0",
-      (g <= d1 + f + d0) & (d1 + f + d0 <= f + (r1 + 1) * d0), over={f: nonneg(), g: nonneg(), e0: nonneg(), d0: nonneg(), d1: nonneg(), r1: nonneg()},
+      g <= f + (r1 + 1) * d0, over={f: nonneg(), g: nonneg(), e0: nonneg(), d0: nonneg(), d1: nonneg(), r1: nonneg()},
       given=[given("x, phi(x), phi(x0)", g <= d1 + e0), given("phi(x0), x0, x", e0 <= f + d0), given("Lipschitz constant", d1 <= r1 * d0)],
-      by=[order([d1 + e0 - g, f + d0 - e0], [r1 * d0 - d1]), instances(made_by={d1: r1 * d0, e0: f + d0, g: r1 * d0 + f + d0}),
+      by=[positivity([(1, 1, ["x, phi(x), phi(x0)"]), (1, 1, ["phi(x0), x0, x"]), (1, 1, ["Lipschitz constant"])]), instances(made_by={d1: r1 * d0, e0: f + d0, g: r1 * d0 + f + d0}),
           instances(made_by={d1: r1 * d0 / 2, e0: f + d0 / 2, g: f})],
       note="g, f, d0, d1, e0 are the distances of phi(x) to x, of phi(x0) to x0, of x to x0, of phi(x) to phi(x0), and of phi(x0) to x.")
 
 claim("B93-S92", "one map less at the inner end",
-      (g <= f + e1) & (f + e1 <= f + r1 * e0), over={f: nonneg(), g: nonneg(), e0: nonneg(), e1: nonneg(), r1: nonneg()},
+      g <= f + r1 * e0, over={f: nonneg(), g: nonneg(), e0: nonneg(), e1: nonneg(), r1: nonneg()},
       given=[given("triangle inequality", g <= f + e1), given("Lipschitz constant", e1 <= r1 * e0)],
-      by=[order([f + e1 - g], [r1 * e0 - e1]), instances(made_by={e1: r1 * e0, g: f + r1 * e0}), instances(made_by={e1: r1 * e0 / 2, g: f})],
+      by=[positivity([(1, 1, ["triangle inequality"]), (1, 1, ["Lipschitz constant"])]), instances(made_by={e1: r1 * e0, g: f + r1 * e0}), instances(made_by={e1: r1 * e0 / 2, g: f})],
       note="g and f are the distances of x to its images under all the maps and all but the first, e0 that to its image under the first, e1 that "
            "of the images of these two under the others.")
 
@@ -100,7 +100,7 @@ claim("B93-E31", "the distance of x to its image under many maps",
       forall(t, 0, n, D[t] <= S[t]), sizes=["n"], over={R: sequence(0, n), F: sequence(0, n), D: sequence(0, n)},
       where=[rec(S, t, 0, S[t] + R[t + 1] * F[t + 1])],
       given=[given("no map", D[0] == 0), TRIANGLES],
-      by=[induction(step=order([S[t] - D[t], D[t] + R[t + 1] * F[t + 1] - D[t + 1]])),
+      by=[induction(step=order([1 * (S[t] - D[t]), 1 * (D[t] + R[t + 1] * F[t + 1] - D[t + 1])])),
           instances(n=(1, 2, 3), made_by={D: (k, 0 * R[k]), F: (k, R[k])})],
       note="Counted from the outer end: F_k is the distance of x to its image under the k-th map, R_k the constant of the k - 1 maps outside "
            "it (one for none), D_k the distance of x to its image under the k outer maps; the hypothesis is the previous inequality.")
