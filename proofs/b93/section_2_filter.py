@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""Filtering with random parameters (section 2): norms, examples and the stability estimate.
+
+Norms are read through the order: ||M|| <= c says M*M <= c^2 I, and for a nonnegative P that
+P <= cI. So each estimate of a norm is an inequality between symmetric matrices, shown for all
+bounds.
+
+The sampled system of the second example keeps the controllability of the original one, because
+the covariances of its noises add the skipped steps. It does not keep observability: for a
+rotation by a right angle seen in one coordinate every second time, A^2 = -I, and the other
+coordinate is never seen.
+
+Stability uses x_n = B_{n+1}* x_{n+1} and V_n = x_n* P_n x_n: by Lemma 2.7,
+V_{n+1} - V_n = x_{n+1}* T_{n+1} x_{n+1}, at least lambda |x_{n+1}|^2 >= (lambda/sigma) V_{n+1}
+where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    function,
+    given,
+    hstack,
+    inv,
+    invertible,
+    let,
+    matrix,
+    matrix_of,
+    nonsingular,
+    rank,
+    rec,
+    scalar,
+    signal_of,
+    standing,
+    sum_of,
+    symbols,
+    symmetric_matrix,
+    vector,
+    vstack,
+)
+from proofs.b93.notation import d, i, j, k, n, p, q, r
+
+A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
+P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
+al, be, ga, la, si, c, mu = symbols("alpha beta gamma lambda sigma c mu")
+I = Identity(d)
+SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2)}
+LIMITS = "an almost sure statement about a stationary ergodic system; it has no exact instances"
+MEASURE = "a statement about sigma-algebras and conditional laws; its covariance algebra is (5) and (6)"
+
+not_checked("B93-S46", "the conditionally Gaussian set-up", "a definition: it fixes notation and asserts nothing")
+not_checked("B93-S47", "the recursions under Hypothesis H", "conditionally on the past it is (5) and (6) with the independence that H (ii) states; "
+            "what is beyond that is about sigma-algebras")
+not_checked("B93-S48", "independent noises and parameters satisfy H", MEASURE)
+not_checked("B93-S49", "the parameters for all times", "the extension theorem for stationary processes; it has no exact instances")
+not_checked("B93-X2.1.1", "periodic parameters", "that the uniform law on the residues is invariant and ergodic under the shift is all there is to check; "
+            "the rest is about probability spaces. The display writes B_n for the F_n of (1)")
+not_checked("B93-X2.1.2", "random sampling", "an announcement: the assertions are the numbered lines that follow")
+not_checked("B93-E18", "the time-invariant system and the sampling times", "a definition: it fixes notation and asserts nothing")
+
+# ---------------------------------------------------------------- random sampling
+Z_, w, e = symbols("Z w e")
+claim("B93-S50", "the state over several steps",
+      (X(n) == A**n * x0 + sum_of(k, 0, n - 1, A**k * F * matrix_of(i, j, p, 1, e[i, n - k]))) & (Y(n) - y == C * X(n)), sizes=["d", "p", "q", "n"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), x0: vector(d), e: matrix(p, n), y: vector(q)},
+      where=[rec(X, t, x0, A * X[t] + F * matrix_of(i, j, p, 1, e[i, t + 1])), function(Y, [k], C * X(k) + y)],
+      by=[instances(**SMALL, n=(1, 2, 3))],
+      note="x0 is the state at time T_(n-1), n the gap T_n - T_(n-1), the columns of e are the noises in between and y that of the observation.")
+
+claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size of eps_n",
+      (F * T(F) == K * K) & (rank(K) <= d) & (p == d), sizes=["d", "p"], over={F: matrix(d, p), K: symmetric_matrix(d)},
+      given=[standing("F_n is a symmetric root of the covariance", K * K == F * T(F))],
+      by=[example(d=2, p=1, F=[[1], [0]], K=[[1, 0], [0, 0]]), instances(d=(1, 2), p=(1, 2))],
+      repair=repair("other", "F_n is d x d, so that alpha_n has d components, not p.",
+                    (E * T(E) == I) & (K * E == F * U), sizes=["d", "p", "r"],
+                    over={F: matrix(d, p), U: matrix(p, r), K: symmetric_matrix(d), G: matrix(d, d), W: matrix(d, r), E: matrix(d, r)},
+                    given=[given("F_n is a symmetric root", K * K == F * T(F)), given("G is a generalized inverse", K * G * K == K),
+                           standing("which commutes with K and is symmetric", (K * G == G * K) & (G == T(G)) & (G * K * G == G)),
+                           given("the noise is standard", U * T(U) == Identity(p)),
+                           given("an independent standard vector", (W * T(W) == I) & (W * T(U) == Zero(d, p))),
+                           given("alpha_n", E == G * F * U + (I - G * K) * W)],
+                    by=[order(lemmas=[(I - K * G) * F == Zero(d, p)]),
+                        instances(d=(1, 2), p=(1, 2), r=(4,), made_by={
+                            F: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)),
+                            K: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)) * T(hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p))),
+                            G: K, U: hstack(Identity(p), Zero(p, 4 - p)), W: hstack(Zero(d, 4 - d), Identity(d)),
+                            E: G * F * U + (I - G * K) * W})]),
+      note="F stands for the coefficients of the noise over the gap. In the correction the rows of U, W, E are coefficients of standard Gaussian "
+           "vectors: alpha_n = G F u + (I - GK) w with the generalized inverse G of the text and a vector w independent of the noise.")
+
+claim("B93-E19", "the sampled system",
+      (A * x + F * y == A * x + K * mu) & (C * (A * x + F * y) + e == C * (A * x + K * mu) + e), sizes=["d", "p", "q"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), K: matrix(d, d), x: vector(d), y: vector(p), mu: vector(d), e: vector(q)},
+      given=[given("S51", F * y == K * mu)],
+      by=[order(), instances(**SMALL, made_by={K: A, mu: inv(A) * F * y}), instances(**SMALL)],
+      note="S50 with the noise rewritten by S51; A stands for A_n = A^(T_n - T_(n-1)).")
+not_checked("B93-S52", "the sampled system satisfies H", MEASURE)
+
+O = symbols("O")[0]
+claim("B93-S53", "controllability and observability of the system suffice for the sampled one",
+      invertible(T(A**n) * T(C) * C * A**n + T(A**(2 * n)) * T(C) * C * A**(2 * n)), sizes=["n"],
+      over={A: nonsingular(2), C: matrix(1, 2)},
+      given=[given("(C, A) is observable", rank(vstack(C, C * A)) == 2)],
+      by=[example(n=2, A=[[0, -1], [1, 0]], C=[[1, 0]]), instances(n=(1, 2, 3))],
+      repair=repair("missing hypothesis", "The powers of A at the gaps may lose observability; it has to be asked of the sampled system.",
+                    invertible(T(A**n) * T(C) * C * A**n + T(A**(2 * n)) * T(C) * C * A**(2 * n)), sizes=["n"],
+                    over={A: nonsingular(2), C: matrix(1, 2)},
+                    given=[given("(C, A^n) is observable", rank(vstack(C, C * A**n)) == 2)], by=[instances(n=(1, 2, 3))]),
+      note="For d = 2, q = 1 and all gaps equal to n, where weak observability is that of the pair (C, A^n) and two terms of the sum decide. "
+           "The matrix A may be a rotation by a right angle and n = 2.")
+not_checked("B93-S54", "no uniform controllability", "what can be expected is not a mathematical assertion")
+not_checked("B93-S55", "the error covariance as a Markov chain", "a statement about transition probabilities and irreducibility; it has no exact instances")
+not_checked("B93-S56", "systems that fail satisfy H", MEASURE)
+not_checked("B93-S57", "failing observations", "a reference to the results of section 2.2, with no assertion of its own")
+
+z0, z1, rho0, rho1, aa, eps1, eta1 = symbols("z0 z1 rho0 rho1 a eps1 eta1")
+claim("B93-X2.1.4", "the autoregressive parameter as the state of a filter",
+      (rho1 == A * rho0 + F * eps1) & (z1 == C * rho1 + eta1),
+      over={name: scalar() for name in (aa, rho0, eps1, eta1, z0)},
+      where=[let(rho1, aa * rho0 + eps1), let(z1, rho1 * z0 + eta1), let(A, aa), let(F, 1), let(C, z0)],
+      by=[identity(), instances()],
+      note="z0 and z1 are Z_(n-1) and Z_n.")
+not_checked("B93-X2.1.4.2", "the autoregressive parameters are stationary",
+            "whether Z has a stationary law depends on the expectation of log|rho|, which a in (-1, 1) does not decide: with a near one rho_n has "
+            "a large variance and Z grows. The expectation of a logarithm is beyond exact instances")
+
+# ---------------------------------------------------------------- weak observability and controllability
+Om, Xi, Ob, Co = symbols("Omega Xi Ob Co")
+CONSTANT = {A: nonsingular(d), C: matrix(q, d), F: matrix(d, p)}
+claim("B93-S58", "the two sums, one term at a time",
+      always(t, (Om[t + 1] == T(A[0]) * (R[0] + Ob[t]) * A[0]) & (Xi[t + 1] == A[t + 1] * Xi[t] * T(A[t + 1]) + S[t + 1])), sizes=["d"],
+      over={A: signal_of(matrix(d, d), 0), R: signal_of(symmetric_matrix(d), 0), S: signal_of(symmetric_matrix(d), 0)},
+      where=[rec(U, t, A[0], A[t + 1] * U[t]), rec(W, t, A[1], A[t + 2] * W[t]),
+             rec(Om, t, T(A[0]) * R[0] * A[0], Om[t] + T(U[t + 1]) * R[t + 1] * U[t + 1]),
+             rec(Ob, t, T(A[1]) * R[1] * A[1], Ob[t] + T(W[t + 1]) * R[t + 2] * W[t + 1]),
+             rec(Xi, t, S[0], A[t + 1] * Xi[t] * T(A[t + 1]) + S[t + 1])],
+      by=[induction(also=[U[t + 1] == W[t] * A[0]]), instances(8, d=(1, 2), horizon=2)],
+      note="A definition. What is checked is that the sums fit: the first is that of the later times between A_1* and A_1. Times are counted from 0.")
+not_checked("B93-D2.1", "weak observability and controllability", "a definition: it fixes notation and asserts nothing")
+claim("B93-S59", "for constant parameters, the usual observability sum between A* and A",
+      always(t, Om[t] == T(A) * Ob[t] * A), sizes=["d", "q"], over={A: nonsingular(d), C: matrix(q, d)},
+      where=[rec(U, t, Identity(d), A * U[t]), rec(Om, t, T(A) * T(C) * C * A, Om[t] + T(A * U[t + 1]) * T(C) * C * (A * U[t + 1])),
+             rec(Ob, t, T(C) * C, Ob[t] + T(U[t + 1]) * T(C) * C * U[t + 1])],
+      by=[induction(also=[A * U[t] == U[t] * A]), instances(8, d=(1, 2, 3), q=(1, 2), horizon=3)],
+      note="A is nonsingular, so that one sum is invertible exactly when the other is; the controllability sum is the usual one as it stands.")
+not_checked("B93-L2.2.1", "weakly observable systems enter H1", LIMITS)
+not_checked("B93-L2.2.2", "weakly controllable systems enter H2", LIMITS)
