@@ -162,13 +162,14 @@ not_checked("B93-L2.2.2", "weakly controllable systems enter H2", LIMITS)
 
 # ---------------------------------------------------------------- Theorem 2.4 and Proposition 2.5
 claim("B93-S60", "the smallest and the largest eigenvalue as norms",
-      loewner(la * I, Q) & loewner(Q, mu * I) & loewner(I / mu, inv(Q)) & (Q * x == la * x) & (inv(Q) * y == y / mu), sizes=["d"],
+      loewner(la * I, Q) & loewner(Q, mu * I) & (Q * x == la * x) & (inv(Q) * y == y / mu), sizes=["d"],
       over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), x: vector(d), y: vector(d)},
       given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)),
              given("the entries of D are at most lambda", loewner(la * I, D)), given("and at least mu", loewner(D, mu * I)),
              given("lambda is one of them", D * T(U) * x == la * T(U) * x), given("so is mu", D * T(U) * y == mu * T(U) * y)],
-      by=[order([U * (la * I - D) * T(U)], [U * (D - mu * I) * T(U)],
-                [inv(Q) * U * (D - mu * I) * T(U) * inv(Q) / mu, (I / mu - inv(Q)) * mu * (I / mu - inv(Q))]),
+      by=[order([U * (la * I - D) * T(U)], [U * (D - mu * I) * T(U)]),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": 2}, x=[1], y=[0]),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": "1/2", "mu": 1}, x=[0], y=[1]),
           instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu}),
           instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)})],
       note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
@@ -194,7 +195,7 @@ claim("B93-S64", "a bound for the image of the identity",
       note="The squared norm of A is the least a2 with AA* <= a2 I, and a larger nonnegative matrix has a larger norm.")
 
 claim("B93-S65", "a bound for the inverse of the image of the identity",
-      loewner(inv(A * T(A)) + R, inv(T0) + R) & loewner((b2 + c2) * I, inv(A * T(A)) + R), sizes=["d", "p", "q"],
+      loewner(inv(A * T(A)), inv(T0)) & loewner((b2 + c2) * I, inv(A * T(A)) + R), sizes=["d", "p", "q"],
       over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), b2: nonneg(), c2: nonneg()}, where=STEP,
       given=[given("||inv(A)||^2 <= b2", loewner(b2 * I, inv(A * T(A)))), given("||C||^2 <= c2", loewner(c2 * I, T(C) * C))],
       by=[order([inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))], [b2 * I - inv(A * T(A)), c2 * I - T(C) * C]),
@@ -240,17 +241,17 @@ claim("B93-S70", "the norm of K_n x",
 claim("B93-S71", "the norm of K_n",
       loewner(si * I, T(K) * K), sizes=["d"], over={K: matrix(d, d), si: nonneg()}, where=[let(Pbar, T(K) * K)],
       given=[given("||Pbar|| <= sigma", loewner(si * I, Pbar))],
-      by=[order([si * I - T(K) * K]), instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))],
+      by=[order(), instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))],
       note="||K||^2 is the least c with K*K <= cI.")
 
 claim("B93-S72", "the difference of two solutions",
-      loewner(si * si * mu * I, P - Pbar) & loewner(P - Pbar, -(si * si * mu) * I), sizes=["d"],
-      over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K)],
+      loewner(si * si * mu * I, X) & loewner(X, -(si * si * mu) * I), sizes=["d"],
+      over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
       given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)), given("|1 - lambda_i| <= mu", loewner(mu * I, D - Identity(d)) & loewner(D - Identity(d), -mu * I))],
       by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1), instances(d=(1, 2))],
       repair=repair("factor", "The norm of Pbar enters once: ||K||^2 is ||Pbar||, not its square.",
-                    loewner(si * mu * I, P - Pbar) & loewner(P - Pbar, -(si * mu) * I), sizes=["d"],
-                    over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K)],
+                    loewner(si * mu * I, X) & loewner(X, -(si * mu) * I), sizes=["d"],
+                    over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
                     given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)),
                            given("above", loewner(mu * I, D - Identity(d))), given("below", loewner(D - Identity(d), -mu * I))],
                     by=[order([mu * (si * I - T(K) * K), T(K) * (mu * I - (D - I)) * K], [mu * (si * I - T(K) * K), T(K) * (D - I - -mu * I) * K]),
@@ -258,17 +259,18 @@ claim("B93-S72", "the difference of two solutions",
                         instances(d=(1, 2))]))
 
 # ---------------------------------------------------------------- Theorem 2.6
+tau_ = symbols("tau")[0]
 claim("B93-S78", "the Lyapunov function along the backward recursion",
       (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (si * la * T(x1) * x1 >= la * T(x1) * P * x1)
-      & (si * T(x0) * P0 * x0 <= (si - la) * T(x1) * P * x1), sizes=["d"],
+      & (T(x0) * P0 * x0 <= tau_ * T(x1) * P * x1), sizes=["d"],
       over={B: matrix(d, d), P0: positive_semidefinite(d), X: positive_semidefinite(d), x1: vector(d), la: nonneg(), si: positive()},
-      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1)],
+      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau_, 1 - la / si)],
       given=[given("T >= lambda I", loewner(X, la * I)), given("P <= sigma I", loewner(si * I, P))],
-      by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [si * (T(x1) * (X - la * I) * x1), la * (T(x1) * (si * I - P) * x1)]),
+      by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [T(x1) * (X - la * I) * x1, la / si * (T(x1) * (si * I - P) * x1)]),
           instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
           instances(d=(1, 2))],
       note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
-           "V_n <= (1 - lambda/sigma) V_(n+1), multiplied by sigma.")
+           "V_n <= tau V_(n+1).")
 
 V, tau = symbols("V tau")
 claim("B93-S79", "the first vector of the backward recursion",
