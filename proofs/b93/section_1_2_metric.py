@@ -46,7 +46,7 @@ not_checked("B93-S30", "the distance as a Riemannian one", METRIC)
 not_checked("B93-S34", "the operator norm", "a definition: it fixes notation and asserts nothing")
 
 claim("B93-E15", "the logarithm inequality",
-      (a + r)**(m + r) * b**m <= a**m * (b + r)**(m + r), sizes=["m", "r"], over={a: positive(), b: positive()},
+      X**(m + r) * b**m <= a**m * Y**(m + r), sizes=["m", "r"], over={a: positive(), b: positive()}, where=[let(X, a + r), let(Y, b + r)],
       given=[given("a <= m", a <= m), given("b <= m", b <= m), given("a >= b", a >= b), given("r > 0", r >= 1), given("m > 0", m >= 1)],
       by=[instances(m=(1, 2, 3), r=(1, 2, 3), made_by={a: m}), instances(m=(1, 2, 3), r=(1, 2, 3), made_by={a: b}), instances(m=(1, 2, 3), r=(1, 2, 3))],
       note="For a >= b and with exponentials taken; for a < b the left side is negative and the right side zero. Multiplying a, b, m, r by one number "
@@ -60,8 +60,9 @@ claim("B93-S35", "the eigenvalues of T inv(S) are those of a positive symmetric 
       note="With y = L*x the quotient <Tx, x>/<Sx, x> is that of the symmetric matrix at y, for which the min-max formula is the classical one.")
 
 claim("B93-S36", "the ratio of two forms after a shift",
-      T(x) * (TT + P) * x <= g**m * T(x) * (S0 + P) * x, sizes=["d", "m", "r"],
+      T(x) * X * x <= g**m * T(x) * Y * x, sizes=["d", "m", "r"],
       over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d), g: positive(), x: vector(d)},
+      where=[let(X, TT + P), let(Y, S0 + P)],
       given=[given("||T|| <= alpha", loewner(m * I, TT)), given("||S|| <= alpha", loewner(m * I, S0)), given("P >= beta", loewner(P, r * I)),
              given("g >= 1", g >= 1), given("the ratio is g^(alpha + beta)", T(x) * TT * x <= g**(m + r) * T(x) * S0 * x)],
       by=[instances(d=(1, 2), m=(1, 2), r=(1, 2), made_by={TT: m * I, S0: m * I / g**(m + r), P: r * I}),
@@ -75,18 +76,27 @@ not_checked("B93-T1.7.1", "members of H contract", DISTANCE)
 not_checked("B93-T1.7.3", "members of H0 contract uniformly", DISTANCE)
 not_checked("B93-S39", "isometries and contractions", "S31 for the isometries and Proposition 1.6 for the contractions; it asserts nothing else")
 not_checked("B93-S41", "the contraction after the first three maps", DISTANCE)
+number = symbols("number")[0]
+CONGRUENCE = A * P * T(A) * inv(A * Q * T(A)) == A * (P * inv(Q)) * inv(A)
+claim("B93-S42", "the end of the proof of (iii), said to rest on (16)",
+      CONGRUENCE & (number == 17), sizes=["d"], over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d)}, where=[let(number, 16)],
+      by=[example(d=1, A=[[1]], P=[[1]], Q=[[1]]), instances(d=(1, 2))],
+      repair=repair("cross-reference", "That the maps of the chain make up the action is (17); (16) is about eigenvalues.",
+                    CONGRUENCE, sizes=["d"], over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d)}, by=[order(), instances(d=(1, 2))]),
+      note="17 is the number of the display that is used. The equation is the isometry of S31, by which the last map does not change the distance.")
 not_checked("B93-S43", "a constant for uniform contraction", DISTANCE)
 not_checked("B93-S44", "a power of the Hamiltonian matrix is in H0", "Proposition 1.3 for equal factors and the definition of controllability and observability; "
             "see also S59")
 not_checked("B93-S45", "convergence to a fixed point", "the fixed point theorem applied to Theorem 1.7; a limit has no exact instances")
 
 PHI = {t: positive(), s: positive(), p: nonneg(), q: nonneg()}
-IMAGES = (let(X, (t + p) / (1 + q * (t + p))), let(Y, (s + p) / (1 + q * (s + p))))
+IMAGES = (let(X, (t + p) / (1 + q * (t + p))), let(Y, (s + p) / (1 + q * (s + p))),
+          let(P, (t - s) ** 2 / (t * s)), let(Q, (X - Y) ** 2 / (X * Y)))
 claim("B93-T1.7.2", "members of H1 or H2 contract strictly",
-      (X - Y) ** 2 * t * s < (t - s) ** 2 * X * Y, over=PHI, where=IMAGES, given=[given("in H1 or H2", p + q > 0)],
+      Q < P, over=PHI, where=IMAGES, given=[given("in H1 or H2", p + q > 0)],
       by=[example({"t": 1, "s": 1, "p": 1, "q": 0}), instances()],
       repair=repair("boundary case", "For T = S both distances are zero; it holds for T different from S.",
-                    (X - Y) ** 2 * t * s < (t - s) ** 2 * X * Y, over=PHI, where=IMAGES,
+                    Q < P, over=PHI, where=IMAGES,
                     given=[given("in H1 or H2", p + q > 0), given("different", t != s)],
                     by=[example({"t": 1, "s": 1, "p": 1, "q": 0}), example({"t": 1, "s": 2, "p": 0, "q": 0}), instances()]),
       note="For d = 1, where the congruence changes nothing and |log(t/s)| is smaller exactly when t/s + s/t - 2 = (t - s)^2/(ts) is. For any d the "
