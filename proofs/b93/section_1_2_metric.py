@@ -25,6 +25,7 @@ from exactkf.language import (
     positive,
     positive_definite,
     positive_semidefinite,
+    standing,
     symbols,
     vector,
 )
@@ -46,8 +47,8 @@ not_checked("B93-S30", "the distance as a Riemannian one", METRIC)
 not_checked("B93-S34", "the operator norm", "a definition: it fixes notation and asserts nothing")
 
 claim("B93-E15", "the logarithm inequality",
-      X**(m + r) * b**m <= a**m * Y**(m + r), sizes=["m", "r"], over={a: positive(), b: positive()}, where=[let(X, a + r), let(Y, b + r)],
-      given=[given("a <= m", a <= m), given("b <= m", b <= m), given("a >= b", a >= b), given("r > 0", r >= 1), given("m > 0", m >= 1)],
+      X <= Y, sizes=["m", "r"], over={a: positive(), b: positive()}, where=[let(X, ((a + r) / (b + r)) ** (m + r)), let(Y, (a / b) ** m)],
+      given=[given("a <= m", a <= m), standing("b <= m", b <= m), given("a >= b", a >= b), standing("r > 0", r >= 1), standing("m > 0", m >= 1)],
       by=[instances(m=(1, 2, 3), r=(1, 2, 3), made_by={a: m}), instances(m=(1, 2, 3), r=(1, 2, 3), made_by={a: b}), instances(m=(1, 2, 3), r=(1, 2, 3))],
       note="For a >= b and with exponentials taken; for a < b the left side is negative and the right side zero. Multiplying a, b, m, r by one number "
            "changes nothing, so that integers m, r stand for all rational ones.")
@@ -63,7 +64,7 @@ claim("B93-S36", "the ratio of two forms after a shift",
       T(x) * X * x <= g**m * T(x) * Y * x, sizes=["d", "m", "r"],
       over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d), g: positive(), x: vector(d)},
       where=[let(X, TT + P), let(Y, S0 + P)],
-      given=[given("||T|| <= alpha", loewner(m * I, TT)), given("||S|| <= alpha", loewner(m * I, S0)), given("P >= beta", loewner(P, r * I)),
+      given=[given("||T|| <= alpha", loewner(m * I, TT)), standing("||S|| <= alpha", loewner(m * I, S0)), given("P >= beta", loewner(P, r * I)),
              given("g >= 1", g >= 1), given("the ratio is g^(alpha + beta)", T(x) * TT * x <= g**(m + r) * T(x) * S0 * x)],
       by=[instances(d=(1, 2), m=(1, 2), r=(1, 2), made_by={TT: m * I, S0: m * I / g**(m + r), P: r * I}),
           instances(d=(1, 2), m=(1, 2), r=(0, 1), made_by={TT: I / 2, S0: I / 2, P: r * I, g: 1}),
