@@ -89,10 +89,10 @@ def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> di
     if found.verdict == "fails" and claim.repair is not None:
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
         if repaired.verdict == "holds":
-            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler)
+            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler, claim.repair.statement.tex)
             _count_survivors(repaired, report)
     elif found.verdict == "holds":
-        report = judge_mutants(statement.to_json(), claim.by, found.worlds, found.sampler)
+        report = judge_mutants(statement.to_json(), claim.by, found.worlds, found.sampler, statement.tex)
         _count_survivors(found, report)
     return _result(claim, found, repaired, report, claim.repair, started)
 

@@ -30,6 +30,9 @@ from exactkf.kernel.recursion import Induction, inductions
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
 
 
+_DEGREE_WITH_LEMMAS = 12
+
+
 @dataclass(frozen=True)
 class Membership:
     """Evidence of a ``membership``: for each block of the conclusion its terms [c, left, relation, right, scalars]."""
@@ -83,10 +86,13 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         Names for symmetric square roots that the terms use.
     lemmas : sequence of formulas
         Shown first, used after.
+    degree : int
+        As in `search_membership`; where lemmas lead the way it is larger.
     factors : sequence of (matrix, its factors)
         For determinants.
     """
     out = []
+    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas else degree
     for k, (case, formula) in enumerate(leaves(statement, lemmas)):
         asked = [sums[k]] if k < len(sums) and sums[k] else []
         for terms in asked or _own_terms(case, formula):
@@ -207,6 +213,8 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
     op = formula[0]
     rank = op == "=" and isinstance(formula[1], list) and formula[1][0] == "rank"
     labels = [label for label, f, _ in reversed(case["given"]) if f[0] == "="]
+    if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms):  # an inverse to be brought in, most likely
+        yield {}
     if op in ("=", "symmetric", "symplectic") and not rank:
         if terms:
             yield from ({"null": label} for label in labels)
