@@ -282,7 +282,7 @@ claim("B93-S79", "the first vector of the backward recursion",
       given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, I)), given("V_0", V[0] == T(x0) * P0 * x0), standing("rates", forall(k, 0, n, tau[k] >= 0)),
              given("V decreases backwards", forall(k, 1, n, V[k - 1] <= tau[k] * V[k]))],
       by=[instances(d=(1, 2), n=(1, 2), using={E: sequence(0, n)}, made_by={al: 1, P0: I, V: (k, T(x0) * P0 * x0), tau: (k, 1 + E[k]**2)}),
-          instances(d=(1, 2), n=(1, 2), made_by={al: 2, P0: I, V: (k, T(x0) * P0 * x0 * 2**k), tau: (k, 1)})],
+          instances(d=(1, 2), n=(1, 2), made_by={al: 2, P0: I, V: (k, T(x0) * P0 * x0 + k), tau: (k, 1)})],
       note="With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
 
 claim("B93-S80", "the closed loop at time p",
