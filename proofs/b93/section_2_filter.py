@@ -24,7 +24,6 @@ from exactkf.language import (
     always,
     diagonal,
     eq,
-    forall,
     function,
     given,
     hstack,
@@ -42,7 +41,6 @@ from exactkf.language import (
     rank,
     rec,
     scalar,
-    sequence,
     signal_of,
     standing,
     sum_of,
@@ -274,16 +272,14 @@ claim("B93-S78", "the Lyapunov function along the backward recursion",
       note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
            "V_n <= tau V_(n+1).")
 
-V, tau = symbols("V tau")
 claim("B93-S79", "the first vector of the backward recursion",
-      forall(t, 0, n, T(x0) * x0 <= al * W[t] * V[t]), sizes=["d", "n"],
-      over={P0: positive_definite(d), x0: vector(d), al: nonneg(), tau: sequence(0, n), V: sequence(0, n)},
-      where=[rec(W, t, 1, W[t] * tau[t + 1])],
-      given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, I)), given("V_0", V[0] == T(x0) * P0 * x0), standing("rates", forall(k, 0, n, tau[k] >= 0)),
-             given("V decreases backwards", forall(k, 1, n, V[k - 1] <= tau[k] * V[k]))],
-      by=[instances(d=(1, 2), n=(1, 2), using={E: sequence(0, n)}, made_by={al: 1, P0: I, V: (k, T(x0) * P0 * x0), tau: (k, 1 + E[k]**2)}),
-          instances(d=(1, 2), n=(1, 2), made_by={al: 2, P0: I, V: (k, T(x0) * P0 * x0 + k), tau: (k, 1)})],
-      note="With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
+      T(x0) * x0 <= al * be * T(x1) * P * x1, sizes=["d"],
+      over={P0: positive_definite(d), P: positive_definite(d), x0: vector(d), x1: vector(d), al: nonneg(), be: nonneg()},
+      given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, Identity(d))), given("V_0 <= beta V_p", T(x0) * P0 * x0 <= be * T(x1) * P * x1)],
+      by=[order([T(x0) * (al * P0 - Identity(d)) * x0, al * (be * T(x1) * P * x1 - T(x0) * P0 * x0)]),
+          instances(d=(1, 2), made_by={al: 1, P0: Identity(d), P: Identity(d), be: 1, x1: x0}),
+          instances(d=(1, 2), made_by={al: 2, P0: Identity(d), P: Identity(d), be: 0, x0: Zero(d, 1)})],
+      note="beta stands for the product of the tau_i; its hypothesis is S78 for each step. With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
 
 claim("B93-S80", "the closed loop at time p",
       (T(x0) * x0 <= al * be * si * T(x1) * x1) & (x0 == T(B) * x1), sizes=["d"],
