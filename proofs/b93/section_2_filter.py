@@ -278,7 +278,7 @@ claim("B93-S79", "the first vector of the backward recursion",
       given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, Identity(d))), given("V_0 <= beta V_p", T(x0) * P0 * x0 <= be * T(x1) * P * x1)],
       by=[order([T(x0) * (al * P0 - Identity(d)) * x0, al * (be * T(x1) * P * x1 - T(x0) * P0 * x0)]),
           instances(d=(1, 2), made_by={al: 1, P0: Identity(d), P: Identity(d), be: 1, x1: x0}),
-          instances(d=(1, 2), made_by={al: 2, P0: Identity(d), P: Identity(d), be: 0, x0: Zero(d, 1)})],
+          instances(d=(1, 2), made_by={al: 2, P0: Identity(d), P: Identity(d), be: 1, x1: x0})],
       note="beta stands for the product of the tau_i; its hypothesis is S78 for each step. With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
 
 claim("B93-S80", "the closed loop at time p",
