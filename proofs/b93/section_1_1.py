@@ -23,20 +23,18 @@ singular. With X = (I + P2 Q1)A1 = inv(A2)A3,
 which shows at once that A3*C3 is nonnegative, that it is positive when A1*C1 or A2*C2 is
 (H1 is an ideal; the text says H2 at this place), and that its null space is the
 common null space of A1*C1 and A2*C2 A1. Iterating the last remark gives
-Proposition 1.3. There, for n matrices, a system of equations for x is compared with
-another one through ranks: they have the same solutions when each has the rank of both
-together.
+Proposition 1.3, by induction on n: the null vectors of A*C of a product are those of the sum,
+and on them the upper left block of the product agrees with the product of the A.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
     Zero,
     block,
     charpoly,
-    det,
     diagonal,
     eq,
     forall,
@@ -55,16 +53,14 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     psd,
-    rank,
-    sum_of,
+    rec,
+    sequence_of,
+    standing,
     symbols,
     symmetric_matrix,
     symplectic,
-    to_expr,
-    trace,
     vector,
     vstack,
-    when,
 )
 from proofs.b93.notation import (
     FORM,
@@ -86,7 +82,6 @@ from proofs.b93.notation import (
     numbers,
     p,
     part,
-    piece,
     q,
     r,
 )
@@ -256,6 +251,7 @@ _ideal("B93-P1.1.4", "H0 is a two-sided ideal", in_h0,
        (given("N: BA* > 0", pd(B1 * T(A1))), given("N: A*C > 0", pd(T(A1) * C1))),
        positive_definite(d), positive_definite(d), (1, 1, 1, 2), UP, DOWN)
 
+ZERO = Zero(d, d)
 NONNEGATIVE_PAIR = {P: positive_semidefinite(d), Q: positive_semidefinite(d)}
 claim("B93-L1.2", "I + PQ is invertible for nonnegative P and Q",
       invertible(Identity(d) + P * Q), sizes=["d"], over=NONNEGATIVE_PAIR,
@@ -268,10 +264,7 @@ claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
       where=[let(M, T(U) * inv(L))],
       given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)),
              given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
-      by=[steps(facts=["every positive P is LL* with a nonsingular L",
-                       "every symmetric matrix is UDU* with U orthogonal and D diagonal"],
-                prose="Such L and U exist; inv(P) = inv(L*)inv(L) = M*M, Q = inv(L*)UDU*inv(L) = M*DM and D = "
-                      "U*(L*QL)U >= 0; then PQ = inv(M)inv(M*)M*DM = inv(M)DM."),
+      by=[order([], [], [T(U) * (T(L) * Q * L) * U]),
           instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
                     made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
                              Q: inv(T(L)) * U * D * T(U) * inv(L)})],
@@ -285,16 +278,13 @@ claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
           "boundary case",
           "Every null vector of P or of Q gives the eigenvalue one: the eigenvalues are at least one, and greater than "
           "one only if both matrices are positive.",
-          psd(W), sizes=["d"], over=NONNEGATIVE_PAIR,
-          where=[let(W, matrix_of(i, j, d, d, trace((P * Q) ** (i + j - 1))))],
-          by=[steps("B93-L1.2",
-                    facts=["a matrix N has real nonnegative eigenvalues only exactly when the matrix with the entries "
-                           "tr N^(i+j-1) is nonnegative", "XY and YX have the same eigenvalues if both are square"],
-                    prose="With H the symmetric root of P, PQ = H(HQ) has the eigenvalues of HQH, which is symmetric "
-                          "and nonnegative. One is added to each for I + PQ."),
-              instances(d=(1, 2, 3, 4))]),
-      note="The eigenvalues are real, so greater than one means outside the unit circle. In the correction W is "
-           "nonnegative exactly when the eigenvalues of PQ are real and nonnegative.")
+          psd(H * Q * H) & (block([[Identity(d) + P * Q, ZERO], [H * Q, Identity(d)]]) * block([[Identity(d), H], [ZERO, Identity(d)]])
+                            == block([[Identity(d), H], [ZERO, Identity(d)]]) * block([[Identity(d), ZERO], [H * Q, Identity(d) + H * Q * H]])),
+          sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d), H: symmetric_matrix(d)},
+          given=[given("H is a root of P", P == H * H)],
+          by=[order([H * Q * H]), instances(d=(1, 2, 3), made_by={P: H * H})]),
+      note="The eigenvalues are real, so greater than one means outside the unit circle. The correction is a similarity of block triangular "
+           "matrices: beside d eigenvalues one on both sides, those of I + PQ are those of the symmetric I + HQH, where HQH is nonnegative.")
 
 claim("B93-S17", "C1 inv(A1) and inv(A2)B2 are nonnegative",
       (Q1 == inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,
@@ -357,77 +347,9 @@ claim("B93-S22", "the ideal that this gives",
                     by=[order(*IN_H1, roots=BOTH.roots), *NEEDED, _pair(ID, ID), _pair(DOWN, NOT_UP), _pair((1, -1, 1, 0), ID),
                         HALF, OTHER_HALF]))
 
-# ---------------------------------------------------------------- n members of H, side by side in wide matrices
-As, Bs, Cs, Ds, Us, Vs, a, b = symbols("As Bs Cs Ds Us Vs a b")
-Ak, Bk, Ck, Dk, Mk, Xi, Chain, Tail, Alpha, Beta, Stack, X = symbols("A B C D M xi Chain Tail alpha beta Stack X")
-WIDE = {As: matrix(d, d * n), Bs: matrix(d, d * n), Cs: matrix(d, d * n), Ds: matrix(d, d * n)}
+# ---------------------------------------------------------------- n members of H
+Xi, X = symbols("xi X")
 XI = function(Xi, [X], T(part(X, 0, 0)) * part(X, 1, 0))
-SEQUENCE = (
-    function(Ak, [k], piece(As, d, d)), function(Bk, [k], piece(Bs, d, d)),
-    function(Ck, [k], piece(Cs, d, d)), function(Dk, [k], piece(Ds, d, d)),
-    function(Mk, [k], block([[Ak(k), Bk(k)], [Ck(k), Dk(k)]])),
-    function(Chain, [k], when(k == 1, Mk(1), Mk(k) * Chain(k - 1))), XI,
-    function(Alpha, [k], when(k == 0, Identity(d), Ak(k) * Alpha(k - 1))),
-)
-ALL_IN_H = given("every M_k is in H", forall(k, 1, n, in_h(Mk(k), Ak(k), Bk(k), Ck(k))))
-# the block column in which column j of a wide matrix stands
-NUMBER = 1 + sum_of(k, 1, n, when(j > k * d, 1, 0))
-
-
-def _wide(term) -> object:
-    """The wide matrix whose k-th piece is term(k)."""
-    return matrix_of(i, j, d, d * n, to_expr(term(NUMBER))[i, j - (NUMBER - 1) * d])
-
-
-def _square(wide, number, rank_):
-    """F F*, F the piece of so many d x rank_ matrices."""
-    F_k = matrix_of(a, b, d, rank_, wide[a, b + (number - 1) * rank_])
-    return F_k * T(F_k)
-
-
-def _members(rank_: int) -> dict:
-    """How to make n members of H whose P and Q have no more than the given rank."""
-    return {"using": {Us: matrix(d, rank_ * n), Vs: matrix(d, rank_ * n)},
-            "made_by": {Bs: _wide(lambda c: Ak(c) * _square(Us, c, rank_)),
-                        Cs: _wide(lambda c: _square(Vs, c, rank_) * Ak(c)),
-                        Ds: _wide(lambda c: inv(T(Ak(c))) + _square(Vs, c, rank_) * Ak(c) * _square(Us, c, rank_))}}
-
-
-#: A*C of rank one each, whose sum tells a lost transpose from none; and the same pair transposed and exchanged
-LOPSIDED = (example(d=2, n=2, As=[[1, 0, 1, 0], [0, 1, 1, 1]], Bs=[[0] * 4] * 2, Cs=[[1, 0, 0, -1], [0, 0, 0, 1]],
-                    Ds=[[1, 0, 1, -1], [0, 1, 0, 1]]),
-            example(d=2, n=2, As=[[1, 1, 1, 0], [0, 1, 0, 1]], Bs=[[0, 0, 1, 0], [-1, 1, 0, 0]], Cs=[[0] * 4] * 2,
-                    Ds=[[1, 0, 1, 0], [-1, 1, 0, 1]]),
-            example(d=2, n=2, As=[[1, 1, 1, 0], [0, 1, 0, 1]], Bs=[[0] * 4] * 2, Cs=[[1, 0, 1, 0], [-1, 0, 0, 0]],
-                    Ds=[[1, 0, 1, 0], [-1, 1, 0, 1]]),
-            example(d=2, n=2, As=[[1, 0, 1, 0], [0, 1, 1, 1]], Bs=[[1, 0, 1, -1], [0, 0, 0, 0]], Cs=[[0] * 4] * 2,
-                    Ds=[[1, 0, 1, -1], [0, 1, 0, 1]]))
-MANY = (*LOPSIDED, instances(60, d=2, n=(2, 3), **_members(1)), instances(12, d=(1, 2, 3), n=(1, 2, 3, 4), **_members(1)),
-        instances(6, d=(2, 3), n=(1, 2), **_members(2)))
-TWO_OR_MORE = (instances(d=(1, 2, 3), n=(2, 3, 4), **_members(1)), instances(8, d=(2, 3), n=(2, 3), **_members(2)))
-OBSERVABILITY = sum_of(k, 1, n, T(Alpha(k - 1)) * (T(Ak(k)) * Ck(k)) * Alpha(k - 1))
-CONTROLLABILITY = sum_of(k, 1, n, Beta(k) * (Bk(k) * T(Ak(k))) * T(Beta(k)))
-WHOLE = (let(M3, Chain(n)), let(A3, part(M3, 0, 0)), let(B3, part(M3, 0, 1)), let(C3, part(M3, 1, 0)))
-STACK = function(Stack, [k], when(k == 1, Xi(Mk(1)), vstack(Stack(k - 1), Xi(Mk(k)) * Alpha(k - 1))))
-RANGE = "The matrices M_1, .., M_n stand side by side, block by block, in As, Bs, Cs, Ds."
-RANKS = "Two systems have the same solutions x exactly when each has the rank of both together."
-
-claim("B93-P1.3.1", "when a product is in H1",
-      iff(in_h1(M3, A3, B3, C3), det(OBSERVABILITY) != 0), sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, *WHOLE],
-      given=[ALL_IN_H],
-      by=[steps("B93-S23", "B93-E11", "B93-S24", "B93-S25", "B93-P1.1.1",
-                prose="The product is in H, so it is in H1 exactly when its A*C has no null vector. S23, applied to M_1 "
-                      "and the product of the others and repeated, gives its null vectors as the common ones of the "
-                      "xi(M_k)alpha(k - 1), which by S24 and S25 are those of the sum."), *MANY],
-      note=RANGE)
-
-claim("B93-P1.3.2", "when a product is in H2",
-      iff(in_h2(M3, A3, B3, C3), det(CONTROLLABILITY) != 0), sizes=["d", "n"], over=WIDE,
-      where=[*SEQUENCE, *WHOLE, function(Beta, [k], when(k == n, Identity(d), Beta(k + 1) * Ak(k + 1)))], given=[ALL_IN_H],
-      by=[steps("B93-S14", "B93-S23", "B93-E11", "B93-S24", "B93-S25", "B93-P1.1.1",
-                prose="Transposition reverses the product and exchanges H1 with H2, and the first sum with the second."),
-          *MANY], note=RANGE)
-
 
 
 def _null_vector(matrix_) -> object:
@@ -466,19 +388,112 @@ claim("B93-E11", "A*C of a product as a sum of nonnegative matrices",
       by=[_pair(NOT_DOWN, ID), _pair(DOWN, NOT_UP), _pair(ID, NOT_DOWN), _pair(DOWN, (1, 0, 0, -1)),
           order([], [T(SQUEEZED) * TWO.AC * SQUEEZED], [], BOTH.lower[2:]), PAIRS_PQ])
 
-TAILS = function(Tail, [k], when(k == n, Mk(n), Tail(k + 1) * Mk(k)))
-V1, V2, XN = symbols("V1 V2 XN")
-claim("B93-S26", "the null vectors of A*C of a product of n",
-      eq(rank(XN), rank(V1), rank(vstack(XN, V1))) & eq(rank(XN), rank(V2), rank(vstack(XN, V2))),
-      sizes=["d", "n"], over=WIDE,
-      where=[*SEQUENCE, TAILS, STACK, let(XN, Xi(Chain(n))), let(V1, vstack(Xi(Mk(1)), Xi(Tail(2)) * Alpha(1))),
-             let(V2, Stack(n))],
-      given=[ALL_IN_H],
-      by=[steps("B93-S23", "B93-P1.1.1", prose="S23 for M_1 and the product of the others, and so on."), *TWO_OR_MORE],
-      note=f"{RANKS} Tail(2) is M_n ... M_2, for n at least two.")
+# The product of the first t matrices is [[a, b], [c, e]]; alpha is the product of their A; O and K are the two sums.
+t, a, b, c, e, alpha, O, K_, Z_, Y_, N_, W_, Ps, Qs = symbols("t a b c e alpha O K Z Y N W Ps Qs")
+As, Bs, Cs, Ds = symbols("A B C D")
+Mk, Pi, Both = symbols("M Pi both")
+MEMBERS = {As: sequence_of(nonsingular(d), 1, n), Bs: sequence_of(matrix(d, d), 1, n), Cs: sequence_of(matrix(d, d), 1, n),
+           Ds: sequence_of(matrix(d, d), 1, n)}
+PRODUCTS = (
+    function(Mk, [k], block([[As[k], Bs[k]], [Cs[k], Ds[k]]])),
+    rec(a, t, Identity(d), As[t + 1] * a[t] + Bs[t + 1] * c[t]), rec(b, t, ZERO, As[t + 1] * b[t] + Bs[t + 1] * e[t]),
+    rec(c, t, ZERO, Cs[t + 1] * a[t] + Ds[t + 1] * c[t]), rec(e, t, Identity(d), Cs[t + 1] * b[t] + Ds[t + 1] * e[t]),
+    function(Pi, [k], block([[a[k], b[k]], [c[k], e[k]]])),
+)
+ALPHA = rec(alpha, t, Identity(d), As[t + 1] * alpha[t])
+OBSERVABILITY = rec(O, t, ZERO, O[t] + T(alpha[t]) * (T(As[t + 1]) * Cs[t + 1]) * alpha[t])
+CONTROLLABILITY = rec(K_, t, ZERO, As[t + 1] * K_[t] * T(As[t + 1]) + Bs[t + 1] * T(As[t + 1]))
+ALL_IN_H = given("every M_k is in H", forall(k, 1, n, in_h(Mk(k), As[k], Bs[k], Cs[k])))
+COMPLEMENTS = {name: sequence_of(matrix(d, d), 0, n) for name in (N_, Z_, W_, Y_)}
+
+
+def _complement(label: str, of, projection, inverse_) -> tuple:
+    """The columns of the projection are the null vectors of the matrix: it is I less a generalized inverse times the matrix."""
+    return standing(label, forall(k, 0, n, (of(k) * projection[k] == ZERO) & (projection[k] == Identity(d) - inverse_[k] * of(k))))
+
+
+def _generalized(of) -> tuple:
+    """A generalized inverse of a symmetric matrix, from a basis of its null space."""
+    return (k, inv(of(k) + kernel_basis(of(k)) * T(kernel_basis(of(k)))))
+
+
+def _made(*pairs) -> dict:
+    made = {Bs: (k, As[k] * Ps[k]), Cs: (k, Qs[k] * As[k]), Ds: (k, inv(T(As[k])) + Qs[k] * As[k] * Ps[k])}
+    for of, projection, inverse_ in pairs:
+        made |= {inverse_: _generalized(of), projection: (k, Identity(d) - inverse_[k] * of(k))}
+    return made
+
+
+def _lower(s): return T(a[s]) * c[s]
+def _upper(s): return b[s] * T(a[s])
+def _observed(s): return O[s]
+def _controlled(s): return K_[s]
+
+
+BOTH_LOWER = ((_lower, N_, Z_), (_observed, W_, Y_))
+BOTH_UPPER = ((_upper, N_, Z_), (_controlled, W_, Y_))
+A_t, B_t, C_t = As[t + 1], Bs[t + 1], Cs[t + 1]
+NEW, OLD = Factor(A_t, B_t, C_t), Factor(a[t], b[t], c[t])
+NEXT = Product(NEW, OLD, A_t * a[t] + B_t * c[t], H)
+IN_H_t = [symplectic(Pi(t)), invertible(a[t]), psd(_upper(t)), psd(_lower(t))]
+NULL_SQUARE = ZERO * T(ZERO)
+SUM_O = [O[t], T(alpha[t]) * NEW.AC * alpha[t]]
+SUM_K = [A_t * K_[t] * T(A_t), NEW.BA]
+START = order([], [], [NULL_SQUARE], [NULL_SQUARE], [NULL_SQUARE])
+RANK_ONE = {Ps: sequence_of(positive_semidefinite(d), 1, n), Qs: sequence_of(positive_semidefinite(d), 1, n)}
+
+
+def _many(*pairs, **more) -> object:
+    return instances(10, d=(1, 2), n=(1, 2, 3), using=RANK_ONE, made_by={**_made(*pairs), **more})
+
+
+def _null_at(matrix_) -> object:
+    return matrix_of(i, j, d, 1, kernel_basis(matrix_)[i, 1])
+
+
+AS_NULL_VECTORS = ("Positive means nonnegative with no null vector but zero, and a determinant is not zero exactly when there is no null vector but "
+                   "zero: so this is the assertion, for the product of the first t matrices. N, W are I - Z xi, I - Y O with generalized inverses "
+                   "Z, Y, which every matrix has; the proof uses them to name all null vectors at once.")
+claim("B93-P1.3.1", "a product is in H, and its A*C has the null vectors of the sum",
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(_lower(t) * x == Zero(d, 1), O[t] * x == Zero(d, 1))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, ALPHA, OBSERVABILITY],
+      given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_LOWER))],
+      by=[induction(also=[*IN_H_t, psd(O[t]), (alpha[t] - a[t]) * N_[t] == ZERO, O[t] * N_[t] == ZERO, c[t] * W_[t] == ZERO,
+                          (alpha[t] - a[t]) * W_[t] == ZERO],
+                    base=START, step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_O, NEXT.lower, NEXT.lower, SUM_O, SUM_O,
+                                           [], NEXT.inverse, NEXT.upper, NEXT.lower, roots=NEXT.roots)),
+          _many(*BOTH_LOWER, **{"x": _null_at(O[n])}), _many(*BOTH_LOWER, **{"x": _null_at(_lower(n))}), _many(*BOTH_LOWER)],
+      note=AS_NULL_VECTORS)
+
+claim("B93-P1.3.2", "a product is in H, and its BA* has the null vectors of the sum",
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(_upper(t) * x == Zero(d, 1), K_[t] * x == Zero(d, 1))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, CONTROLLABILITY],
+      given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_UPPER))],
+      by=[induction(also=[*IN_H_t, psd(K_[t]), K_[t] * N_[t] == ZERO, T(b[t]) * W_[t] == ZERO],
+                    base=START, step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,
+                                           [], NEXT.inverse, NEXT.upper, NEXT.lower, roots=NEXT.roots)),
+          _many(*BOTH_UPPER, **{"x": _null_at(K_[n])}), _many(*BOTH_UPPER, **{"x": _null_at(_upper(n))}), _many(*BOTH_UPPER)],
+      note=AS_NULL_VECTORS)
+
+claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
+      forall(t, 1, n, iff(Xi(t) * x == Zero(d, 1), Both(t) * x == Zero(2 * d, 1))),
+      sizes=["d", "n"], over={**MEMBERS, N_: COMPLEMENTS[N_], Z_: COMPLEMENTS[Z_], x: vector(d)},
+      where=[*PRODUCTS, ALPHA, function(Xi, [k], _lower(k)), function(Both, [k], vstack(_lower(k - 1), T(As[k]) * Cs[k] * alpha[k - 1]))],
+      given=[ALL_IN_H, _complement("null vectors", *BOTH_LOWER[0])],
+      by=[induction(also=[*IN_H_t, c[t] * N_[t] == ZERO, (alpha[t] - a[t]) * N_[t] == ZERO],
+                    base=order([], [inv(As[1])], [Bs[1] * T(As[1])], [T(As[1]) * Cs[1]]),
+                    step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower, roots=NEXT.roots)),
+          _many(BOTH_LOWER[0], **{"x": _null_at(_lower(n))}), _many(BOTH_LOWER[0], **{"x": _null_at(_lower(1))}),
+          _many(BOTH_LOWER[0], **{"x": _null_at(T(As[n]) * Cs[n] * alpha[n - 1])}), _many(BOTH_LOWER[0])],
+      note="Going down from t = n it is the second equivalence; the first is S23 for M_1 and the product of the others, which is in H by "
+           "Proposition 1.1.")
 
 claim("B93-S27", "one symmetric matrix for all the conditions",
-      rank(Stack(n)) == rank(OBSERVABILITY), sizes=["d", "n"], over=WIDE, where=[*SEQUENCE, STACK], given=[ALL_IN_H],
-      by=[steps("B93-S24", "B93-S25", prose="A sum of the nonnegative matrices X*PX vanishes at x exactly when each PXx does."),
-          *MANY],
-      note="What satisfies all the conditions is a null vector of the sum, so that there are no others exactly when the ranks agree.")
+      psd(O) & iff(O * x == Zero(d, 1), (S * x == Zero(d, 1)) & (P * A * x == Zero(d, 1))), sizes=["d"],
+      over={A: matrix(d, d), P: positive_semidefinite(d), S: positive_semidefinite(d), x: vector(d)},
+      where=[let(O, S + T(A) * P * A)],
+      by=[order([S, T(A) * P * A], [S, T(A) * P * A], [S, T(A) * P * A]),
+          instances(d=(1, 2, 3), made_by={x: _null_at(S + T(A) * P * A)}), instances(8, d=(1, 2, 3), made_by={x: _null_at(S)}),
+          instances(8, d=(1, 2, 3))],
+      note="S is the sum of the first terms, P is xi(M_k) and A the product of the earlier alpha. By induction every partial sum is nonnegative "
+           "and has as null vectors those x that satisfy all the conditions.")

@@ -24,9 +24,6 @@ from exactkf.language import (
     T,
     Zero,
     block,
-    charpoly,
-    coeff,
-    cospectral,
     eq,
     forall,
     function,
@@ -40,7 +37,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     psd,
-    rev,
     symbols,
     symplectic,
 )
@@ -65,7 +61,7 @@ from proofs.b93.introduction import SYSTEM as EVOLUTION
 from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
 
 A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi, Den = symbols("A B C D M N P Q R S F W H X Y Phi Den")
-TT, T0, S0, Q0, W0 = symbols("T T0 S0 Q0 W0")
+TT, T0, S0, Q0, W0, L0, R0 = symbols("T T0 S0 Q0 W0 L R0")
 A1, B1, C1, D1 = symbols("A1 B1 C1 D1")
 BLOCKS = let(M, block([[A, B], [C, D]]))
 ACTION = (function(Den, [X, Y], part(X, 1, 0) * Y + part(X, 1, 1)),
@@ -132,12 +128,12 @@ claim("B93-E14", "the discrete Riccati equation",
       note="Stated like (5).")
 
 claim("B93-S31", "the distance is invariant under congruence and under inversion",
-      cospectral(A * P * T(A) * inv(A * Q * T(A)), P * inv(Q)) & cospectral(inv(P) * inv(inv(Q)), inv(P * inv(Q))),
+      (A * P * T(A) * inv(A * Q * T(A)) == A * (P * inv(Q)) * inv(A)) & (inv(P) * inv(inv(Q)) == inv(P) * inv(P * inv(Q)) * P),
       sizes=["d"], over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d)},
-      by=[identity(d=(1, 2)), instances(d=UP_TO_6)],
+      by=[order(), instances(d=UP_TO_6)],
       note="The distance is a function of the squared logarithms of the eigenvalues of P inv(Q): the first relation "
            "says that congruence leaves these eigenvalues alone, the second that inversion replaces them by their "
-           "reciprocals.")
+           "reciprocals. The similarities are those by A and by inv(P), written out.")
 
 claim("B93-P1.5.1", "members of H act on P and on P0",
       invertible(Den(M, TT)) & psd(Phi(M, TT)) & pd(Phi(M, T0)), sizes=["d"],
@@ -172,12 +168,16 @@ claim("B93-S33", "the action in terms of W and Q",
       note="W stands for the S of the text, and W0 is a second one, which has an inverse.")
 
 claim("B93-S37", "exchanging the two matrices inverts the eigenvalues",
-      coeff(charpoly((TT + P) * inv(S0 + P)), 0) * charpoly((S0 + P) * inv(TT + P))
-      == rev(charpoly((TT + P) * inv(S0 + P)), d), sizes=["d"],
-      over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d)},
-      by=[identity(d=(1, 2)), instances(d=UP_TO_6)],
-      note="The characteristic polynomials are each other's reversals: the eigenvalues, all positive, are each other's "
-           "reciprocals, and taking reciprocals reverses their order. S0 stands for the S of the text.")
+      eq((TT + P) * inv(S0 + P), inv((S0 + P) * inv(TT + P)), L0 * (inv(L0) * (TT + P) * inv(T(L0))) * inv(L0))
+      & pd(inv(L0) * (TT + P) * inv(T(L0))), sizes=["d"],
+      over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d), L0: nonsingular(d)},
+      given=[given("S + P = LL*", S0 + P == L0 * T(L0))],
+      by=[order([], [], [inv(L0) * (TT + P) * inv(T(L0))]),
+          instances(d=(1, 2, 3), using={R0: positive_definite(d)}, made_by={S0: L0 * T(L0), P: Zero(d, d)}),
+          instances(d=(1, 2, 3), made_by={P: L0 * T(L0) - S0})],
+      note="The first line says that the eigenvalues of the one matrix are the reciprocals of those of the other, the second that they are those of a "
+           "positive symmetric matrix. Taking reciprocals of positive numbers reverses their order. S0 stands for the S of the text; L is any "
+           "factor of the positive matrix S + P, such as its Cholesky factor.")
 
 claim("B93-S38", "every member of H is a product of three simple ones",
       psd(P) & psd(Q)

@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: MIT
+"""Filtering with random parameters (section 2): norms, examples and the stability estimate.
+
+Norms are read through the order: ||M|| <= c says M*M <= c^2 I, and for a nonnegative P that
+P <= cI. So each estimate of a norm is an inequality between symmetric matrices, shown for all
+bounds.
+
+The sampled system of the second example keeps the controllability of the original one, because
+the covariances of its noises add the skipped steps. It does not keep observability: for a
+rotation by a right angle seen in one coordinate every second time, A^2 = -I, and the other
+coordinate is never seen.
+
+Stability uses x_n = B_{n+1}* x_{n+1} and V_n = x_n* P_n x_n: by Lemma 2.7,
+V_{n+1} - V_n = x_{n+1}* T_{n+1} x_{n+1}, at least lambda |x_{n+1}|^2 >= (lambda/sigma) V_{n+1}
+where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    diagonal,
+    eq,
+    function,
+    given,
+    hstack,
+    inv,
+    let,
+    loewner,
+    matrix,
+    matrix_of,
+    nonneg,
+    nonsingular,
+    pd,
+    positive,
+    positive_definite,
+    positive_semidefinite,
+    rank,
+    rec,
+    scalar,
+    signal_of,
+    standing,
+    sum_of,
+    symbols,
+    symmetric_matrix,
+    vector,
+    vstack,
+)
+from proofs.b93.notation import d, i, j, k, n, p, q, r
+
+A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
+P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
+al, be, ga, la, si, c, mu = symbols("alpha beta gamma lambda sigma c mu")
+I = Identity(d)
+SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2)}
+LIMITS = "an almost sure statement about a stationary ergodic system; it has no exact instances"
+MEASURE = "a statement about sigma-algebras and conditional laws; its covariance algebra is (5) and (6)"
+
+not_checked("B93-S46", "the conditionally Gaussian set-up", "a definition: it fixes notation and asserts nothing")
+not_checked("B93-S47", "the recursions under Hypothesis H", "conditionally on the past it is (5) and (6) with the independence that H (ii) states; "
+            "what is beyond that is about sigma-algebras")
+not_checked("B93-S48", "independent noises and parameters satisfy H", MEASURE)
+not_checked("B93-S49", "the parameters for all times", "the extension theorem for stationary processes; it has no exact instances")
+not_checked("B93-X2.1.1", "periodic parameters", "that the uniform law on the residues is invariant and ergodic under the shift is all there is to check; "
+            "the rest is about probability spaces. The display writes B_n for the F_n of (1)")
+not_checked("B93-X2.1.2", "random sampling", "an announcement: the assertions are the numbered lines that follow")
+not_checked("B93-E18", "the time-invariant system and the sampling times", "a definition: it fixes notation and asserts nothing")
+
+# ---------------------------------------------------------------- random sampling
+Z_, w, e = symbols("Z w e")
+claim("B93-S50", "the state over several steps",
+      (X(n) == A**n * x0 + sum_of(k, 0, n - 1, A**k * F * matrix_of(i, j, p, 1, e[i, n - k]))) & (Y(n) - y == C * X(n)), sizes=["d", "p", "q", "n"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), x0: vector(d), e: matrix(p, n), y: vector(q)},
+      where=[rec(X, t, x0, A * X[t] + F * matrix_of(i, j, p, 1, e[i, t + 1])), function(Y, [k], C * X(k) + y)],
+      by=[instances(**SMALL, n=(1, 2, 3))],
+      note="x0 is the state at time T_(n-1), n the gap T_n - T_(n-1), the columns of e are the noises in between and y that of the observation.")
+
+claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size of eps_n",
+      (F * T(F) == K * K) & (p == d), sizes=["d", "p"], over={F: matrix(d, p), K: symmetric_matrix(d)},
+      given=[standing("F_n is a symmetric root of the covariance", K * K == F * T(F))],
+      by=[example(d=2, p=1, F=[[1], [0]], K=[[1, 0], [0, 0]]), instances(d=(1, 2), p=(1, 2))],
+      repair=repair("other", "F_n is d x d, so that alpha_n has d components, not p.",
+                    (E * T(E) == I) & (K * E == F * U), sizes=["d", "p", "r"],
+                    over={F: matrix(d, p), U: matrix(p, r), K: symmetric_matrix(d), G: matrix(d, d), W: matrix(d, r), E: matrix(d, r)},
+                    given=[given("F_n is a symmetric root", K * K == F * T(F)), given("G is a generalized inverse", K * G * K == K),
+                           standing("which commutes with K and is symmetric", (K * G == G * K) & (G == T(G)) & (G * K * G == G)),
+                           given("the noise is standard", U * T(U) == Identity(p)),
+                           given("an independent standard vector", (W * T(W) == I) & (W * T(U) == Zero(d, p))),
+                           given("alpha_n", E == G * F * U + (I - G * K) * W)],
+                    by=[order(lemmas=[(I - K * G) * F == Zero(d, p)]),
+                        instances(d=(1, 2), p=(1, 2), r=(4,), made_by={
+                            F: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)),
+                            K: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)) * T(hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p))),
+                            G: K, U: hstack(Identity(p), Zero(p, 4 - p)), W: hstack(Zero(d, 4 - d), Identity(d)),
+                            E: G * F * U + (I - G * K) * W})]),
+      note="F stands for the coefficients of the noise over the gap. In the correction the rows of U, W, E are coefficients of standard Gaussian "
+           "vectors: alpha_n = G F u + (I - GK) w with the generalized inverse G of the text and a vector w independent of the noise.")
+
+claim("B93-E19", "the sampled system",
+      (A * x + F * y == A * x + K * mu) & (C * (A * x + F * y) + e == C * (A * x + K * mu) + e), sizes=["d", "p", "q"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), K: matrix(d, d), x: vector(d), y: vector(p), mu: vector(d), e: vector(q)},
+      given=[given("S51", F * y == K * mu)],
+      by=[order(), instances(**SMALL, made_by={K: A, mu: inv(A) * F * y}), instances(**SMALL)],
+      note="S50 with the noise rewritten by S51; A stands for A_n = A^(T_n - T_(n-1)).")
+not_checked("B93-S52", "the sampled system satisfies H", MEASURE)
+
+O = symbols("O")[0]
+claim("B93-S53", "controllability and observability of the system suffice for the sampled one",
+      pd(T(A**n) * T(C) * C * A**n + T(A**(2 * n)) * T(C) * C * A**(2 * n)), sizes=["n"],
+      over={A: nonsingular(2), C: matrix(1, 2)},
+      given=[given("(C, A) is observable", rank(vstack(C, C * A)) == 2)],
+      by=[example(n=2, A=[[0, -1], [1, 0]], C=[[1, 0]]), instances(n=(1, 2, 3))],
+      repair=repair("missing hypothesis", "The powers of A at the gaps may lose observability; it has to be asked of the sampled system.",
+                    pd(T(A**n) * T(C) * C * A**n + T(A**(2 * n)) * T(C) * C * A**(2 * n)), sizes=["n"],
+                    over={A: nonsingular(2), C: matrix(1, 2)},
+                    given=[given("(C, A^n) is observable", rank(vstack(C, C * A**n)) == 2)],
+                    by=[example(n=2, A=[[0, -1], [1, 0]], C=[[1, 0]]), instances(n=(1, 2, 3))]),
+      note="For d = 2, q = 1 and all gaps equal to n, where weak observability is that of the pair (C, A^n) and two terms of the sum decide. "
+           "The matrix A may be a rotation by a right angle and n = 2.")
+not_checked("B93-S54", "no uniform controllability", "what can be expected is not a mathematical assertion")
+not_checked("B93-S55", "the error covariance as a Markov chain", "a statement about transition probabilities and irreducibility; it has no exact instances")
+not_checked("B93-S56", "systems that fail satisfy H", MEASURE)
+not_checked("B93-S57", "failing observations", "a reference to the results of section 2.2, with no assertion of its own")
+
+z0, z1, rho0, rho1, aa, eps1, eta1 = symbols("z0 z1 rho0 rho1 a eps1 eta1")
+claim("B93-X2.1.4", "the autoregressive parameter as the state of a filter",
+      (rho1 == A * rho0 + F * eps1) & (z1 == C * rho1 + eta1),
+      over={name: scalar() for name in (aa, rho0, eps1, eta1, z0)},
+      where=[let(rho1, aa * rho0 + eps1), let(z1, rho1 * z0 + eta1), let(A, aa), let(F, 1), let(C, z0)],
+      by=[identity(), instances()],
+      note="z0 and z1 are Z_(n-1) and Z_n.")
+not_checked("B93-X2.1.4.2", "the autoregressive parameters are stationary",
+            "whether Z has a stationary law depends on the expectation of log|rho|, which a in (-1, 1) does not decide: with a near one rho_n has "
+            "a large variance and Z grows. The expectation of a logarithm is beyond exact instances")
+
+# ---------------------------------------------------------------- weak observability and controllability
+Om, Xi, Ob, Co = symbols("Omega Xi Ob Co")
+CONSTANT = {A: nonsingular(d), C: matrix(q, d), F: matrix(d, p)}
+claim("B93-S58", "the two sums, one term at a time",
+      always(t, (Om[t + 1] == T(A[0]) * (R[0] + Ob[t]) * A[0]) & (Xi[t + 1] == A[t + 1] * Xi[t] * T(A[t + 1]) + S[t + 1])), sizes=["d"],
+      over={A: signal_of(matrix(d, d), 0), R: signal_of(symmetric_matrix(d), 0), S: signal_of(symmetric_matrix(d), 0)},
+      where=[rec(U, t, A[0], A[t + 1] * U[t]), rec(W, t, A[1], A[t + 2] * W[t]),
+             rec(Om, t, T(A[0]) * R[0] * A[0], Om[t] + T(U[t + 1]) * R[t + 1] * U[t + 1]),
+             rec(Ob, t, T(A[1]) * R[1] * A[1], Ob[t] + T(W[t + 1]) * R[t + 2] * W[t + 1]),
+             rec(Xi, t, S[0], A[t + 1] * Xi[t] * T(A[t + 1]) + S[t + 1])],
+      by=[induction(also=[U[t + 1] == W[t] * A[0]]), instances(8, d=(1, 2), horizon=2)],
+      note="A definition. What is checked is that the sums fit: the first is that of the later times between A_1* and A_1. Times are counted from 0.")
+not_checked("B93-D2.1", "weak observability and controllability", "a definition: it fixes notation and asserts nothing")
+claim("B93-S59", "for constant parameters, the usual observability sum between A* and A",
+      always(t, Om[t] == T(A) * Ob[t] * A), sizes=["d", "q"], over={A: nonsingular(d), C: matrix(q, d)},
+      where=[rec(U, t, Identity(d), A * U[t]), rec(Om, t, T(A) * T(C) * C * A, Om[t] + T(A * U[t + 1]) * T(C) * C * (A * U[t + 1])),
+             rec(Ob, t, T(C) * C, Ob[t] + T(U[t + 1]) * T(C) * C * U[t + 1])],
+      by=[induction(also=[A * U[t] == U[t] * A]), instances(8, d=(1, 2, 3), q=(1, 2), horizon=3)],
+      note="A is nonsingular, so that one sum is invertible exactly when the other is; the controllability sum is the usual one as it stands.")
+not_checked("B93-L2.2.1", "weakly observable systems enter H1", LIMITS)
+not_checked("B93-L2.2.2", "weakly controllable systems enter H2", LIMITS)
+
+# ---------------------------------------------------------------- Theorem 2.4 and Proposition 2.5
+claim("B93-S60", "the smallest and the largest eigenvalue as norms",
+      loewner(la * I, Q) & loewner(Q, mu * I) & (Q * x == la * x) & (inv(Q) * y == y / mu), sizes=["d"],
+      over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), x: vector(d), y: vector(d)},
+      given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)),
+             given("the entries of D are at most lambda", loewner(la * I, D)), given("and at least mu", loewner(D, mu * I)),
+             given("lambda is one of them", D * T(U) * x == la * T(U) * x), given("so is mu", D * T(U) * y == mu * T(U) * y)],
+      by=[order([U * (la * I - D) * T(U)], [U * (D - mu * I) * T(U)]),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": 2}, x=[1], y=[0]),
+          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[0, 1], y=[1, 1]),
+          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[1, 1], y=[1, 0]),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": "1/2", "mu": 1}, x=[0], y=[1]),
+          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu}),
+          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)})],
+      note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
+for _id, _title in (
+        ("S61", "what the theorem says of the error"), ("T2.4", "the stationary error covariance and convergence to it"),
+        ("S66", "the logarithm of the first step is integrable"), ("S67", "a composition contracts with positive probability"),
+        ("P2.5", "the rate of convergence in norm"), ("E23", "the rates of the eigenvalues"), ("E24", "subexponential growth of the stationary solution"),
+        ("R2.5", "nonnegative starts"), ("T2.6", "the filter is exponentially stable"), ("S77", "one may look at every n-th time"),
+        ("S81", "subexponential growth of the covariance"), ("S82", "the ergodic theorem for the rates"), ("S83", "a negative mean rate"),
+        ("R2.6.1", "the rate as a Lyapunov exponent"), ("R2.6.2", "nonnegative starts of the filter")):
+    not_checked(f"B93-{_id}", _title, LIMITS)
+not_checked("B93-S62", "condition (C1) as it is checked", "a condition on an expectation, which the proof quotes without the positive part that Theorem 3.1 has")
+
+a2, f2, c2, b2 = symbols("a2 f2 c2 b2")
+STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S))
+claim("B93-S64", "a bound for the image of the identity",
+      loewner(T0, inv(inv(T0) + R)) & loewner((a2 + f2) * I, T0), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), a2: nonneg(), f2: nonneg()}, where=STEP,
+      given=[given("||A||^2 <= a2", loewner(a2 * I, A * T(A))), given("||F||^2 <= f2", loewner(f2 * I, F * T(F)))],
+      by=[order([T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0], [a2 * I - A * T(A), f2 * I - F * T(F)]),
+          instances(**SMALL, using={c: positive()}, made_by={A: c * I, a2: c**2, F: Zero(d, p), f2: 0}),
+          instances(d=1, p=1, q=(1, 2), made_by={a2: A[1, 1]**2, f2: F[1, 1]**2}), instances(**SMALL)],
+      note="The squared norm of A is the least a2 with AA* <= a2 I, and a larger nonnegative matrix has a larger norm.")
+
+claim("B93-S65", "a bound for the inverse of the image of the identity",
+      loewner(inv(A * T(A)), inv(T0)) & loewner((b2 + c2) * I, G), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), b2: nonneg(), c2: nonneg()}, where=[*STEP, let(G, inv(A * T(A)) + R)],
+      given=[given("||inv(A)||^2 <= b2", loewner(b2 * I, inv(A * T(A)))), given("||C||^2 <= c2", loewner(c2 * I, T(C) * C))],
+      by=[order([inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))], [b2 * I - inv(A * T(A)), c2 * I - T(C) * C]),
+          instances(**SMALL, using={c: positive()}, made_by={A: c * I, b2: 1 / c**2, C: Zero(q, d), c2: 0}),
+          instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL)],
+      note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
+not_checked("B93-E21", "the distance of the image to the identity", "the second half of Lemma 2.3 for Q = Phi_1(I); it asserts nothing else")
+
+M_, N_, number = symbols("M N number")
+BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), P: matrix(d, d), Q: matrix(d, d), R: matrix(d, d), S: matrix(d, d), X: matrix(d, d)}
+COMPOSED = (eq(((A * P + B * R) * X + A * Q + B * S) * inv((C * P + D * R) * X + C * Q + D * S),
+               (A * ((P * X + Q) * inv(R * X + S)) + B) * inv(C * ((P * X + Q) * inv(R * X + S)) + D)))
+claim("B93-S68", "the composition of two maps is the map of the product, said to be (12)",
+      COMPOSED & (number == 13), sizes=["d"], over=BLOCKS, where=[let(number, 12)],
+      by=[example(d=1, A=[[1]], B=[[0]], C=[[0]], D=[[1]], P=[[1]], Q=[[0]], R=[[0]], S=[[1]], X=[[1]]), instances(d=(1, 2))],
+      repair=repair("cross-reference", "That a product acts as the composition is (13); (12) defines the action.", COMPOSED, sizes=["d"], over=BLOCKS,
+                    by=[order(), instances(d=(1, 2))]),
+      note="13 is the number of the display that says so. Two factors are stated, in blocks; for more it is repeated.")
+
+claim("B93-S69", "two positive matrices in one basis",
+      (Pbar == T(K) * K) & (P == T(K) * D * K) & (P * inv(Pbar) == T(K) * D * inv(T(K))), sizes=["d"],
+      over={P: positive_definite(d), Pbar: positive_definite(d), L: nonsingular(d), U: matrix(d, d), D: diagonal(d)},
+      where=[let(K, T(U) * inv(L))],
+      given=[given("inv(Pbar) = LL*", Pbar == inv(T(L)) * inv(L)), given("U is orthogonal", (T(U) * U == I) & (U * T(U) == I)),
+             given("U diagonalises L*PL", T(L) * P * L == U * D * T(U))],
+      by=[order(), instances(d=(1, 2), using={W: matrix(d, d), E: diagonal(d)},
+                              made_by={U: (I - (W - T(W))) * inv(I + (W - T(W))), D: E * E + I, Pbar: inv(T(L)) * inv(L),
+                                       P: inv(T(L)) * U * D * T(U) * inv(L)})],
+      note="The third equation says that D has the eigenvalues that the distance is made of. That inv(Pbar) = LL* and L*PL = UDU* can be written so "
+           "is the spectral theorem.")
+
+claim("B93-S70", "the norm of K_n x",
+      (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
+      over={K: matrix(d, d), x: vector(d)}, where=[let(Pbar, T(K) * K)],
+      by=[example(d=1, K=[[1]], x=[2]), instances(d=(1, 2))],
+      repair=repair("factor", "The norm of x is missing on the right; it is right for unit vectors.",
+                    (T(x) * T(K) * K * x == T(x) * Pbar * x) & (T(K * x) * (K * x) <= si * T(x) * x), sizes=["d"],
+                    over={K: matrix(d, d), x: vector(d), si: nonneg()}, where=[let(Pbar, T(K) * K)],
+                    given=[given("||Pbar|| <= sigma", loewner(si * I, Pbar))],
+                    by=[order([], [T(x) * (si * I - T(K) * K) * x]), instances(d=(1, 2), made_by={K: I, si: 1}), instances(d=(1, 2), made_by={K: si * I, x: Zero(d, 1)}),
+                        instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))]))
+
+claim("B93-S71", "the norm of K_n",
+      loewner(si * I, T(K) * K), sizes=["d"], over={K: matrix(d, d), si: nonneg()}, where=[let(Pbar, T(K) * K)],
+      given=[given("||Pbar|| <= sigma", loewner(si * I, Pbar))],
+      by=[order(), instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))],
+      note="||K||^2 is the least c with K*K <= cI.")
+
+claim("B93-S72", "the difference of two solutions",
+      loewner(si * si * mu * I, X) & loewner(X, -(si * si * mu) * I), sizes=["d"],
+      over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
+      given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)), given("|1 - lambda_i| <= mu", loewner(mu * I, D - Identity(d)) & loewner(D - Identity(d), -mu * I))],
+      by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1), instances(d=(1, 2))],
+      repair=repair("factor", "The norm of Pbar enters once: ||K||^2 is ||Pbar||, not its square.",
+                    loewner(si * mu * I, X) & loewner(X, -(si * mu) * I), sizes=["d"],
+                    over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
+                    given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)),
+                           given("above", loewner(mu * I, D - Identity(d))), given("below", loewner(D - Identity(d), -mu * I))],
+                    by=[order([mu * (si * I - T(K) * K), T(K) * (mu * I - (D - I)) * K], [mu * (si * I - T(K) * K), T(K) * (D - I - -mu * I) * K]),
+                        instances(d=1, made_by={si: K[1, 1]**2, D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, D: (1 - mu) * I}),
+                        instances(d=(1, 2))]))
+
+# ---------------------------------------------------------------- Theorem 2.6
+tau_ = symbols("tau")[0]
+claim("B93-S78", "the Lyapunov function along the backward recursion",
+      (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (si * la * T(x1) * x1 >= la * T(x1) * P * x1)
+      & (T(x0) * P0 * x0 <= tau_ * T(x1) * P * x1), sizes=["d"],
+      over={B: matrix(d, d), P0: positive_semidefinite(d), X: positive_semidefinite(d), x1: vector(d), la: nonneg(), si: positive()},
+      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau_, 1 - la / si)],
+      given=[given("T >= lambda I", loewner(X, la * I)), given("P <= sigma I", loewner(si * I, P))],
+      by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [T(x1) * (X - la * I) * x1, la / si * (T(x1) * (si * I - P) * x1)]),
+          instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
+          instances(d=(1, 2))],
+      note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
+           "V_n <= tau V_(n+1).")
+
+claim("B93-S79", "the first vector of the backward recursion",
+      T(x0) * x0 <= al * be * T(x1) * P * x1, sizes=["d"],
+      over={P0: positive_definite(d), P: positive_definite(d), x0: vector(d), x1: vector(d), al: nonneg(), be: nonneg()},
+      given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, Identity(d))), given("V_0 <= beta V_p", T(x0) * P0 * x0 <= be * T(x1) * P * x1)],
+      by=[order([T(x0) * (al * P0 - Identity(d)) * x0, al * (be * T(x1) * P * x1 - T(x0) * P0 * x0)]),
+          instances(d=(1, 2), made_by={al: 1, P0: Identity(d), P: Identity(d), be: 1, x1: x0}),
+          instances(d=(1, 2), made_by={al: 2, P0: Identity(d), P: Identity(d), be: 1, x1: x0})],
+      note="beta stands for the product of the tau_i; its hypothesis is S78 for each step. With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
+
+claim("B93-S80", "the closed loop at time p",
+      (T(x0) * x0 <= al * be * si * T(x1) * x1) & (x0 == T(B) * x1), sizes=["d"],
+      over={B: matrix(d, d), P: positive_semidefinite(d), x1: vector(d), al: nonneg(), be: nonneg(), si: nonneg()},
+      where=[let(x0, T(B) * x1)],
+      given=[given("S79", T(x0) * x0 <= al * be * T(x1) * P * x1), given("||P_p|| <= sigma", loewner(si * I, P))],
+      by=[order([al * be * (T(x1) * (si * I - P) * x1), 1 * (al * be * T(x1) * P * x1 - T(x0) * x0)]),
+          instances(d=(1, 2), made_by={B: I, al: 1, be: 1 / si, P: si * I}), instances(d=(1, 2), made_by={B: Zero(d, d)})],
+      note="B stands for B_p ... B_1 and beta for the product of the tau_i. The squared norm of B is the least c with |B*x|^2 <= c|x|^2; the printed "
+           "sum of logarithms is the logarithm of the product.")
