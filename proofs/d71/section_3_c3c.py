@@ -237,7 +237,8 @@ FORM = T(J)*(T(Gam)*F)*J - T(Gam)*F
 EIGEN_MADE = {"using": {E: nonsingular(q)},
               "made_by": {F: matrix_of(i, j, n, q, E[i, j]), Gam: matrix_of(i, j, n, q, E[i + n, j]),
                           J: inv(E)*block([[H*PhiT*gram() + Phi, H*PhiT], [PhiT*gram(), PhiT]])*E}}
-ONE_EIGEN = example(n=1, p=1, q=1, Phi=[["1/2"]], H=[[0]], M=[[1]], V=[[1]], F=[[3]], Gam=[[-4]], J=[["1/2"]])
+#: the equilibrium P = 1 with J = 2
+ONE_EIGEN = example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[[1]], Gam=[[1]], J=[[2]])
 
 
 def square(corner):
@@ -251,7 +252,8 @@ claim("D71-E3.99", "J*QJ - Q is nonnegative definite",
       repair=repair("other", CORNER, square(I), sizes=["n", "p", "q"], over=EIGEN, where=R_WHERE, given=[RT_TJ],
                     by=[order([], [T(F)*T(M)*inv(V)*M*F, T(S*F + Gam)*inv(Phi)*H*inv(T(Phi))*(S*F + Gam)]),
                         ONE_EIGEN, instances(n=(1, 2), p=(1, 2), q=(2, 4), **EIGEN_MADE)]),
-      note="F, Gamma and J stand for F_1, Gamma_1 and J_1; nothing is asked of the eigenvalues.")
+      note="F, Gamma and J stand for F_1, Gamma_1 and J_1. In the counterexample P = 1, J = 2 is outside the unit circle, the left side is 3 and the right "
+           "side 2. The repair asks nothing of the eigenvalues.")
 
 SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n)}
 MORE = {"n": (1, 2, 3), "p": (1, 2)}
@@ -324,7 +326,9 @@ CHAIN = [given("eigenvector", (D*P - C)*g == g*Psi), given("(3.105)", S*P*g == Z
 TURN = {"n": 2, "p": 1, "q": 2, "Phi": [["3/5", "4/5"], ["-4/5", "3/5"]], "H": [[0, 0], [0, 0]], "M": [[0, 0]], "V": [[1]], "P": [[1, 0], [0, 1]],
         "g": [[1, 0], [0, 1]], "Psi": [["3/5", "4/5"], ["-4/5", "3/5"]]}
 CHAIN_OVER = {**MODEL_P, Psi: nonsingular(q)}
-CHAIN_BY = [example(TURN), example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]]}),
+#: the undriven modes 1 + 2i and 1 - 2i, with the equilibrium P = 0 and a nonderogatory R_p
+SPIRAL = {**TURN, "Phi": [[1, 2], [-2, 1]], "M": [[1, 1]], "P": [[0, 0], [0, 0]], "Psi": [["1/5", "2/5"], ["-2/5", "1/5"]]}
+CHAIN_BY = [example(SPIRAL), example(TURN), example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]]}),
             example({**REST, "Phi": [[1]], "H": [[1]], "M": [[1]], "P": [[0]], "Psi": [[1]]}),
             example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[0]], "Psi": [[2]]}),
             instances(8, n=(2, 3), p=(1, 2), q=(1, 2), using={**AUX, K: symmetric_matrix(n - q)},
@@ -336,7 +340,8 @@ claim("D71-E3.107", "gamma is an eigenvector of the adjoint of Phi",
       repair=repair("factor", "the factor is 1/psi, which is lambda* for the mode lambda = (psi*)^{-1}; the print has lambda",
                     (T(Phi)*g == g*inv(Psi)) & (H*g == Zero(n, q)),
                     sizes=["n", "p", "q"], over=CHAIN_OVER, where=COEFFICIENTS, given=CHAIN, by=CHAIN_BY),
-      note="psi stands on the right as a matrix; a complex one is [[a, b], [-b, a]] with gamma = [u, v], and psi* is its transpose. The two agree for real psi.")
+      note="psi stands on the right as a matrix; a complex one is [[a, b], [-b, a]] with gamma = [u, v], and psi* is its transpose. The two agree for real psi. "
+           "The counterexample has the undriven modes 1 + 2i and 1 - 2i, P = 0 and psi = (1 + 2i)/5; its R_p has four different eigenvalues.")
 
 claim("D71-S38", "the conjugate reciprocal of psi is an undriven mode",
       (T(Phi)*g == g*T(Lam)) & (H*g == Zero(n, q)),
