@@ -32,6 +32,7 @@ from exactkf.language import (
     bottom,
     charpoly,
     circle_roots,
+    cospectral,
     det,
     diag,
     forall,
@@ -143,11 +144,17 @@ claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal"
       note="The ranks of the powers of R_p - omega I say which blocks there are at omega. The first part is for a real omega = a, the second for omega = "
            "a + ib, by the real matrix (R_p - a)^2 + b^2, which vanishes at omega and omega*; R_p is real, so both have the same blocks.")
 
+#: W = [[0, I], [-I, 0]] with R_p W = W (R_p')^{-1}, and its inverse
+TURN, TURN_BACK = block([[Zero(n, n), I], [-I, Zero(n, n)]]), block([[Zero(n, n), -I], [I, Zero(n, n)]])
+
 claim("D71-S33", "the eigenvalues are symmetric in the unit circle",
-      (rev(charpoly(Rp), 2*n) == charpoly(Rp)) & (det(Rp) == 1),
+      cospectral(Rp, inv(T(Rp))) & (det(Rp) == 1),
       sizes=["n", "p"], over=MODEL, where=R_WHERE,
-      by=[identity(n=(1, 2), p=(1,)), instances(n=(1, 2, 3), p=(1, 2))],
-      note="The characteristic polynomial is its own reciprocal: with omega, 1/omega is an eigenvalue as often, and as R_p is real so is its conjugate.")
+      by=[order([TURN, TURN_BACK], factors=[(Rp, [block([[I, H], [Zero(n, n), I]]), block([[Phi, Zero(n, n)], [Zero(n, n), PhiT]]),
+                                                  block([[I, Zero(n, n)], [S, I]])])]),
+          instances(n=(1, 2), p=(1, 2))],
+      note="The eigenvalues of the inverse of the adjoint are the conjugate reciprocals of those of R_p, so with omega the number 1/omega* is an eigenvalue "
+           "as often.")
 
 # --- the exponential function -------------------------------------------------------------------------------------------
 
