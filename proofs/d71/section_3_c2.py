@@ -30,7 +30,6 @@ from exactkf.language import (
     Zero,
     block,
     bottom,
-    charpoly,
     det,
     eq,
     forall,

@@ -35,7 +35,6 @@ from exactkf.language import (
     cospectral,
     det,
     diag,
-    forall,
     given,
     hstack,
     iff,
@@ -49,7 +48,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     rank,
-    rev,
     rows,
     scalar,
     standing,
@@ -60,7 +58,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.d71.notation import H, M, Phi, V, across, gram, i, j, k, n, p
+from proofs.d71.notation import H, M, Phi, V, gram, i, j, k, n, p
 
 q, U, L, Om, X, E = symbols("q U L Om X E")
 S, Rp, RpInv, G1, G2 = symbols("S Rp RpInv G1 G2")
