@@ -116,7 +116,7 @@ def columns(one, two, first, second):
 # F, Gamma and J are complex: F = F1 + iF2 and so on. For vectors u + iv is [u, v]; so is [F1, F2] for F, and J on the right is
 # [[J1, J2], [-J2, J1]]. To double R_p as well would make it derogatory.
 F1, F2, G1, G2, J1, J2, FR, GR, JR, u, v = symbols("F1 F2 G1 G2 J1 J2 FR GR JR u v")
-P1, P2, PR, GI = symbols("P1 P2 PR GI")
+P1, P2, PR, K1, K2 = symbols("P1 P2 PR K1 K2")
 
 
 def complex_matrix(re, im):
@@ -230,22 +230,23 @@ claim("D71-T3.14.a", "F is singular if J has the conjugate reciprocal of an undr
                       "if Gamma is nonsingular."),
           real(ORDINARY, a="1/2", b=0, N=[[1, 0]], P=[[1]], bv=[1, 0]), real(NO_P, bv=[1, 0]),
           real(ORDINARY, a="1/2", b=0, N=[[0, 0]], P=[[1]], bv=[1, 0]),
+          real({**NO_P, "F": [[3]], "Gam": [[1]], "J": [[2]], "P": [[3]]}, bv=[1, 0]),
           # Example 3.1: the undriven mode 2, with 1/2 in J
-          real({"n": 2, "p": 1, **SWAP, "F": [[8, 2], [12, 3]], "Gam": [[1, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": 2, "b": 0,
-                "N": [[3, 0], [-2, 0]], "P": [[1, 0], [0, 1]], "bv": [1, 2, 3, 4]}),
+          real({"n": 2, "p": 1, **SWAP, "F": [[33, 2], [36, 3]], "Gam": [[3, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": 2, "b": 0,
+                "N": [[3, 0], [-2, 0]], "P": [["68/9", "31/3"], ["25/3", 11]], "bv": [1, 2, 3, 4]}),
           example(UNDRIVEN_PAIR),
-          family(LOUD_P, AT_1A, AT_W, 1/a, w), family(LOUD_P, AT_A, AT_W, a, w)],
+          family(LOUD_P, AT_1A, AT_W, 1/a, w)],
       note=MODE_NOTE + " P = P1 + iP2.")
 
 claim("D71-T3.14.b", "F is singular if an undriven mode is not in J",
       (ROW*FR == NO_ROW) & (ROW*PR == NO_ROW) & (invertible(FR) >> (ROW == NO_ROW)),
-      sizes=["n", "p"], over={**COMPLEX, GI: matrix(2*n, 2*n)}, where=[*C_WHERE, let(PR, FR*GI)],
+      sizes=["n", "p"], over={**COMPLEX, K1: matrix(n, n), K2: matrix(n, n)}, where=[*C_WHERE, let(PR, FR*complex_matrix(K1, K2))],
       given=[C_TJ, DRIVES, given("the mode is not in J", invertible(AT_MODE))],
       by=[order([], [inv(AT_MODE)], [], [], [inv(FR)], lemmas=[ROW*FR*AT_MODE == NO_ROW, ROW*FR == NO_ROW]),
-          real(ORDINARY, a="1/2", b=0, N=[[1, 0]], GI=[[1, 0], [0, 1]]),
-          real(TWICE, a="1/2", GI=[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+          real(ORDINARY, a="1/2", b=0, N=[[1, 0]], K1=[[1]], K2=[[0]]),
+          real(TWICE, a="1/2", K1=[[1, 0], [0, 1]], K2=[[0, 0], [0, 0]]),
           family(LOUD, AT_1A, AT_W, 1/a, w), family(LOUD, AT_A, AT_W, a, w)],
-      note="GI stands for the inverse of Gamma, if there is one, and PR = FR GI for P. n = u + iv, and the rows are those of n*F and n*P; F is singular "
+      note="K1 + iK2 stands for the inverse of Gamma, if there is one, and PR for P. n = u + iv, and the rows are those of n*F and n*P; F is singular "
            "unless n = 0. The scan has n* where the proof has the zero row. J and R_p may be derogatory. The vector that P takes to zero stands on the left "
            "here, n*P = 0, and on the right in part (a).")
 
