@@ -22,19 +22,23 @@ from exactkf.language import (
     T,
     Zero,
     block,
+    charpoly,
     det,
     diag,
     given,
     hstack,
+    iff,
     inv,
     invertible,
     let,
     matrix,
     matrix_of,
     nonsingular,
+    outside_roots,
     positive_definite,
     positive_semidefinite,
     psd,
+    rank,
     rational,
     rows,
     scalar,
@@ -409,3 +413,57 @@ claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
           instances(q=(1, 2, 3), using={E: nonsingular(q), d: vector(q), X: matrix(q, q)},
                     made_by={J: E*matrix_of(i, j, q, q, when(i == j, 2 + d[i]**2, 0))*inv(E),
                              Q: T(inv(E))*matrix_of(i, j, q, q, (X*T(X))[i, j]/((2 + d[i]**2)*(2 + d[j]**2) - 1))*inv(E)})])
+
+# --- the theorem on the sign ------------------------------------------------------------------------------------------------
+
+Gn = sym("Gn")
+NO_CIRCLE = given("R_p is nonderogatory", invertible(matrix_of(i, j, 2*n, 2*n, (Rp**(j - 1)*bv)[i])))
+WITH_J = {**MODEL, P: symmetric_matrix(n), Gn: nonsingular(n), bv: vector(2*n)}
+PARTED = {**MODEL, P: symmetric_matrix(n), G1: matrix(n, q), G2: matrix(n, n - q), J1: nonsingular(q), J2: nonsingular(n - q), bv: vector(2*n)}
+J_OF_P = inv(T(Phi))*(S*P + I)
+#: driven and undriven parts joined: J = [[1/2, -1/4], [0, 1/2]], and 1/2 is the reciprocal of the undriven mode 2
+JOINED = {"n": 2, "p": 1, "Phi": [[2, 0], [1, 1]], "H": [[0, 0], [0, "1/2"]], "M": [[0, 1]], "V": [[1]], "P": [[0, 0], [0, "-1/2"]], "bv": [1, 0, 0, 1]}
+APART = {"n": 2, "p": 2, "M": [[1, 0], [0, 1]], "V": [[1, 0], [0, 1]], "Phi": [[2, 0], [0, 1]], "H": [[0, 0], [0, "1/2"]], "bv": [1, 1, 1, 3]}
+THREE_WAYS = [example({**JOINED, "q": 0, "G1": [[], []], "G2": [[1, 0], [0, 1]], "J1": [], "J2": [["1/2", "-1/4"], [0, "1/2"]]}),
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[0], [1]], "G2": [[1], [0]], "J1": [[2]], "J2": [["1/3"]], "P": [[0, 0], [0, 1]]}),
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[1], [0]], "G2": [[0], [1]], "J1": [[3]], "J2": [["1/2"]],
+                       "P": [[8, 0], [0, "-1/2"]]})]
+
+#: one mode, each without one of the hypotheses of the repair
+ONE_MODE = {"n": 1, "p": 1, "M": [[1]], "V": [[1]], "bv": [1, 0]}
+NO_J1, NO_J2 = {"q": 0, "G1": [[]], "J1": []}, {"q": 1, "G2": [[]], "J2": []}
+BROKEN = [example({**ONE_MODE, **NO_J1, "Phi": [[2]], "H": [[0]], "P": [["1/2"]], "G2": [[1]], "J2": [["3/4"]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [[0]], "M": [[0]], "P": [[1]], "G2": [[1]], "J2": [[1]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G2": [[0]], "J2": [["1/2"]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [[1]], "G2": [[1]], "J2": [["1/2"]]}),
+          example({**ONE_MODE, **NO_J2, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G1": [[1]], "J1": [["1/2"]]})]
+_W = 2 + c**2
+
+claim("D71-T3.17", "which equilibria are nonnegative definite",
+      psd(P),
+      sizes=["n", "p"], over={**WITH_J, l: scalar(), u: vector(n)}, where=R_WHERE,
+      given=[EQUILIBRIUM, NO_CIRCLE, given("an undriven mode", (T(Phi)*u == l*u) & (H*u == Zero(n, 1)) & (u != Zero(n, 1))),
+             given("every eigenvalue of J is its reciprocal", (l*J_OF_P - I)**n == Zero(n, n))],
+      by=[example({**JOINED, "Gn": [[1, 0], [0, 1]], "l": 2, "u": [1, 0]}), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "missing hypothesis", "an eigenvalue may be in J more often than among the undriven modes; what decides is whether P vanishes on all the vectors "
+          "of J that do not belong to eigenvalues outside the circle, which makes them undriven modes",
+          iff(psd(P), P*G2 == Zero(n, n - q)),
+          sizes=["n", "p", "q"], over=PARTED, where=R_WHERE,
+          given=[EQUILIBRIUM, NO_CIRCLE, given("(3.94)", J_OF_P*hstack(G1, G2) == hstack(G1, G2)*diag(J1, J2)),
+                 given("Gamma is nonsingular", rank(hstack(G1, G2)) == n), given("J_1 is outside the circle", schur(inv(J1))),
+                 given("J_2 is not", outside_roots(charpoly(J2)) == 0)],
+          by=[steps("D71-E3.103", "D71-E3.105", "D71-S38", "D71-E3.64", "D71-E8.16",
+                    facts=["Jordan's theorem.", "The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero."],
+                    prose="If P vanishes on Gamma_2 then Gamma*P Gamma is diag(Q_11, 0), and Q_11 >= 0 as J_1 is outside the circle. If P >= 0, then on the part "
+                          "inside the circle Q - J*QJ is -R <= 0, so that Q, the sum of the (J*)^i(-R)J^i, is zero. On the circle gamma*R gamma = 0, and "
+                          "[0; gamma] is an eigenvector of R_p beside [P gamma; gamma], so that P gamma = 0; the same holds along a chain."),
+              *THREE_WAYS,
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[1], [0]], "G2": [[0], [1]], "J1": [[3]], "J2": [[2]], "P": [[8, 0], [0, 1]]}),
+              *BROKEN,
+              instances(4, n=(1,), p=(1,), q=(1,), using={c: scalar()},
+                        made_by={Phi: rows([[1]]), M: rows([[1]]), V: rows([[1]]), H: rows([[(_W - 1)*(1 - 1/_W)]]), P: rows([[_W - 1]]), J1: rows([[_W]]),
+                                 J2: Zero(0, 0), G2: Zero(1, 0), bv: rows([[1], [0]])})]),
+      note="Read from right to left, for the case that J has one real eigenvalue, 1/lambda with an undriven mode lambda. The counterexample has the undriven "
+           "mode 2, J = [[1/2, -1/4], [0, 1/2]], P = diag(0, -1/2) and a nonderogatory R_p. In the proof F_2 = 0 is taken from (3.64), which gives one "
+           "column of T for each undriven mode and not one for each column of J_2.")
