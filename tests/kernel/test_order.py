@@ -42,7 +42,8 @@ from exactkf.language import (
 
 n, p, P, Q, A, M, V, K, H = symbols("n p P Q A M V K H")
 I = Identity
-FILTER = {"sizes": ["n", "p"], "over": {"P": positive_semidefinite(n), "H": positive_semidefinite(n), "A": matrix(n, n), "M": matrix(p, n), "V": positive_definite(p)},
+FILTER = {"sizes": ["n", "p"], "over": {"P": positive_semidefinite(n), "H": positive_semidefinite(n), "A": matrix(n, n), "M": matrix(p, n),
+                                              "V": positive_definite(p)},
           "where": [let(K, P * T(M) * inv(M * P * T(M) + V))]}
 JOSEPH = A * ((I(n) - K * M) * P * T(I(n) - K * M) + K * V * T(K)) * T(A) + H
 STEP = A * (P - K * M * P) * T(A) + H
