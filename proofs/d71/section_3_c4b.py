@@ -211,7 +211,7 @@ claim("D71-S54", "a null vector of (P - H)^{-1} - P^{-1}",
                              P: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, (1 + a**2)**2 - 1, 1 + R[i]**2), 0))*T(E), **SOLVED,
                              v: E*matrix_of(i, j, n, q, when(i == j, 1, 0))})],
       note="mu stands on the right as a matrix. So P^{-1}v is an eigenvector of Phi' and a null vector of H: an undriven mode, which the hypothesis of the "
-           "theorem and Theorem 3.20 forbid. Hence P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
+           "theorem and Theorem 3.20 forbid. The rest is not stated here: P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
 
 # --- the solution -------------------------------------------------------------------------------------------------------
 
@@ -285,4 +285,4 @@ claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium",
       given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I))],
       by=[instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
       note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}. If the eigenvalues of K are inside the unit circle then K^k tends to zero and "
-           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero.")
+           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero; stated here is the formula, not that limit.")
