@@ -23,14 +23,13 @@ theorem's (over the complex numbers); the equations here hold for every Gamma an
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import combination, example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Zero,
     block,
     bottom,
-    charpoly,
     det,
     eq,
     forall,
@@ -102,15 +101,21 @@ claim("D71-T3.5.c", "left and right subspaces annihilate each other",
       sizes=["n", "m"], over=PAIR, given=PAIRED,
       by=[combination([(-Y, "(3.11)", Gam), (Y, "(3.15)", Gam)], **NM), instances(**MORE, made_by=MAKE_PAIR)])
 
-BOTH = {B: matrix(n, n), C: matrix(m, m), D: matrix(m, n), P: matrix(n, m), Gam: nonsingular(m), Y: nonsingular(n)}
-ELIMINATED = let(A, P*D*P - B*P - P*C)
 BASIS = [let(E, block([[F, inv(Y)], [Gam, Zero(m, n)]])), let(Einv, block([[Zero(m, n), inv(Gam)], [Y, Zm]]))]
 
+lam = sym("lam")
+#: the identity of order n + m, cut as R is and as E^{-1}RE is
+WHOLE, WHOLE_TURNED = block([[In, Zero(n, m)], [Zero(m, n), Im]]), block([[Im, Zero(m, n)], [Zero(n, m), In]])
+#: lambda I - R = U diag(lambda I - (B - PD), lambda I - (DP - C)) U^{-1}, up to the corner -D, with U = [[I, P], [0, I]]
+SPLIT = [(lam*WHOLE - R, [block([[In, P], [Zero(m, n), Im]]), block([[lam*In - (B - P*D), Zero(n, m)], [-D, lam*Im - (D*P - C)]]),
+                          block([[In, -P], [Zero(m, n), Im]])]),
+         (lam*Im - J, [inv(Gam), lam*Im - (D*P - C), Gam]), (lam*In - K, [Y, lam*In - (B - P*D), inv(Y)])]
+
 claim("D71-T3.5.d", "J and K share out the eigenvalues of R",
-      charpoly(R) == charpoly(J)*charpoly(K),
-      sizes=["n", "m"], over=BOTH, where=[ELIMINATED, BLOCKS, *RIGHT, *LEFT],
-      by=[identity(n=(1, 2), m=(1, 2)), instances(**MORE)],
-      note="The equation is solved for A, which eliminates it.")
+      det(lam*WHOLE - R) == det(lam*Im - J)*det(lam*In - K),
+      sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m), Y: nonsingular(n), lam: scalar()}, where=[BLOCKS, *RIGHT, *LEFT], given=[SOLVES],
+      by=[order(factors=SPLIT), instances(n=(1, 2), m=(1, 2), made_by=SOLVED)],
+      note="For every number lambda, so that the characteristic polynomials are equal.")
 
 J1, Y1 = symbols("J1 Y1")
 FROM_RIGHT = {**COEFFICIENTS, F: matrix(n, m), Gam: nonsingular(m), J: matrix(m, m)}
@@ -180,10 +185,11 @@ claim("D71-E3.33", "R in the new basis",
           instances(**MORE, made_by=SOLVED)])
 
 claim("D71-E3.34", "characteristic polynomials",
-      eq(charpoly(R), charpoly(Einv*R*E), charpoly(J)*charpoly(K)),
-      sizes=["n", "m"], over=BOTH, where=[ELIMINATED, BLOCKS, *RIGHT, *LEFT, *BASIS],
-      by=[identity(n=(1, 2), m=(1, 2)), instances(**MORE)],
-      note="The equation is solved for A, which eliminates it.")
+      eq(det(lam*WHOLE - R), det(lam*WHOLE_TURNED - Einv*R*E), det(lam*Im - J)*det(lam*In - K)),
+      sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m), Y: nonsingular(n), lam: scalar()}, where=[BLOCKS, *RIGHT, *LEFT, *BASIS], given=[SOLVES],
+      by=[order(factors=[*SPLIT, (lam*WHOLE_TURNED - Einv*R*E, [block([[lam*Im - J, -inv(Gam)*D*inv(Y)], [Zero(n, m), lam*In - K]])])]),
+          instances(n=(1, 2), m=(1, 2), made_by=SOLVED)],
+      note="For every number lambda. That E^{-1} is the inverse of E is D71-E3.32.")
 
 claim("D71-E3.35", "from RT = TJ to the quadratic equation",
       (B*P + A == F*J*inv(Gam)) & (P*D*P - P*C == F*J*inv(Gam)) & ((B*P + A) - (P*D*P - P*C) == QUADRATIC)

@@ -32,9 +32,9 @@ from exactkf.language import (
     bottom,
     charpoly,
     circle_roots,
+    cospectral,
     det,
     diag,
-    forall,
     given,
     hstack,
     iff,
@@ -48,7 +48,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     rank,
-    rev,
     rows,
     scalar,
     standing,
@@ -59,7 +58,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.d71.notation import H, M, Phi, V, across, gram, i, j, k, n, p
+from proofs.d71.notation import H, M, Phi, V, gram, i, j, k, n, p
 
 q, U, L, Om, X, E = symbols("q U L Om X E")
 S, Rp, RpInv, G1, G2 = symbols("S Rp RpInv G1 G2")
@@ -113,7 +112,7 @@ claim("D71-E3.56", "left eigenvectors of R_p from right ones",
              given("the inverse of the adjoint block is similar to a Jordan block", X*inv(T(Oi)) == Oj*X)],
       by=[instances(n=(1, 2), p=(1, 2), q=(2, 4), using={E: nonsingular(q)},
                     made_by={Ui: top(E, n), Li: bottom(E, n), Oi: inv(E)*R_BLOCKS*E, Oj: X*inv(T(Oi))*inv(X)})],
-      note="In (3.57) and (3.58) the matrix is R_p; the scan has R_d, which is n x n and does not fit. X exists by D71-T8.2.")
+      note="In (3.57) and (3.58) the matrix is R_p, as in (3.56); the scan, which mixes up these two letters elsewhere, has R_d, which is n x n. X exists by D71-T8.2.")
 
 a, b, c, d, e, l = symbols("a b c d e l")
 y, y1 = symbols("y y1")
@@ -125,29 +124,27 @@ def quadratic(real, imaginary):
     return shifted*shifted + imaginary**2*I2
 
 
-#: Phi with the eigenvalue a, an undriven mode at it
-CORNER = matrix_of(i, j, n, n, when(i == j, when(i == 1, a, d[i]), when(j == i + 1, e[i], 0)))
-UNDRIVEN = {Phi: E*T(CORNER)*inv(E), H: across(T(inv(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), y)
-            * T(across(T(inv(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), y))}
+#: W = [[0, I], [-I, 0]] with R_p W = W (R_p')^{-1}, and its inverse
+TURN, TURN_BACK = block([[Zero(n, n), I], [-I, Zero(n, n)]]), block([[Zero(n, n), -I], [I, Zero(n, n)]])
 
 claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal",
-      forall(k, 1, 2*n, rank((Rp - a*I2)**k) == rank((Rp - 1/a*I2)**k))
-      & forall(k, 1, 2*n, rank(quadratic(a, b)**k) == rank(quadratic(a/(a**2 + b**2), b/(a**2 + b**2))**k)),
-      sizes=["n", "p"], over={**MODEL, a: nonzero(), b: scalar()}, where=R_WHERE,
-      by=[steps("D71-E3.56", "D71-T8.2", facts=["Jordan's theorem.", "A real matrix has the same blocks at an eigenvalue and at its conjugate."],
-                prose="Turned over, a Jordan chain of the inverse of the adjoint is a left Jordan chain of R_p at the conjugate reciprocal, of the same "
-                      "length; and the same step leads back, so neither side has more blocks."),
-          example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]], a="6/5", b="8/5"),
-          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], a="3/5", b="4/5"),
-          instances(8, n=(1, 2), p=(1,), using={E: nonsingular(n), y: matrix(n, n), d: matrix(n, 1), e: matrix(n, 1)}, made_by=UNDRIVEN)],
-      note="The ranks of the powers of R_p - omega I say which blocks there are at omega. The first part is for a real omega = a, the second for omega = "
-           "a + ib, by the real matrix (R_p - a)^2 + b^2, which vanishes at omega and omega*; R_p is real, so both have the same blocks.")
+      (Rp*TURN == TURN*inv(T(Rp))) & (TURN*TURN_BACK == I2),
+      sizes=["n", "p"], over=MODEL, where=R_WHERE,
+      by=[example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
+          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
+          example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
+          instances(n=(1, 2), p=(1, 2))],
+      note="So R_p and the inverse of its adjoint are similar. By Jordan's theorem two matrices are so exactly if they have the same Jordan blocks. If omega I + N are the blocks of R_p at omega, those of "
+           "the inverse of its adjoint at 1/omega* are similar to I/omega* + N, by D71-T8.2; that R_p has the same blocks as that inverse is the theorem.")
 
 claim("D71-S33", "the eigenvalues are symmetric in the unit circle",
-      (rev(charpoly(Rp), 2*n) == charpoly(Rp)) & (det(Rp) == 1),
+      cospectral(Rp, inv(T(Rp))) & (det(Rp) == 1),
       sizes=["n", "p"], over=MODEL, where=R_WHERE,
-      by=[identity(n=(1, 2), p=(1,)), instances(n=(1, 2, 3), p=(1, 2))],
-      note="The characteristic polynomial is its own reciprocal: with omega, 1/omega is an eigenvalue as often, and as R_p is real so is its conjugate.")
+      by=[order([TURN, TURN_BACK], factors=[(Rp, [block([[I, H], [Zero(n, n), I]]), block([[Phi, Zero(n, n)], [Zero(n, n), PhiT]]),
+                                                  block([[I, Zero(n, n)], [S, I]])])]),
+          instances(n=(1, 2), p=(1, 2))],
+      note="The eigenvalues of the inverse of the adjoint are the conjugate reciprocals of those of R_p, so with omega the number 1/omega* is an eigenvalue "
+           "as often.")
 
 # --- the exponential function -------------------------------------------------------------------------------------------
 
@@ -224,7 +221,8 @@ claim("D71-E3.65", "an undriven mode: left eigenvectors of R_p",
 
 claim("D71-E3.66", "an unobservable mode: right eigenvectors of R_p",
       Rp*vstack(N, Zq) == vstack(N, Zq)*Lam,
-      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNOBSERVED_GIVEN, by=[instances(**SIZES_Q, **MADE_UNOBSERVED)])
+      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNOBSERVED_GIVEN, by=[instances(**SIZES_Q, **MADE_UNOBSERVED)],
+      note="The first equals sign of the scan, between R_p and the columns it multiplies, is not read.")
 
 claim("D71-E3.67", "an unobservable mode: left eigenvectors of R_p",
       hstack(Zero(q, n), T(N))*Rp == inv(T(Lam))*hstack(Zero(q, n), T(N)),
@@ -295,7 +293,8 @@ claim("D71-E3.71", "the quadratic forms of M'V^{-1}M and H",
       (T(f)*S*f == T(f)*T(Phi)*g*W - T(f)*g) & (T(g)*H*g == T(f)*g - W*T(f)*T(Phi)*g),
       sizes=["n", "p", "q"], over=FREE, where=R_WHERE, given=HALVES,
       by=[*REAL_WAYS, *WAYS],
-      note="The numbers of the print are q x q matrices here, and omega stands on the left in the second equation after transposing.")
+      note="The numbers of the print are q x q matrices here, and omega stands on the left in the second equation after transposing. "
+           "The scan of (3.72) has V where the step needs Phi', which (3.71) shows.")
 
 NUMBERS = standing("omega and f* Phi' gamma commute, being numbers", T(f)*T(Phi)*g*W == W*T(f)*T(Phi)*g)
 
@@ -349,6 +348,6 @@ claim("D71-S35", "when R_p is derogatory",
       sizes=["n", "p", "q"], over={**MODE, K: matrix(n, q)}, where=R_WHERE,
       given=[*UNDRIVEN_GIVEN, given("a mode at the conjugate reciprocal", Phi*K == K*inv(T(Lam))), given("it is unobservable", M*K == Zero(p, q))],
       by=[instances(8, n=(2, 3), p=(1, 2), q=(1,), **THIRDS), instances(4, n=(4, 5), p=(1,), q=(2,), **THIRDS)],
-      note="The two columns [K; 0] and [0; N] are independent eigenvectors at one eigenvalue, so it has two Jordan blocks. With |lambda| = 1 the conjugate "
+      note="The columns [K; 0] and [0; N] are independent eigenvectors at one eigenvalue, so it has two Jordan blocks. With |lambda| = 1 the conjugate "
            "reciprocal is lambda itself. The condition is lambda_i* lambda_j = 1 for the undriven lambda_i; as the modes of a real process come with "
            "their conjugates, lambda_i* lambda_j* = 1 for some pair says the same.")

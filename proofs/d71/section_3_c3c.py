@@ -23,20 +23,23 @@ from exactkf.language import (
     Zero,
     block,
     charpoly,
-    coprime,
     det,
     diag,
     given,
     hstack,
+    iff,
     inv,
     invertible,
     let,
     matrix,
     matrix_of,
     nonsingular,
+    outside_roots,
     positive_definite,
     positive_semidefinite,
     psd,
+    rank,
+    rational,
     rows,
     scalar,
     schur,
@@ -100,8 +103,7 @@ w = sym("w")
 PAIR = rows([[a, b], [-b, a]])
 #: the second coordinate is driven and measured, with phi = s = 1
 H2 = (w - 1)*(1 - 1/w)
-TWO = {"n": (2,), "p": (1,)}
-HIDDEN = {"using": {E: nonsingular(2), w: scalar(), l: scalar()},
+HIDDEN = {"sizes": {"n": (2,), "p": (1,)}, "using": {E: nonsingular(2), w: scalar(), l: scalar()},
           "made_by": {b: 0, V: rows([[1]]), M: rows([[0, 1]])*inv(E), Phi: E*diag(a, 1)*inv(E), H: E*diag(l**2, H2)*T(E), N: E*rows([[1, 0], [0, 0]]),
                       bv: diag(E, inv(T(E)))*rows([[1 + l**2/a], [w + 1/w - 2], [1/a - a], [2]])}}
 #: unobservable: the columns of T at lam, at w, at 1/w and at 1/lam
@@ -115,100 +117,142 @@ def columns(one, two, first, second):
             J: rows([[first, 0], [0, second]])}
 
 
+# F, Gamma and J are complex: F = F1 + iF2 and so on. For vectors u + iv is [u, v]; so is [F1, F2] for F, and J on the right is
+# [[J1, J2], [-J2, J1]]. To double R_p as well would make it derogatory.
+F1, F2, G1, G2, J1, J2, FR, GR, JR, u, v = symbols("F1 F2 G1 G2 J1 J2 FR GR JR u v")
+P1, P2, PR, K1, K2 = symbols("P1 P2 PR K1 K2")
+
+
+def complex_matrix(re, im):
+    """The real matrix of order 2n that stands for re + i im."""
+    return block([[re, im], [-im, re]])
+
+
+COMPLEX = {**MODEL, F1: matrix(n, n), F2: matrix(n, n), G1: matrix(n, n), G2: matrix(n, n), J1: matrix(n, n), J2: matrix(n, n), a: scalar(), b: scalar(),
+           u: vector(n), v: vector(n)}
+C_WHERE = [*R_WHERE, let(FR, complex_matrix(F1, F2)), let(GR, complex_matrix(G1, G2)), let(JR, complex_matrix(J1, J2))]
+C_TT = block([[F1, F2], [G1, G2]])
+C_TJ = given("R_p T = TJ", Rp*C_TT == C_TT*JR)
+#: J - lambda and lambda* J - 1
+AT_MODE = complex_matrix(J1 - a*I, J2 - b*I)
+AT_IMAGE = complex_matrix(a*J1 + b*J2 - I, a*J2 - b*J1)
+ROW = hstack(T(u), -T(v))
+NO_ROW, NO_COLUMN = hstack(Zero(1, n), Zero(1, n)), Zero(n, 1)
+
+
+def turned(fam):
+    """The three matrices in the complex basis T(I + iW), with W = [[0, 1], [1, 0]]."""
+    swap = rows([[0, 1], [1, 0]])
+    j_there = complex_matrix(Identity(2), -swap)*diag(fam[J], fam[J])*complex_matrix(Identity(2), swap)*rational("1/2")
+    return {F1: fam[F], F2: fam[F]*swap, G1: fam[Gam], G2: fam[Gam]*swap, J1: matrix_of(i, j, n, n, j_there[i, j]),
+            J2: matrix_of(i, j, n, n, j_there[i, j + n]), u: fam[N]*rows([[1], [0]]), v: Zero(2, 1)}
+
+
 def family(base, *choice):
     """Instances with the two eigenvectors chosen."""
-    return instances(5, **TWO, using=base["using"], made_by={**base["made_by"], **columns(*choice)})
+    made = {**base["made_by"], **columns(*choice)}
+    rest = {key: term for key, term in made.items() if key.tree[1] not in ("F", "Gam", "J", "N")}
+    return instances(3, **base["sizes"], using=base["using"], made_by={**rest, **turned(made), **base.get("with", {})})
+
+
+def real(case, **more):
+    """An instance with real matrices."""
+    size = case["n"]
+    zero = [[0]*size for _ in range(size)]
+    names = {"F": "F1", "Gam": "G1", "J": "J1", "P": "P1"}
+    out = {names.get(key, key): value for key, value in {**case, **more}.items() if key != "N"}
+    pair = {**case, **more}["N"]
+    extra = {"P2": zero} if "P1" in out else {}
+    return example({**out, "F2": zero, "G2": zero, "J2": zero, **extra, "u": [row[0] for row in pair], "v": [row[1] for row in pair]})
 
 
 NONDEROGATORY = given("R_p is nonderogatory", invertible(matrix_of(i, j, 2*n, 2*n, (Rp**(j - 1)*bv)[i])))
-TRIPLE = {**MODEL, F: matrix(n, n), Gam: matrix(n, n), J: matrix(n, n), a: scalar(), b: scalar(), N: matrix(n, 2)}
-HIDES = [given("an unobservable mode", (Phi*N == N*PAIR) & (M*N == Zero(p, 2))), given("its eigenvector is not zero", N != Zero(n, 2))]
+HIDES = given("an unobservable mode", (Phi*u == a*u - b*v) & (Phi*v == b*u + a*v) & (M*u == Zero(p, 1)) & (M*v == Zero(p, 1)))
+NOT_ZERO = given("its eigenvector is not zero", (u != NO_COLUMN) | (v != NO_COLUMN))
 SWAP = {"V": [[1]], "M": [[-1, "2/3"]], "Phi": [[2, -1], [0, "1/2"]], "H": [[4, 6], [6, 9]]}
 #: Example 3.1: derogatory, with the unobservable mode 1/2 in J and a nonsingular Gamma
-DEROGATORY = example({"n": 2, "p": 1, **SWAP, "F": [[8, 0], [12, 0]], "Gam": [[0, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": "1/2", "b": 0,
-                      "N": [[2, 0], [3, 0]], "bv": [1, 2, 3, 4]})
+DEROGATORY = {"n": 2, "p": 1, **SWAP, "F": [[8, 0], [12, 0]], "Gam": [[0, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": "1/2", "b": 0,
+              "N": [[2, 0], [3, 0]], "bv": [1, 2, 3, 4]}
 #: one driven and measured mode with the equilibrium P = 1, J = 2
 ORDINARY = {"n": 1, "p": 1, "Phi": [[1]], "H": [["1/2"]], "M": [[1]], "V": [[1]], "F": [[1]], "Gam": [[1]], "J": [[2]]}
-MODE_NOTE = ("The mode is lambda = a + ib with the eigenvector u + iv, N = [u, v]; for a real one b = 0. A matrix is nonderogatory exactly if some vector "
-             "b makes b, Rb, R^2 b, ... a basis.")
-ROTATION = {"n": 2, "p": 1, "Phi": [[1, 2], [-2, 1]], "V": [[1]], "a": 1, "b": 2}
+#: two of them, with the vector 0
+TWICE = {"n": 2, "p": 2, "Phi": [[1, 0], [0, 1]], "H": [["1/2", 0], [0, "1/2"]], "M": [[1, 0], [0, 1]], "V": [[1, 0], [0, 1]], "F": [[1, 0], [0, 1]],
+         "Gam": [[1, 0], [0, 1]], "J": [[2, 0], [0, 2]], "b": 0, "N": [[0, 0], [0, 0]]}
+MODE_NOTE = ("The mode is lambda = a + ib with the eigenvector u + iv; J = J1 + iJ2 is complex, and so are F and Gamma. A matrix is nonderogatory exactly if "
+             "some vector b makes b, Rb, R^2 b, ... a basis, a real one for a real matrix.")
+#: the modes 1 + 2i and 1 - 2i with the vector (1, i); J = diag(1 + 2i, (1 + 2i)/5)
+ROTATION = {"n": 2, "p": 1, "Phi": [[1, 2], [-2, 1]], "V": [[1]], "a": 1, "b": 2, "u": [1, 0], "v": [0, 1], "J1": [[1, 0], [0, "1/5"]],
+            "J2": [[2, 0], [0, "2/5"]]}
+#: nothing measured: T = [[f, f2], [0, g]] with f = g = (1, i); R_p f2 part solved for H = I
+UNMEASURED = {**ROTATION, "H": [[1, 0], [0, 1]], "M": [[0, 0]], "F1": [[1, 1], [0, 0]], "F2": [[0, 0], [1, 1]],
+              "G1": [[0, -4], [0, 0]], "G2": [[0, 0], [0, -4]], "bv": [1, 0, 1, 2]}
 
 claim("D71-T3.13.a", "Gamma is singular if J has an unobservable mode",
-      det(Gam) == 0,
-      sizes=["n", "p"], over={**TRIPLE, bv: vector(2*n)}, where=R_WHERE,
-      given=[RT_TJ, *HIDES, given("the mode is in J", ~coprime(charpoly(J), charpoly(PAIR))), NONDEROGATORY],
+      det(GR) == 0,
+      sizes=["n", "p"], over={**COMPLEX, bv: vector(2*n)}, where=C_WHERE,
+      given=[C_TJ, HIDES, NOT_ZERO, given("the mode is in J", det(AT_MODE) == 0), NONDEROGATORY],
       by=[steps("D71-E3.66", facts=["A nonderogatory matrix has one eigenvector, up to a factor, at each eigenvalue."],
                 prose="If Jx = lambda x then Tx is an eigenvector of R_p, or zero; so is [n; 0], hence Tx is a multiple of it and Gamma x = 0."),
-          DEROGATORY, example({**ORDINARY, "a": 2, "b": 0, "N": [[1, 0]], "bv": [1, 0]}),
-          example({**ORDINARY, "a": 2, "b": 0, "N": [[0, 0]], "bv": [1, 0]}),
-          example({**ROTATION, "H": [[1, 0], [0, 2]], "M": [[0, 0]], "N": [[1, 0], [0, 1]], "J": [[1, 2], [-2, 1]], "F": [[1, 0], [0, 1]],
-                   "Gam": [[0, 0], [0, 0]], "bv": [1, 0, 1, 0]}),
-          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_LAM, AT_1W, a, 1/w), family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
+          real(DEROGATORY), real(ORDINARY, a=2, b=0, N=[[1, 0]], bv=[1, 0]), real(ORDINARY, a=2, b=0, N=[[0, 0]], bv=[1, 0]),
+          example(UNMEASURED),
+          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
       note=MODE_NOTE)
 
 claim("D71-T3.13.b", "Gamma is singular if the conjugate reciprocal of an unobservable mode is not in J",
-      det(Gam) == 0,
-      sizes=["n", "p"], over=TRIPLE, where=R_WHERE,
-      given=[RT_TJ, *HIDES, given("the conjugate reciprocal is not in J", coprime(charpoly(J), charpoly(inv(T(PAIR)))))],
-      by=[steps("D71-E3.77", facts=["A matrix minus a number that is no eigenvalue is nonsingular."],
-                prose="n*Gamma is a left eigenvector of J at 1/lambda*, or zero; as J has no such eigenvalue it is zero."),
-          example({**ORDINARY, "a": 2, "b": 0, "N": [[1, 0]]}), example({**ORDINARY, "a": 2, "b": 0, "N": [[0, 0]]}),
-          example({**ROTATION, "H": [[1, 0], [0, 2]], "M": [[0, 0]], "N": [[1, 0], [0, 1]], "J": [[1, 2], [-2, 1]], "F": [[1, 0], [0, 1]],
-                   "Gam": [[0, 0], [0, 0]]}),
-          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_LAM, AT_1W, a, 1/w), family(HIDDEN, AT_W, AT_1W, w, 1/w),
-          family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
-      note="The mode is lambda = a + ib with the eigenvector u + iv, N = [u, v]. J and R_p may be derogatory: that R_p is not is needed for part (a) only.")
+      (ROW*GR == NO_ROW) & (invertible(GR) >> (ROW == NO_ROW)),
+      sizes=["n", "p"], over=COMPLEX, where=C_WHERE,
+      given=[C_TJ, HIDES, given("the conjugate reciprocal is not in J", invertible(AT_IMAGE))],
+      by=[order([], [inv(AT_IMAGE)], [], [inv(GR)], lemmas=[ROW*GR*AT_IMAGE == NO_ROW, ROW*GR == NO_ROW]),
+          real(ORDINARY, a=2, b=0, N=[[1, 0]]), real(TWICE, a=2),
+          family(HIDDEN, AT_LAM, AT_W, a, w), family(HIDDEN, AT_1LAM, AT_W, 1/a, w)],
+      note="The mode is lambda = a + ib with the eigenvector n = u + iv; lambda* J - I is nonsingular exactly if 1/lambda* is not in J. Then n*Gamma = 0, and "
+           "Gamma is singular unless n = 0. J and R_p may be derogatory: that R_p is not is needed for part (a) only.")
 
 # the first coordinate is undriven: h = 0, phi = a, s = 1
-TWO_TWO = {"n": (2,), "p": (2,)}
-LOUD = {"using": {E: nonsingular(2), w: scalar()},
+LOUD = {"sizes": {"n": (2,), "p": (2,)}, "using": {E: nonsingular(2), w: scalar()},
         "made_by": {b: 0, V: Identity(2), M: inv(E), Phi: E*diag(a, 1)*inv(E), H: E*diag(0, H2)*T(E), N: inv(T(E))*rows([[1, 0], [0, 0]]),
                     bv: diag(E, inv(T(E)))*rows([[a**2 - 1], [w + 1/w - 2], [2], [2]])}}
 AT_A, AT_1A = ([a**2 - 1, 0], [1, 0]), ([0, 0], [1, 0])
-
-
-def loud(*choice):
-    """Instances with the two eigenvectors chosen."""
-    return instances(5, **TWO_TWO, using=LOUD["using"], made_by={**LOUD["made_by"], **columns(*choice), P: F*inv(Gam)})
-
-
-DRIVES = [given("an undriven mode", (T(Phi)*N == N*T(PAIR)) & (H*N == Zero(n, 2))), given("its eigenvector is not zero", N != Zero(n, 2))]
-IF_EXISTS = standing("P_e = F Gamma^{-1} where that exists", invertible(Gam) >> (P*Gam == F))
+DRIVES = given("an undriven mode", (T(Phi)*u == a*u + b*v) & (T(Phi)*v == a*v - b*u) & (H*u == NO_COLUMN) & (H*v == NO_COLUMN))
+IF_EXISTS = standing("P_e = F Gamma^{-1} where that exists", invertible(GR) >> (complex_matrix(P1, P2)*GR == FR))
 #: Gamma is singular and P does not matter
 NO_P = {"n": 1, "p": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "F": [[0]], "Gam": [[0]], "J": [["1/2"]], "a": 2, "b": 0, "N": [[1, 0]], "P": [[5]]}
+#: the modes 1 + 2i and 1 - 2i undriven, P = 0
+UNDRIVEN_PAIR = {**ROTATION, "H": [[0, 0], [0, 0]], "M": [[1, 1]], "J1": [["1/5", 0], [0, "1/5"]], "J2": [["2/5", 0], [0, "-2/5"]], "F1": [[0, 0], [0, 0]],
+                 "F2": [[0, 0], [0, 0]], "G1": [[1, 1], [0, 0]], "G2": [[0, 0], [1, -1]], "P1": [[0, 0], [0, 0]], "P2": [[0, 0], [0, 0]], "bv": [1, 0, 0, 1]}
+TO_P = {P1: matrix_of(i, j, n, n, (FR*inv(GR))[i, j]), P2: matrix_of(i, j, n, n, (FR*inv(GR))[i, j + n])}
+#: the same with P = F Gamma^{-1}
+LOUD_P = {**LOUD, "with": TO_P}
+
 
 claim("D71-T3.14.a", "F is singular if J has the conjugate reciprocal of an undriven mode",
-      (det(F) == 0) & (invertible(Gam) >> (P*N == Zero(n, 2))),
-      sizes=["n", "p"], over={**TRIPLE, P: matrix(n, n), bv: vector(2*n)}, where=R_WHERE,
-      given=[RT_TJ, IF_EXISTS, *DRIVES, given("its conjugate reciprocal is in J", ~coprime(charpoly(J), charpoly(inv(T(PAIR))))), NONDEROGATORY],
+      (det(FR) == 0) & (invertible(GR) >> ((P1*u == P2*v) & (P1*v == -P2*u))),
+      sizes=["n", "p"], over={**COMPLEX, P1: matrix(n, n), P2: matrix(n, n), bv: vector(2*n)}, where=C_WHERE,
+      given=[C_TJ, IF_EXISTS, DRIVES, NOT_ZERO, given("its conjugate reciprocal is in J", det(AT_IMAGE) == 0), NONDEROGATORY],
       by=[steps("D71-E3.64", "D71-E3.78", facts=["A nonderogatory matrix has one eigenvector, up to a factor, at each eigenvalue."],
                 prose="If Jx = x/lambda* then Tx is an eigenvector of R_p, or zero; so is [0; n], hence Fx = 0 and Gamma x is a multiple of n, not zero "
                       "if Gamma is nonsingular."),
-          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[1, 0]], "P": [[1]], "bv": [1, 0]}), example({**NO_P, "bv": [1, 0]}),
-          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[0, 0]], "P": [[1]], "bv": [1, 0]}),
+          real(ORDINARY, a="1/2", b=0, N=[[1, 0]], P=[[1]], bv=[1, 0]), real(NO_P, bv=[1, 0]),
+          real(ORDINARY, a="1/2", b=0, N=[[0, 0]], P=[[1]], bv=[1, 0]),
+          real({**NO_P, "F": [[3]], "Gam": [[1]], "J": [[2]], "P": [[3]]}, bv=[1, 0]),
           # Example 3.1: the undriven mode 2, with 1/2 in J
-          example({"n": 2, "p": 1, **SWAP, "F": [[8, 25], [12, 24]], "Gam": [[0, 3], [1, 0]], "J": [[2, 0], [0, 2]], "a": 2, "b": 0,
-                   "N": [[3, 0], [-2, 0]], "P": [[1, 0], [0, 1]], "bv": [1, 2, 3, 4]}),
-          example({"n": 2, "p": 1, **SWAP, "F": [[8, 2], [12, 3]], "Gam": [[1, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": 2, "b": 0,
-                   "N": [[3, 0], [-2, 0]], "P": [[1, 0], [0, 1]], "bv": [1, 2, 3, 4]}),
-          example({**ROTATION, "H": [[0, 0], [0, 0]], "M": [[1, 1]], "N": [[1, 0], [0, 1]], "J": [["1/5", "-2/5"], ["2/5", "1/5"]], "F": [[0, 0], [0, 0]],
-                   "Gam": [[1, 0], [0, 1]], "P": [[0, 0], [0, 0]], "bv": [1, 0, 0, 1]}),
-          loud(AT_1A, AT_W, 1/a, w), loud(AT_1A, AT_1W, 1/a, 1/w), loud(AT_A, AT_W, a, w)],
-      note=MODE_NOTE)
+          real({"n": 2, "p": 1, **SWAP, "F": [[33, 2], [36, 3]], "Gam": [[3, 3], [1, -2]], "J": [[2, 0], [0, "1/2"]], "a": 2, "b": 0,
+                "N": [[3, 0], [-2, 0]], "P": [["68/9", "31/3"], ["25/3", 11]], "bv": [1, 2, 3, 4]}),
+          example(UNDRIVEN_PAIR),
+          family(LOUD_P, AT_1A, AT_W, 1/a, w)],
+      note=MODE_NOTE + " P = P1 + iP2.")
 
 claim("D71-T3.14.b", "F is singular if an undriven mode is not in J",
-      (det(F) == 0) & (invertible(Gam) >> (T(N)*P == Zero(2, n))),
-      sizes=["n", "p"], over={**TRIPLE, P: matrix(n, n)}, where=R_WHERE,
-      given=[RT_TJ, IF_EXISTS, *DRIVES, given("the mode is not in J", coprime(charpoly(J), charpoly(PAIR)))],
-      by=[steps("D71-E3.80", facts=["A matrix minus a number that is no eigenvalue is nonsingular."],
-                prose="n*F is a left eigenvector of J at lambda, or zero; as J has no such eigenvalue it is zero, and so is n*P = n*F Gamma^{-1}."),
-          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[1, 0]], "P": [[1]]}), example(NO_P),
-          example({**ORDINARY, "a": "1/2", "b": 0, "N": [[0, 0]], "P": [[1]]}),
-          example({**ROTATION, "H": [[0, 0], [0, 0]], "M": [[1, 1]], "N": [[1, 0], [0, 1]], "J": [["1/5", "-2/5"], ["2/5", "1/5"]], "F": [[0, 0], [0, 0]],
-                   "Gam": [[1, 0], [0, 1]], "P": [[0, 0], [0, 0]]}),
-          loud(AT_1A, AT_W, 1/a, w), loud(AT_1A, AT_1W, 1/a, 1/w), loud(AT_A, AT_W, a, w),
-          ],
-      note="J and R_p may be derogatory. The vector that P takes to zero stands on the left here, n*P = 0, and on the right in part (a).")
+      (ROW*FR == NO_ROW) & (ROW*PR == NO_ROW) & (invertible(FR) >> (ROW == NO_ROW)),
+      sizes=["n", "p"], over={**COMPLEX, K1: matrix(n, n), K2: matrix(n, n)}, where=[*C_WHERE, let(PR, FR*complex_matrix(K1, K2))],
+      given=[C_TJ, DRIVES, given("the mode is not in J", invertible(AT_MODE))],
+      by=[order([], [inv(AT_MODE)], [], [], [inv(FR)], lemmas=[ROW*FR*AT_MODE == NO_ROW, ROW*FR == NO_ROW]),
+          real(ORDINARY, a="1/2", b=0, N=[[1, 0]], K1=[[1]], K2=[[0]]),
+          real(TWICE, a="1/2", K1=[[1, 0], [0, 1]], K2=[[0, 0], [0, 0]]),
+          family(LOUD, AT_1A, AT_W, 1/a, w), family(LOUD, AT_A, AT_W, a, w)],
+      note="K1 + iK2 stands for the inverse of Gamma, if there is one, and PR for P. n = u + iv, and the rows are those of n*F and n*P; F is singular "
+           "unless n = 0. The scan has n* where the proof has the zero row. J and R_p may be derogatory. The vector that P takes to zero stands on the left "
+           "here, n*P = 0, and on the right in part (a).")
 
 # --- the sign of a Hermitian equilibrium ----------------------------------------------------------------------------------
 
@@ -237,7 +281,8 @@ FORM = T(J)*(T(Gam)*F)*J - T(Gam)*F
 EIGEN_MADE = {"using": {E: nonsingular(q)},
               "made_by": {F: matrix_of(i, j, n, q, E[i, j]), Gam: matrix_of(i, j, n, q, E[i + n, j]),
                           J: inv(E)*block([[H*PhiT*gram() + Phi, H*PhiT], [PhiT*gram(), PhiT]])*E}}
-ONE_EIGEN = example(n=1, p=1, q=1, Phi=[["1/2"]], H=[[0]], M=[[1]], V=[[1]], F=[[3]], Gam=[[-4]], J=[["1/2"]])
+#: the equilibrium P = 1 with J = 2
+ONE_EIGEN = example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[[1]], Gam=[[1]], J=[[2]])
 
 
 def square(corner):
@@ -251,7 +296,8 @@ claim("D71-E3.99", "J*QJ - Q is nonnegative definite",
       repair=repair("other", CORNER, square(I), sizes=["n", "p", "q"], over=EIGEN, where=R_WHERE, given=[RT_TJ],
                     by=[order([], [T(F)*T(M)*inv(V)*M*F, T(S*F + Gam)*inv(Phi)*H*inv(T(Phi))*(S*F + Gam)]),
                         ONE_EIGEN, instances(n=(1, 2), p=(1, 2), q=(2, 4), **EIGEN_MADE)]),
-      note="F, Gamma and J stand for F_1, Gamma_1 and J_1; nothing is asked of the eigenvalues.")
+      note="F, Gamma and J stand for F_1, Gamma_1 and J_1. In the counterexample P = 1, J = 2 is outside the unit circle, the left side is 3 and the right "
+           "side 2. The repair asks nothing of the eigenvalues.")
 
 SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n)}
 MORE = {"n": (1, 2, 3), "p": (1, 2)}
@@ -324,7 +370,9 @@ CHAIN = [given("eigenvector", (D*P - C)*g == g*Psi), given("(3.105)", S*P*g == Z
 TURN = {"n": 2, "p": 1, "q": 2, "Phi": [["3/5", "4/5"], ["-4/5", "3/5"]], "H": [[0, 0], [0, 0]], "M": [[0, 0]], "V": [[1]], "P": [[1, 0], [0, 1]],
         "g": [[1, 0], [0, 1]], "Psi": [["3/5", "4/5"], ["-4/5", "3/5"]]}
 CHAIN_OVER = {**MODEL_P, Psi: nonsingular(q)}
-CHAIN_BY = [example(TURN), example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]]}),
+#: the undriven modes 1 + 2i and 1 - 2i, with the equilibrium P = 0 and a nonderogatory R_p
+SPIRAL = {**TURN, "Phi": [[1, 2], [-2, 1]], "M": [[1, 1]], "P": [[0, 0], [0, 0]], "Psi": [["1/5", "2/5"], ["-2/5", "1/5"]]}
+CHAIN_BY = [example(SPIRAL), example(TURN), example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[1]], "Psi": [[2]]}),
             example({**REST, "Phi": [[1]], "H": [[1]], "M": [[1]], "P": [[0]], "Psi": [[1]]}),
             example({**REST, "Phi": [[1]], "H": [[0]], "M": [[1]], "P": [[0]], "Psi": [[2]]}),
             instances(8, n=(2, 3), p=(1, 2), q=(1, 2), using={**AUX, K: symmetric_matrix(n - q)},
@@ -336,7 +384,8 @@ claim("D71-E3.107", "gamma is an eigenvector of the adjoint of Phi",
       repair=repair("factor", "the factor is 1/psi, which is lambda* for the mode lambda = (psi*)^{-1}; the print has lambda",
                     (T(Phi)*g == g*inv(Psi)) & (H*g == Zero(n, q)),
                     sizes=["n", "p", "q"], over=CHAIN_OVER, where=COEFFICIENTS, given=CHAIN, by=CHAIN_BY),
-      note="psi stands on the right as a matrix; a complex one is [[a, b], [-b, a]] with gamma = [u, v], and psi* is its transpose. The two agree for real psi.")
+      note="psi stands on the right as a matrix; a complex one is [[a, b], [-b, a]] with gamma = [u, v], and psi* is its transpose. The two agree for real psi. "
+           "The counterexample has the undriven modes 1 + 2i and 1 - 2i, P = 0 and psi = (1 + 2i)/5; its R_p has four different eigenvalues.")
 
 claim("D71-S38", "the conjugate reciprocal of psi is an undriven mode",
       (T(Phi)*g == g*T(Lam)) & (H*g == Zero(n, q)),
@@ -364,3 +413,57 @@ claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
           instances(q=(1, 2, 3), using={E: nonsingular(q), d: vector(q), X: matrix(q, q)},
                     made_by={J: E*matrix_of(i, j, q, q, when(i == j, 2 + d[i]**2, 0))*inv(E),
                              Q: T(inv(E))*matrix_of(i, j, q, q, (X*T(X))[i, j]/((2 + d[i]**2)*(2 + d[j]**2) - 1))*inv(E)})])
+
+# --- the theorem on the sign ------------------------------------------------------------------------------------------------
+
+Gn = sym("Gn")
+NO_CIRCLE = given("R_p is nonderogatory", invertible(matrix_of(i, j, 2*n, 2*n, (Rp**(j - 1)*bv)[i])))
+WITH_J = {**MODEL, P: symmetric_matrix(n), Gn: nonsingular(n), bv: vector(2*n)}
+PARTED = {**MODEL, P: symmetric_matrix(n), G1: matrix(n, q), G2: matrix(n, n - q), J1: nonsingular(q), J2: nonsingular(n - q), bv: vector(2*n)}
+J_OF_P = inv(T(Phi))*(S*P + I)
+#: driven and undriven parts joined: J = [[1/2, -1/4], [0, 1/2]], and 1/2 is the reciprocal of the undriven mode 2
+JOINED = {"n": 2, "p": 1, "Phi": [[2, 0], [1, 1]], "H": [[0, 0], [0, "1/2"]], "M": [[0, 1]], "V": [[1]], "P": [[0, 0], [0, "-1/2"]], "bv": [1, 0, 0, 1]}
+APART = {"n": 2, "p": 2, "M": [[1, 0], [0, 1]], "V": [[1, 0], [0, 1]], "Phi": [[2, 0], [0, 1]], "H": [[0, 0], [0, "1/2"]], "bv": [1, 1, 1, 3]}
+THREE_WAYS = [example({**JOINED, "q": 0, "G1": [[], []], "G2": [[1, 0], [0, 1]], "J1": [], "J2": [["1/2", "-1/4"], [0, "1/2"]]}),
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[0], [1]], "G2": [[1], [0]], "J1": [[2]], "J2": [["1/3"]], "P": [[0, 0], [0, 1]]}),
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[1], [0]], "G2": [[0], [1]], "J1": [[3]], "J2": [["1/2"]],
+                       "P": [[8, 0], [0, "-1/2"]]})]
+
+#: one mode, each without one of the hypotheses of the repair
+ONE_MODE = {"n": 1, "p": 1, "M": [[1]], "V": [[1]], "bv": [1, 0]}
+NO_J1, NO_J2 = {"q": 0, "G1": [[]], "J1": []}, {"q": 1, "G2": [[]], "J2": []}
+BROKEN = [example({**ONE_MODE, **NO_J1, "Phi": [[2]], "H": [[0]], "P": [["1/2"]], "G2": [[1]], "J2": [["3/4"]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [[0]], "M": [[0]], "P": [[1]], "G2": [[1]], "J2": [[1]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G2": [[0]], "J2": [["1/2"]]}),
+          example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [[1]], "G2": [[1]], "J2": [["1/2"]]}),
+          example({**ONE_MODE, **NO_J2, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G1": [[1]], "J1": [["1/2"]]})]
+_W = 2 + c**2
+
+claim("D71-T3.17", "which equilibria are nonnegative definite",
+      psd(P),
+      sizes=["n", "p"], over={**WITH_J, l: scalar(), u: vector(n)}, where=R_WHERE,
+      given=[EQUILIBRIUM, NO_CIRCLE, given("an undriven mode", (T(Phi)*u == l*u) & (H*u == Zero(n, 1)) & (u != Zero(n, 1))),
+             given("every eigenvalue of J is its reciprocal", (l*J_OF_P - I)**n == Zero(n, n))],
+      by=[example({**JOINED, "Gn": [[1, 0], [0, 1]], "l": 2, "u": [1, 0]}), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "missing hypothesis", "an eigenvalue may be in J more often than among the undriven modes; what decides is whether P vanishes on all the vectors "
+          "of J that do not belong to eigenvalues outside the circle, which makes them undriven modes",
+          iff(psd(P), P*G2 == Zero(n, n - q)),
+          sizes=["n", "p", "q"], over=PARTED, where=R_WHERE,
+          given=[EQUILIBRIUM, NO_CIRCLE, given("(3.94)", J_OF_P*hstack(G1, G2) == hstack(G1, G2)*diag(J1, J2)),
+                 given("Gamma is nonsingular", rank(hstack(G1, G2)) == n), given("J_1 is outside the circle", schur(inv(J1))),
+                 given("J_2 is not", outside_roots(charpoly(J2)) == 0)],
+          by=[steps("D71-E3.103", "D71-E3.105", "D71-S38", "D71-E3.64", "D71-E8.16",
+                    facts=["Jordan's theorem.", "The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero."],
+                    prose="If P vanishes on Gamma_2 then Gamma*P Gamma is diag(Q_11, 0), and Q_11 >= 0 as J_1 is outside the circle. If P >= 0, then on the part "
+                          "inside the circle Q - J*QJ is -R <= 0, so that Q, the sum of the (J*)^i(-R)J^i, is zero. On the circle gamma*R gamma = 0, and "
+                          "[0; gamma] is an eigenvector of R_p beside [P gamma; gamma], so that P gamma = 0; the same holds along a chain."),
+              *THREE_WAYS,
+              example({**APART, "bv": [1, 1, 1, 0], "Phi": [[3, 0], [0, 1]], "q": 1, "G1": [[1], [0]], "G2": [[0], [1]], "J1": [[3]], "J2": [[2]], "P": [[8, 0], [0, 1]]}),
+              *BROKEN,
+              instances(4, n=(1,), p=(1,), q=(1,), using={c: scalar()},
+                        made_by={Phi: rows([[1]]), M: rows([[1]]), V: rows([[1]]), H: rows([[(_W - 1)*(1 - 1/_W)]]), P: rows([[_W - 1]]), J1: rows([[_W]]),
+                                 J2: Zero(0, 0), G2: Zero(1, 0), bv: rows([[1], [0]])})]),
+      note="Read from right to left, for the case that J has one real eigenvalue, 1/lambda with an undriven mode lambda. The counterexample has the undriven "
+           "mode 2, J = [[1/2, -1/4], [0, 1/2]], P = diag(0, -1/2) and a nonderogatory R_p. In the proof F_2 = 0 is taken from (3.64), which gives one "
+           "column of T for each undriven mode and not one for each column of J_2.")

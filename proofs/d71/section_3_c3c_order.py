@@ -33,6 +33,7 @@ from exactkf.language import (
     pd,
     positive_definite,
     positive_semidefinite,
+    rank,
     rows,
     scalar,
     standing,
@@ -130,24 +131,48 @@ PSI = {psi: rows([[(1 + e**2)/(1 - e**2)]]), beta: rows([[2*e/(1 - e**2)]])}
 GROWING = {"n": 1, "p": 1, "r": 1, "Phi": [["5/3"]], "H": [[0]], "M": [[1]], "V": [[1]], "Pa": [["16/9"]], "Pb": [[0]], "fa": [["16/9"]], "ga": [[1]],
            "F2": [[]], "Ga2": [[]], "psi": [["5/3"]], "beta": [["4/3"]], "k": [[1]], "k2": []}
 
+# the theorem as it is printed: each of the two has a basis of its own; a real psi_1
+Gla, Glb, psi1, rest, nd = symbols("Gla Glb psi1 rest nd")
+OTHERS = matrix_of(i, j, n - 1, n - 1, when(i == j, rest[i], 0))
+WITH_PSI = {**MODEL, Pa: positive_semidefinite(n), Pb: positive_semidefinite(n), Gla: nonsingular(n), Glb: nonsingular(n), psi1: scalar(),
+            rest: vector(n - 1), nd: vector(n)}
+ASSOCIATED = [given("P_a is an equilibrium", Pa == step(Pa)), EQ_B,
+              given("P_a belongs to (3.122)", Rp*vstack(Pa*Gla, Gla) == vstack(Pa*Gla, Gla)*diag(psi1, OTHERS)),
+              given("P_b belongs to (3.123)", Rp*vstack(Pb*Glb, Glb) == vstack(Pb*Glb, Glb)*diag(1/psi1, OTHERS)),
+              given("psi_1 is unstable", psi1**2 > 1),
+              given("it is an undriven mode", (T(Phi)*nd == psi1*nd) & (H*nd == Zero(n, 1)) & (nd != Zero(n, 1))),
+              given("which is observable", rank(vstack(Phi - psi1*I, M)) == n)]
+#: three undriven modes 2: the equilibria are 3 times the orthogonal projections
+TRIPLE_MODE = {"n": 3, "p": 3, "Phi": [[2, 0, 0], [0, 2, 0], [0, 0, 2]], "H": [[0, 0, 0], [0, 0, 0], [0, 0, 0]],
+               "M": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "V": [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+               "Pa": [[0, 0, 0], [0, 3, 0], [0, 0, 3]], "Pb": [[3, 0, 0], [0, 0, 0], [0, 0, 0]],
+               "Gla": [[0, 0, 1], [1, 0, 0], [0, 1, 0]], "Glb": [[0, 1, 0], [1, 0, 0], [0, 0, 1]], "psi1": 2, "rest": [2, "1/2"], "nd": [1, 0, 0]}
+
 claim("D71-T3.19", "the eigenvalue outside the unit circle gives the larger equilibrium",
       loewner(Pa, Pb),
-      sizes=["n", "p", "r"], over={**THEOREM, Pb: positive_semidefinite(n)}, where=R_WHERE,
-      given=[*COLUMNS, ONE_PAIR, EQ_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
-      by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
-          example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
-          example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
-          example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
-                  Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
-          instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
-                    made_by={**PSI, Phi: rows([[(1 + e**2)/(1 - e**2)]]), H: Zero(1, 1), V: Identity(p), M: matrix_of(i, j, p, 1, l), Pb: Zero(1, 1),
-                             Pa: rows([[(psi**2 - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)}),
-          instances(8, n=(2,), p=(2,), r=(1,), using={E: nonsingular(2), e: scalar(), w: scalar()},
-                    made_by={**PSI, Phi: E*diag((1 + e**2)/(1 - e**2), 1)*inv(E), H: E*diag(0, (w**2)*(1 - 1/(1 + w**2)))*T(E), V: Identity(2), M: inv(E),
-                             Pb: E*diag(0, w**2)*T(E), Pa: E*diag((2*e/(1 - e**2))**2, w**2)*T(E), ga: inv(T(E))*rows([[1], [0]]),
-                             Ga2: inv(T(E))*rows([[0], [1]]), fa: Pa*ga, F2: Pb*Ga2, k: rows([[1, 0]])*T(E), k2: rows([[0, 1]])*T(E)})],
-      note="Of the hypotheses of the theorem this uses |psi_1| > 1, that P_a and P_b are Hermitian, P_b is a nonnegative equilibrium and the two share the "
-           "columns 2 to n. beta is any number with |beta|^2 = |psi_1|^2 - 1, and k the first rows of the inverse of Gamma_a.")
+      sizes=["n", "p"], over=WITH_PSI, where=R_WHERE, given=ASSOCIATED,
+      by=[example(TRIPLE_MODE), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "missing hypothesis", "the two must share the eigenvectors of psi_2, ..., psi_n, as they do if R_p is nonderogatory; the proof takes this for granted",
+          loewner(Pa, Pb),
+          sizes=["n", "p", "r"], over={**THEOREM, Pb: positive_semidefinite(n)}, where=R_WHERE,
+          given=[*COLUMNS, ONE_PAIR, EQ_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
+          by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
+              example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
+              example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
+              example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
+                      Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
+              instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
+                        made_by={**PSI, Phi: rows([[(1 + e**2)/(1 - e**2)]]), H: Zero(1, 1), V: Identity(p), M: matrix_of(i, j, p, 1, l), Pb: Zero(1, 1),
+                                 Pa: rows([[(psi**2 - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)}),
+              instances(8, n=(2,), p=(2,), r=(1,), using={E: nonsingular(2), e: scalar(), w: scalar()},
+                        made_by={**PSI, Phi: E*diag((1 + e**2)/(1 - e**2), 1)*inv(E), H: E*diag(0, (w**2)*(1 - 1/(1 + w**2)))*T(E), V: Identity(2), M: inv(E),
+                                 Pb: E*diag(0, w**2)*T(E), Pa: E*diag((2*e/(1 - e**2))**2, w**2)*T(E), ga: inv(T(E))*rows([[1], [0]]),
+                                 Ga2: inv(T(E))*rows([[0], [1]]), fa: Pa*ga, F2: Pb*Ga2, k: rows([[1, 0]])*T(E), k2: rows([[0, 1]])*T(E)})]),
+      note="With Phi = 2I, H = 0, M = V = I and n = 3 every equilibrium is 3 times an orthogonal projection; one on a plane and one on a line outside it are "
+           "associated with diag(2, 2, 1/2) and diag(1/2, 2, 1/2), and neither is above the other. The theorem does not ask that R_p be nonderogatory, as "
+           "Theorems 3.13, 3.14 and 3.17 do. Of its other hypotheses the repair uses |psi_1| > 1, that P_a and P_b are Hermitian and that P_b is a "
+           "nonnegative equilibrium. beta is any number with |beta|^2 = |psi_1|^2 - 1, and k the first rows of the inverse of Gamma_a.")
 
 MODEL_ANY = {**MODEL, P: matrix(n, n)}
 
@@ -187,7 +212,8 @@ claim("D71-Q3.1", "Theorem 3.19 without undriven modes, if MPM' + V > 0",
                     made_by={**PSI, Phi: Identity(1), H: rows([[(psi[1, 1] - 1)*(1 - 1/psi[1, 1])/(p*l**2)]]), V: Identity(p), M: matrix_of(i, j, p, 1, l),
                              Pb: rows([[(1/psi[1, 1] - 1)/(p*l**2)]]),
                              Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)})],
-      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium: P_b need not be nonnegative and the mode may be driven.")
+      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium: P_b need not be nonnegative and the mode may be driven. "
+           "That the two share the other eigenvectors is asked here as in the repair of D71-T3.19.")
 
 # --- an undriven stable mode ------------------------------------------------------------------------------------------------
 
@@ -257,7 +283,7 @@ SIDES_142 = [given("(3.142)", (T(M)*inv(V)*M*(Phi*Qe*T(Phi) + H) + I)*Gp == T(Ph
 claim("D71-S50", "the two sides of the equation that is cited are zero",
       T(Phi)*Gp*Jp == Zn,
       sizes=["n", "p"], over={**MODEL, P: positive_semidefinite(n), Qe: positive_semidefinite(n), Gp: nonsingular(n), Jp: matrix(n, n)}, given=SIDES_142,
-      by=[example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[0]], V=[[1]], P=[[0]], Qe=[[0]], Gp=[[1]], Jp=[[1]]), instances(n=(1,), p=(1,))],
+      by=[example(n=1, p=1, Phi=[["1/2"]], H=[[0]], M=[[1]], V=[[1]], P=[[0]], Qe=[[0]], Gp=[[1]], Jp=[[2]]), instances(n=(1,), p=(1,))],
       repair=repair(
           "cross-reference", "the equation with a nonnegative left and a nonpositive right side is (3.133); (3.142) belongs to the next section",
           (T(N)*P*N - Lam*T(N)*P*N*T(Lam) == Zero(q, q)) & (Lam*T(N)*LOST*N*T(Lam) == Zero(q, q)) & (P*N == Zero(n, q)),
@@ -265,4 +291,5 @@ claim("D71-S50", "the two sides of the equation that is cited are zero",
           by=[order([], [], [], [], VANISH, [inv(T(beta))], VANISH, [inv(T(beta))], lemmas=DOWN),
               *BROKEN,
               instances(n=(1, 2, 3), p=(1, 2), q=(1,), **INSIDE_MADE)]),
-      note="Read as printed: (3.142) has two sides that are both zero. The right side of (3.142) is nonsingular as a rule.")
+      note="Read as printed: (3.142) has two sides that are both zero. Its right side is nonsingular if J is. The counterexample has the stable undriven mode "
+           "1/2 and the equilibrium 0.")

@@ -51,9 +51,10 @@ SOLVING = [instances(**MORE, using={P: symmetric_matrix(n)}, made_by=SOLVED)]
 
 claim("D71-E3.134", "four forms of the update at an equilibrium",
       eq(Q, P - P*T(M)*inv(M*P*T(M) + V)*M*P, P*inv(S*P + I), inv(P*S + I)*P, (I - K*M)*P*(I - T(M)*T(K)) + K*V*T(K)),
-      sizes=["n", "p"], over={P: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), Q: matrix(n, n)},
+      sizes=["n", "p"], over={P: matrix(n, n), M: matrix(p, n), V: positive_definite(p), Q: matrix(n, n)},
       where=[GRAM, let(K, gain())], given=[UPDATE],
-      by=[instances(**MORE, made_by={Q: update()})])
+      by=[instances(**MORE, made_by={Q: update()})],
+      note="P need not be symmetric, for the last form neither.")
 
 claim("D71-E3.135", "the prediction gives the equilibrium back",
       P == Phi*Q*T(Phi) + H,
@@ -115,7 +116,7 @@ LOWER, LOWER_INVERSE = block([[I, Zn], [S, I]]), block([[I, Zn], [-S, I]])
 claim("D71-E3.140", "R_q is similar to R_p",
       (Rq == LOWER*block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, PhiT]])*LOWER_INVERSE) & (LOWER*LOWER_INVERSE == Identity(2*n)),
       sizes=["n", "p"], over=MODEL, where=[GRAM, let(Rq, R_Q)], by=[instances(**MORE)],
-      note="The second equation says that the outer factors are inverse to each other. The prime of -M'V^{-1}M is read into the scan.")
+      note="The second equation says that the outer factors are inverse to each other. The prime of -M'V^{-1}M is lost in the scan, as in (3.59).")
 
 claim("D71-E3.142", "the matrix J of P, through Q",
       (S*(Phi*Q*T(Phi) + H) + I)*Gp == T(Phi)*Gp*Jp,

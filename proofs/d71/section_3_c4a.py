@@ -31,6 +31,7 @@ from exactkf.language import (
     positive_definite,
     sym,
     symbols,
+    symmetric,
     symmetric_matrix,
     trace,
 )
@@ -128,11 +129,13 @@ claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
       note="P is Hermitian, which the theorem does not say of its equilibrium; see the example of D71-E3.166.")
 
 claim("D71-E3.151", "the linear equation",
-      (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C)) & (T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)),
-      sizes=["n", "p"], over={**HERMITIAN, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[instances(**MORE, made_by=SOLVED)],
-      note="The deviation differs from (3.151) by a term of second order in U. For a Hermitian P, (3.151) is U -> K U K* with K = B - PD = (DP - C)^{-*}, whose "
-           "eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and grow if J has an eigenvalue inside.")
+      (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C))
+      & (symmetric(P) >> ((T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)))),
+      sizes=["n", "p"], over={**ANY, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
+      by=[example(SKEW), SOLVING],
+      note="The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, (3.151) is U -> K U K* with K = "
+           "B - PD = (DP - C)^{-*}, whose eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and "
+           "grow if J has an eigenvalue inside.")
 
 CLOSED = K_*U*T(K_)*inv(I + D*U*T(K_))
 

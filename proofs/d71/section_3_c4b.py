@@ -32,6 +32,7 @@ from exactkf.language import (
     loewner,
     matrix,
     matrix_of,
+    nonneg,
     nonsingular,
     pd,
     positive_definite,
@@ -40,6 +41,7 @@ from exactkf.language import (
     rational,
     rec,
     scalar,
+    standing,
     sym,
     symbols,
     symmetric_matrix,
@@ -64,11 +66,26 @@ POWERS = rec(Pi, t, I, K*Pi[t])
 
 # --- from above ---------------------------------------------------------------------------------------------------------
 
+r, Y = symbols("r Y")
+#: |eigenvalues of K| < sqrt(r): K Y K' <= rY with a positive definite Y, which is scaled to lie above U_0
+LYAPUNOV = given("K is inside the circle", loewner(r*Y, K*Y*T(K)))
+SHRINKING = sym("SHRINKING")
+
 claim("D71-E3.179", "the linear bound",
-      always(t, W[t] == Pi[t]*U0*T(Pi[t])),
-      sizes=["n"], over={K: matrix(n, n), U0: symmetric_matrix(n)}, where=[POWERS, rec(W, t, U0, K*W[t]*T(K))],
-      by=[instances(**N_ONLY)],
-      note="Pi_k = K^k. The eigenvalues of K are inside the unit circle, so K^k and with it W_k tend to zero.")
+      always(t, psd(W[t]) & loewner(SHRINKING[t], W[t])),
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), Y: positive_definite(n), r: nonneg()},
+      where=[rec(W, t, U0, K*W[t]*T(K)), rec(SHRINKING, t, Y, r*SHRINKING[t])],
+      given=[LYAPUNOV, given("U_0 <= Y", loewner(Y, U0)), standing("r < 1", r < 1)],
+      by=[induction(also=[loewner(r*SHRINKING[t], K*SHRINKING[t]*T(K))],
+                    base=order([r*Y - K*Y*T(K)], [U0], [Y - U0]),
+                    step=order([r*(r*SHRINKING[t] - K*SHRINKING[t]*T(K))], [K*W[t]*T(K)],
+                               [r*SHRINKING[t] - K*SHRINKING[t]*T(K), K*(SHRINKING[t] - W[t])*T(K)])),
+          example(n=1, K=[[2]], U0=[[1]], Y=[[2]], r="1/2"), example(n=1, K=[["1/2"]], U0=[[3]], Y=[[2]], r="1/2"),
+          instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), a: matrix(n, 1)},
+                    made_by={r: rational("1/4"), K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E), Y: E*T(E),
+                             U0: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + a[i]**2), 0))*T(E)})],
+      note="That the eigenvalues of K are inside the unit circle is said by a positive definite Y with KYK' <= rY and r < 1, which exists exactly "
+           "then and may be scaled to lie above U_0. So 0 <= W_k <= r^k Y, and W_k tends to zero.")
 
 claim("D71-E3.180", "the difference of the bound and the deviation",
       K*W*T(K) - U1 == K*(X + U - U*inv(I + T(K)*D*U))*T(K),
@@ -194,7 +211,7 @@ claim("D71-S54", "a null vector of (P - H)^{-1} - P^{-1}",
                              P: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, (1 + a**2)**2 - 1, 1 + R[i]**2), 0))*T(E), **SOLVED,
                              v: E*matrix_of(i, j, n, q, when(i == j, 1, 0))})],
       note="mu stands on the right as a matrix. So P^{-1}v is an eigenvector of Phi' and a null vector of H: an undriven mode, which the hypothesis of the "
-           "theorem and Theorem 3.20 forbid. Hence P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
+           "theorem and Theorem 3.20 forbid. The rest is not stated here: P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
 
 # --- the solution -------------------------------------------------------------------------------------------------------
 
@@ -268,4 +285,4 @@ claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium",
       given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I))],
       by=[instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
       note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}. If the eigenvalues of K are inside the unit circle then K^k tends to zero and "
-           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero.")
+           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero; stated here is the formula, not that limit.")
