@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""Section 6: the Riccati equation as powers of a symplectic matrix.
+
+With A = F - gh' the Riccati step from P to the next matrix is
+gg' + A P (I - hh'P)^(-1) A', and I - hh'P is inverted by a rank-one formula.
+Writing gg' over the common denominator (I - hh'P)^(-1)A' turns the step into
+a linear fractional one, with the blocks of the symplectic matrix S, so that
+P_t = Y_t X_t^(-1) for the solution of a linear system with matrix S.
+
+Equilibria are S-invariant subspaces U = Im(X; Y) of dimension n. If U is
+Lagrangian it meets Im(I; 0) in an S-invariant subspace: for z in the null space of Y
+the number (g'Xz)(g'A'^(-1)Xz) vanishes, so that one of its factors is zero for all such
+z, and then that null space is invariant under R or its inverse, R being the matrix
+of S on U. The same holds for the intersection with Im(0; I), which observability
+forbids and so makes X nonsingular; in the same way reachability of (A, g), that is a, b
+coprime, forbids the first intersection.
+
+At an invariant U the closed loop F - k h' is the transposed inverse of S on U: hence
+the roots of the limit polynomial are the inverses of the eigenvalues of S on U.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Z,
+    Zero,
+    always,
+    block,
+    charpoly,
+    circle_roots,
+    coeff,
+    column,
+    coprime,
+    cospectral,
+    det,
+    eq,
+    given,
+    hstack,
+    iff,
+    inv,
+    invertible,
+    kernel_basis,
+    let,
+    matrix,
+    matrix_of,
+    nonsingular,
+    nonzero,
+    rank,
+    rational,
+    real_roots,
+    rec,
+    recip,
+    rows,
+    scalar,
+    schur,
+    size_of,
+    standing,
+    substitute,
+    sum_of,
+    symbols,
+    symmetric_matrix,
+    symplectic,
+    vector,
+    vstack,
+    when,
+)
+from proofs.blz94.notation import (
+    FAST,
+    HALF,
+    KIMURA,
+    OBSERVER,
+    SHIFT,
+    D,
+    F,
+    J,
+    P,
+    a,
+    a0,
+    alpha,
+    b,
+    b0,
+    g,
+    g0,
+    gamma,
+    h,
+    i,
+    j,
+    k,
+    monic_of,
+    n,
+    r,
+    s,
+    symmetric_part,
+    t,
+    u,
+)
+
+A, S, S11, S12, S21, S22, sigma, X, Y, R, U, V, K, L, N, Q, W = symbols("A S S11 S12 S21 S22 sigma X Y R U V K L N Q W")
+f, p, q, v, w, x, y, z, Lambda, Gamma, M, H, E = symbols("f p q v w x y z Lambda Gamma M H E")
+
+#: A of Proposition 6.4 and the blocks (6.14) of S
+CLOSED = (let(A, F - g * T(h)),)
+S_OF_A = (let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
+                        [g * T(g) * inv(T(A)), A - g * T(g) * inv(T(A)) * h * T(h)]])),)
+#: sigma and the blocks (6.8), read off the transposed display
+SIGMA = (let(sigma, 1 - T(h) * inv(F) * g),)
+BLOCKS = (
+    *SIGMA,
+    let(S11, T(inv(F) + inv(F) * g * T(h) * inv(F) / sigma)), let(S12, T(-(h * T(h) * inv(F)) / sigma)),
+    let(S21, T(inv(F) * g * T(g) / sigma)), let(S22, T(T(F) - h * T(g) / sigma)),
+)
+DATA = {F: nonsingular(n), g: vector(n), h: vector(n)}
+SYMMETRIC = {**DATA, P: symmetric_matrix(n)}
+ANY_F = {F: matrix(n, n), g: vector(n), h: vector(n), P: symmetric_matrix(n)}
+#: one step of (2.2)
+STEP_OF_P = F * P * T(F) + (g - F * P * h) / (1 - T(h) * P * h) * T(g - F * P * h)
+SIZES = instances(n=(1, 2, 3))
+
+# ---------------------------------------------------------------------- Proposition 6.4
+claim("BLZ94-E6.9", "the Riccati operator in terms of A = F - gh'",
+      STEP_OF_P - P == A * P * T(A) - P + A * P * h / (1 - T(h) * P * h) * T(h) * P * T(A) + g * T(g), sizes=["n"],
+      over=ANY_F, where=CLOSED, by=[order(), SIZES])
+
+claim("BLZ94-E6.10", "A is invertible, with inverse",
+      invertible(A) & (inv(A) == inv(F) + inv(F) * g * T(h) * inv(F) / sigma), sizes=["n"], over=DATA,
+      where=[*CLOSED, *SIGMA], given=[given("sigma != 0", sigma != 0)], by=[order(), SIZES],
+      note="The text says that A is invertible since F is; this needs sigma != 0 too, which the text asks for before "
+           "the proposition.")
+
+claim("BLZ94-E6.11", "the inverse of I - hh'P",
+      inv(Identity(n) - h * T(h) * P) == Identity(n) + h * T(h) * P / (1 - T(h) * P * h), sizes=["n"],
+      over={h: vector(n), P: symmetric_matrix(n)}, by=[order(), SIZES])
+
+_BETWEEN = inv(Identity(n) - h * T(h) * P) * T(A)
+claim("BLZ94-S44", "the Riccati step over a common denominator, and the blocks of S",
+      eq(STEP_OF_P, g * T(g) + A * P * _BETWEEN, (g * T(g) * inv(T(A)) * (Identity(n) - h * T(h) * P) + A * P) * _BETWEEN)
+      & (S11 == inv(T(A))) & (S12 == -(inv(T(A)) * h * T(h))) & (S21 == g * T(g) * inv(T(A)))
+      & (S22 == A + (1 - 1 / sigma) * g * T(h)),
+      sizes=["n"], over=SYMMETRIC, where=[*CLOSED, *BLOCKS], by=[order(), SIZES])
+
+claim("BLZ94-P6.4", "the Riccati step is linear fractional, with the blocks of a symplectic matrix",
+      (STEP_OF_P * (S11 + S12 * P) == S21 + S22 * P) & invertible(S11 + S12 * P)
+      & symplectic(block([[S11, S12], [S21, S22]])), sizes=["n"], over=SYMMETRIC, where=BLOCKS,
+      by=[order([], [T(F) - h * T(g - F * P * h) / (1 - T(h) * P * h)]), SIZES],
+      note="The quotient of (6.6) is written as a product with S11 + S12 P, which is invertible when 1 - h'Ph is not "
+           "zero. The text takes F invertible and sigma not zero. h may be any vector here.")
+
+_HAT = block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])
+claim("BLZ94-E6.12", "S is symplectic", T(S) * _HAT * S == _HAT, sizes=["n"], over=DATA,
+      where=[*BLOCKS, let(S, block([[S11, S12], [S21, S22]]))], by=[order(), SIZES])
+
+claim("BLZ94-C6.5", "the algebraic Riccati equation and the symplectic matrix in terms of A",
+      (STEP_OF_P - P == A * P * T(A) + A * P * h / (1 - T(h) * P * h) * T(h) * P * T(A) + g * T(g) - P) & invertible(A)
+      & (block([[S11, S12], [S21, S22]]) == block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
+                                                   [g * T(g) * inv(T(A)), A + (1 - 1 / sigma) * g * T(h)]])),
+      sizes=["n"], over=SYMMETRIC, where=[*CLOSED, *BLOCKS], given=[given("sigma != 0", sigma != 0)], by=[order(), SIZES],
+      note="The two forms of the equation have the same residual, for every P.")
+
+claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
+      always(t, (P[t] * X[t] == Y[t]) & invertible(X[t])), sizes=["n"], over={**DATA, Q: symmetric_matrix(n)},
+      where=[*BLOCKS,
+             rec(P, t, Q, F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h)),
+             rec(X, t, Identity(n), S11 * X[t] + S12 * Y[t]), rec(Y, t, Q, S21 * X[t] + S22 * Y[t])],
+      by=[induction(also=[P[t] == T(P[t])],
+                    step=order([], [], [inv(X[t]) * (T(F) - h * T(g - F * P[t] * h) / (1 - T(h) * P[t] * h))])),
+          instances(n=(1, 2), horizon=3)],
+      note="Q is P_0; the fast algorithm has Q = 0.")
