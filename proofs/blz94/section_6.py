@@ -36,6 +36,7 @@ from exactkf.language import (
     cospectral,
     det,
     eq,
+    forall,
     given,
     hstack,
     iff,
@@ -54,6 +55,7 @@ from exactkf.language import (
     recip,
     rows,
     scalar,
+    sequence,
     schur,
     size_of,
     standing,
@@ -88,6 +90,7 @@ from proofs.blz94.notation import (
     i,
     j,
     k,
+    m,
     monic_of,
     n,
     r,
@@ -116,6 +119,8 @@ SYMMETRIC = {**DATA, P: symmetric_matrix(n)}
 ANY_F = {F: matrix(n, n), g: vector(n), h: vector(n), P: symmetric_matrix(n)}
 #: one step of (2.2)
 STEP_OF_P = F * P * T(F) + (g - F * P * h) / (1 - T(h) * P * h) * T(g - F * P * h)
+#: inverse of S11 + S12 P, q being that of 1 - h'Ph
+_MINV = T(F) - h * T(g - F * P * h) * q
 SIZES = instances(n=(1, 2, 3))
 
 # ---------------------------------------------------------------------- Proposition 6.4
@@ -141,11 +146,14 @@ claim("BLZ94-S44", "the Riccati step over a common denominator, and the blocks o
       sizes=["n"], over=SYMMETRIC, where=[*CLOSED, *BLOCKS], by=[order(), SIZES])
 
 claim("BLZ94-P6.4", "the Riccati step is linear fractional, with the blocks of a symplectic matrix",
-      (STEP_OF_P * (S11 + S12 * P) == S21 + S22 * P) & invertible(S11 + S12 * P)
-      & symplectic(block([[S11, S12], [S21, S22]])), sizes=["n"], over=SYMMETRIC, where=BLOCKS,
-      by=[order([], [T(F) - h * T(g - F * P * h) / (1 - T(h) * P * h)]), SIZES],
-      note="The quotient of (6.6) is written as a product with S11 + S12 P, which is invertible when 1 - h'Ph is not "
-           "zero. The text takes F invertible and sigma not zero. h may be any vector here.")
+      ((F * P * T(F) + (g - F * P * h) * q * T(g - F * P * h)) * (S11 + S12 * P) == S21 + S22 * P) & invertible(S11 + S12 * P)
+      & symplectic(block([[S11, S12], [S21, S22]])), sizes=["n"], over={**SYMMETRIC, q: scalar()}, where=BLOCKS,
+      given=[given("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1), standing("sigma != 0", sigma != 0)],
+      by=[order([], [_MINV]),
+          instances(n=(1, 2, 3), made_by={q: 1 / (1 - T(h) * P * h)})],
+      note="The text takes F invertible and sigma not zero. h may be any vector here. The Riccati step, with q for the "
+           "inverse of 1 - h'Ph, is multiplied by S11 + S12 P from the right; that this is invertible is shown too, so the "
+           "quotient (6.6) exists and equals the step.")
 
 _HAT = block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])
 claim("BLZ94-E6.12", "S is symplectic", T(S) * _HAT * S == _HAT, sizes=["n"], over=DATA,
@@ -159,11 +167,15 @@ claim("BLZ94-C6.5", "the algebraic Riccati equation and the symplectic matrix in
       note="The two forms of the equation have the same residual, for every P.")
 
 claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
-      always(t, (P[t] * X[t] == Y[t]) & invertible(X[t])), sizes=["n"], over={**DATA, Q: symmetric_matrix(n)},
-      where=[*BLOCKS,
-             rec(P, t, Q, F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h)),
+      forall(t, 0, m, (P[t] * X[t] == Y[t]) & invertible(X[t])), sizes=["n", "m"],
+      over={**DATA, Q: symmetric_matrix(n), q: sequence(0, m - 1)},
+      where=[*BLOCKS, rec(P, t, Q, F * P[t] * T(F) + (g - F * P[t] * h) * q[t] * T(g - F * P[t] * h)),
              rec(X, t, Identity(n), S11 * X[t] + S12 * Y[t]), rec(Y, t, Q, S21 * X[t] + S22 * Y[t])],
+      given=[given("q_k is the inverse of 1 - h'P_kh", forall(k, 0, m - 1, q[k] * (1 - T(h) * P[k] * h) == 1)),
+             standing("sigma != 0", sigma != 0)],
       by=[induction(also=[P[t] == T(P[t])],
-                    step=order([], [], [inv(X[t]) * (T(F) - h * T(g - F * P[t] * h) / (1 - T(h) * P[t] * h))])),
-          instances(n=(1, 2), horizon=3)],
-      note="Q is P_0; the fast algorithm has Q = 0.")
+                    step=order([], [], [inv(X[t]) * (T(F) - h * T(g - F * P[t] * h) * q[t])])),
+          example(n=1, m=0, F=[[2]], g=[1], h=[1], Q=[[1]], q=[]),
+          instances(n=(1, 2), m=(1, 2, 3), made_by={q: (k, 1 / (1 - T(h) * Y[k] * inv(X[k]) * h))})],
+      note="Q is P_0; the fast algorithm has Q = 0. As long as the Riccati recursion does not divide by zero, X_t is "
+           "invertible, so that P_t is its quotient with Y_t.")
