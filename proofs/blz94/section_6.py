@@ -100,7 +100,7 @@ from proofs.blz94.notation import (
     u,
 )
 
-A, S, S11, S12, S21, S22, sigma, X, Y, R, U, V, K, L, N, Q, W = symbols("A S S11 S12 S21 S22 sigma X Y R U V K L N Q W")
+A, B, S, S11, S12, S21, S22, sigma, X, Y, R, U, V, K, L, N, Q, W = symbols("A B S S11 S12 S21 S22 sigma X Y R U V K L N Q W")
 f, p, q, v, w, x, y, z, Lambda, Gamma, M, H, E = symbols("f p q v w x y z Lambda Gamma M H E")
 
 #: A of Proposition 6.4 and the blocks (6.14) of S
@@ -179,3 +179,70 @@ claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
           instances(n=(1, 2), m=(1, 2, 3), made_by={q: (k, 1 / (1 - T(h) * Y[k] * inv(X[k]) * h))})],
       note="Q is P_0; the fast algorithm has Q = 0. As long as the Riccati recursion does not divide by zero, X_t is "
            "invertible, so that P_t is its quotient with Y_t.")
+
+# ---------------------------------------------------------------------- Lemma 6.2
+#: alpha_infinity of (6.2) from a solution P, and the row vector (z^(n-1), ..., 1)
+_POWERS = column(j, n, Z ** (n - j))
+#: n = 1: the orbit that tends to v, through the point with gamma = u (alpha - v)
+_ALPHA1 = (1 / v - u**2 * v) / (1 - u**2)
+_ORDER_ONE = {P: matrix_of(i, j, n, n, 1 - _ALPHA1 / v), a0: column(i, n, _ALPHA1 - u * (_ALPHA1 - v)),
+              g0: column(i, n, u * (_ALPHA1 - v))}
+claim("BLZ94-L6.2.1", "Lemma 6.1 with F = J - bh' in place of J - ah', everything else as it stands",
+      (1 - T(h) * P * h) * monic_of(alpha) * recip(monic_of(alpha)) == symmetric_part(monic_of(a0), monic_of(b0)), sizes=["n"],
+      over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n)},
+      where=[*SHIFT, let(b0, a0 + 2 * g0), let(F, J - b0 * T(h)),
+             let(alpha, 1 / (1 - T(h) * P * h) * (g0 - F * P * h) + a0)],
+      given=[given("(6.1)", F * P * T(F) - P + (g0 - F * P * h) / (1 - T(h) * P * h) * T(g0 - F * P * h) == Zero(n, n))],
+      by=[example(n=1, abar=[2], gbar=["-9/16"], P=[["3/8"]]), instances(n=(1,), using={u: scalar(), v: nonzero()}, made_by=_ORDER_ONE)],
+      note="If P_t tends to P, Lemma 6.1 makes (4.4) converge to the alpha of (6.2), and then r alpha(z)alpha(1/z) = D. In the example, "
+           "n = 1, a = 2, g = -9/16, b = 7/8, the recursion with F = -b converges: (-b, g) are the data of a positive real "
+           "function. The limit is 3/8, and (6.2) gives no factor of D.",
+      repair=repair("sign", "Exchanging a and b turns g into -g and the a of (6.2) into b; with F alone replaced the Riccati equation is "
+                            "that of another function v.",
+                    (1 - T(h) * P * h) * monic_of(alpha) * recip(monic_of(alpha)) == symmetric_part(monic_of(a0), monic_of(b0)),
+                    sizes=["n"], over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n)},
+                    where=[*SHIFT, let(b0, a0 + 2 * g0), let(F, J - b0 * T(h)),
+                           let(alpha, 1 / (1 - T(h) * P * h) * (-g0 - F * P * h) + b0)],
+                    given=[given("(6.1)", F * P * T(F) - P + (-g0 - F * P * h) / (1 - T(h) * P * h) * T(-g0 - F * P * h) == Zero(n, n))],
+                    by=[combination([(-T(_POWERS), "(6.1)", recip(_POWERS))], n=range(1, 5)),
+                        example(n=1, abar=["7/8"], gbar=["-9/16"], P=[["3/8"]]),
+                        instances(n=(1,), using={u: scalar(), v: nonzero()}, made_by=_ORDER_ONE)]))
+
+# ---------------------------------------------------------------------- the closed loop, (6.27)-(6.33)
+claim("BLZ94-E6.27", "(6.2) written with J in place of F",
+      (g - F * P * h) / (1 - T(h) * P * h) + a0 == (a0 + g - J * P * h) / (1 - T(h) * P * h), sizes=["n"],
+      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
+      where=[let(F, J - a0 * T(h))], by=[order(), SIZES])
+
+_INVARIANT = given("(6.28)", block([[S11, S12], [S21, S22]]) * vstack(X, Y) == vstack(X, Y) * Lambda)
+claim("BLZ94-E6.29", "the matrix of S on an invariant subspace",
+      S11 + S12 * P == X * Lambda * inv(X), sizes=["n"],
+      over={S11: matrix(n, n), S12: matrix(n, n), S21: matrix(n, n), S22: matrix(n, n), X: nonsingular(n), Y: matrix(n, n),
+            Lambda: matrix(n, n)},
+      where=[let(P, Y * inv(X))], given=[_INVARIANT],
+      by=[order(), instances(n=(1, 2, 3), made_by={S11: (X * Lambda - S12 * Y) * inv(X), S21: (Y * Lambda - S22 * Y) * inv(X)})])
+
+claim("BLZ94-E6.30", "the inverse of S11' + PS12'",
+      inv(T(S11) + P * T(S12)) == F * inv(F + 1 / sigma * (g - F * P * h) * T(h)) * F, sizes=["n"], over=SYMMETRIC, where=BLOCKS,
+      by=[order(), identity(n=(1, 2)), SIZES])
+
+claim("BLZ94-E6.31", "the matrix inversion lemma",
+      inv(A + B * inv(E) * M) == inv(A) - inv(A) * B * inv(E + M * inv(A) * B) * M * inv(A), sizes=["n", "k"],
+      over={A: nonsingular(n), B: matrix(n, k), M: matrix(k, n), E: nonsingular(k)}, by=[order(), instances(n=(1, 2, 3), k=(1, 2))],
+      note="E is the D of the text. The first parenthesis of the display is lost.")
+
+claim("BLZ94-E6.32", "S11' + PS12' is the inverse of the closed loop",
+      eq(inv(T(S11) + P * T(S12)), F - (g - F * P * h) / (1 - T(h) * P * h) * T(h), J - alpha * T(h)), sizes=["n"],
+      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
+      where=[let(F, J - a0 * T(h)), *BLOCKS, let(alpha, (g - F * P * h) / (1 - T(h) * P * h) + a0)],
+      by=[order(), identity(n=(1, 2)), SIZES])
+
+_SOLVED = {"using": {Lambda: matrix(n, n)}}
+claim("BLZ94-E6.33", "the closed loop on the invariant subspace; its characteristic polynomial",
+      (inv(T(J - alpha * T(h))) * X == X * Lambda) & (charpoly(J - alpha * T(h)) == monic_of(alpha)), sizes=["n"],
+      over={a0: vector(n), g: vector(n), X: nonsingular(n), P: symmetric_matrix(n)},
+      where=[*SHIFT, let(F, J - a0 * T(h)), *BLOCKS, let(alpha, (g - F * P * h) / (1 - T(h) * P * h) + a0),
+             let(Lambda, inv(X) * (S11 + S12 * P) * X)],
+      by=[identity(n=(1, 2)), steps("BLZ94-E6.29", "BLZ94-E6.32", prose="Insert (6.32), transposed, into (6.29). J - v h' is a companion matrix."),
+          instances(n=(1, 2, 3))],
+      note="X Lambda inv(X) = S11 + S12 P by (6.29), which defines Lambda here.")
