@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: MIT
+"""Section 6 and the last part of the appendix: invariant Lagrangian subspaces of S.
+
+Let U = Im(X; Y) be invariant under S, of dimension n and Lagrangian, X'Y = Y'X, and
+let R be the matrix of S on U. The intersection of U with Im(I; 0) consists of the
+(X; Y)z with Yz = 0. For such z the second block of S(X; Y) = (X; Y)R gives
+gg'A'^(-1)Xz = YRz, and z'X'Y = 0 gives (g'Xz)(g'A'^(-1)Xz) = 0. A product of two linear
+forms that vanishes on a space has a factor that vanishes there. If it is the second,
+the null space of Y is invariant under R; if it is the first, under the inverse of R, and
+then under R too, since the dimensions are finite.
+
+The eigenvalues of S come in pairs. If those on the circle have even multiplicity and S has one
+Jordan block for each eigenvalue, half of each block is dominant, the other half codominant.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, evaluation, example, identity, induction, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Z,
+    Zero,
+    always,
+    block,
+    bottom,
+    charpoly,
+    circle_roots,
+    coeff,
+    column,
+    coprime,
+    diag,
+    eq,
+    exists,
+    forall,
+    given,
+    hstack,
+    iff,
+    inside_roots,
+    inv,
+    invertible,
+    kernel_basis,
+    let,
+    matrix,
+    matrix_of,
+    monic,
+    nonneg_on_circle,
+    nonsingular,
+    nonzero,
+    outside_roots,
+    polynomial,
+    rank,
+    real_roots,
+    rec,
+    recip,
+    rev,
+    rows,
+    scalar,
+    schur,
+    size_of,
+    standing,
+    substitute,
+    sum_of,
+    symbols,
+    symmetric_matrix,
+    symplectic,
+    top,
+    vector,
+    vstack,
+    when,
+)
+from proofs.blz94.notation import OBSERVER, SHIFT, D, F, P, a, a0, b, g, g0, h, i, j, k, m, monic_of, n, symmetric_part, t
+from proofs.blz94.section_6 import CLOSED, S_OF_A, A, S
+
+X, Y, R, U, V, K, L, N, Q, W, M, E, B = symbols("X Y R U V K L N Q W M E B")
+p, q, s, u, v, w, x, y, z, c, l, T_ = symbols("p q s u v w x y z c l Theta")
+
+LOOP = {A: nonsingular(n), g: vector(n), h: vector(n)}
+_S = let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))], [g * T(g) * inv(T(A)), A - g * T(g) * inv(T(A)) * h * T(h)]]))
+_UR = given("SU = UR", S * vstack(X, Y) == vstack(X, Y) * R)
+_LAGRANGE = given("U is Lagrangian", T(X) * Y == T(Y) * X)
+
+#: n = 2: A, g, h, P with P = diag(0, w^2) a solution of the algebraic Riccati equation, in another basis of the state space (E),
+#: and another basis of the subspace (B); from the circle with parameters s, v
+_C, _CC = (1 - s**2) / (1 + s**2), (1 - v**2) / (1 + v**2)
+_SOLUTION = {
+    "using": {s: scalar(), v: scalar(), w: nonzero(), u: nonzero(), x: scalar(), y: scalar(), E: nonsingular(n), B: nonsingular(n)},
+    "made_by": {
+        A: E * matrix_of(i, j, n, n, when(i < n, when(i == j, u, 0), when(j == n, _C * _CC, x))) * inv(E),
+        g: E * column(i, n, when(i == n, 2 * s * w / (1 + s**2), 0)),
+        h: inv(T(E)) * column(i, n, when(i == n, 2 * v / ((1 + v**2) * w), y)),
+        X: inv(T(E)) * B,
+        Y: E * matrix_of(i, j, n, n, when(i == n, when(j == n, w**2, 0), 0)) * B,
+        R: inv(B) * T(E) * (inv(T(A)) - inv(T(A)) * h * T(h) * E * matrix_of(i, j, n, n, when(i == n, when(j == n, w**2, 0), 0)) * T(E))
+           * inv(T(E)) * B,
+    },
+}
+#: the equilibrium g = 0, U = Im(I; 0)
+_AT_REST = {"using": {B: nonsingular(n)}, "made_by": {g: 0 * h, X: B, Y: 0 * B, R: inv(B) * inv(T(A)) * B}}
+
+#: an invariant subspace that is not Lagrangian: one of two subsystems that do not interact
+_PAIR = example(n=2, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], X=[[1, 0], [0, 0]], Y=[[0, 1], [0, 0]], R=[["1/2", "-1/2"], ["1/2", "3/2"]],
+                z=[1, 0])
+
+# ---------------------------------------------------------------------- (A-20)-(A-28)
+claim("BLZ94-EA.20", "the intersection of U with Im(I; 0), and when it is invariant",
+      (rank(vstack(X, Y) * K) == 2 * n - rank(block([[X, Identity(n)], [Y, Zero(n, n)]])))
+      & iff(rank(hstack(vstack(X, Y) * K, M * vstack(X, Y) * K)) == size_of(T(K)), rank(vstack(Y, Y * R)) == rank(Y)), sizes=["n"],
+      over={X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n), M: matrix(2 * n, 2 * n)}, where=[let(K, kernel_basis(Y))],
+      given=[given("dim U = n", rank(vstack(X, Y)) == n), given("MU = UR", M * vstack(X, Y) == vstack(X, Y) * R)],
+      by=[steps(prose="The vectors of U are (X; Y)z, with one z each. Such a vector lies in Im(I; 0) if and only if Yz = 0, and M takes it to "
+                      "(X; Y)Rz."),
+          instances(30, n=(2, 3), using={u: vector(n), v: vector(n), c: scalar(), Q: matrix(n, n), N: matrix(n, n), E: nonsingular(n)},
+                    made_by={X: E, Y: u * T(v) * E, M: block([[Identity(n), Zero(n, n)], [u * T(v), Identity(n)]]) * block([[E * R * inv(E), Q], [Zero(n, n), N]])
+                             * block([[Identity(n), Zero(n, n)], [-(u * T(v)), Identity(n)]])}),
+          instances(12, n=(2, 3), using={u: vector(n), v: vector(n), c: scalar(), Q: matrix(n, n), N: matrix(n, n)},
+                    made_by={X: Identity(n), Y: u * T(v), R: Q * u * T(v) + c * Identity(n),
+                             M: block([[Identity(n), Zero(n, n)], [u * T(v), Identity(n)]])
+                             * block([[Q * u * T(v) + c * Identity(n), Q], [Zero(n, n), N]])
+                             * block([[Identity(n), Zero(n, n)], [-(u * T(v)), Identity(n)]])})],
+      note="K is a basis of the null space of Y. M is any matrix, in the text S.")
+
+claim("BLZ94-EA.22", "what invariance and the Lagrangian property give at z with Yz = 0",
+      (g * T(g) * inv(T(A)) * X * z == Y * R * z) & ((T(z) * T(X) * g) * (T(g) * inv(T(A)) * X * z) == 0), sizes=["n"],
+      over={**LOOP, X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n), z: vector(n)}, where=[_S],
+      given=[_UR, _LAGRANGE, given("Yz = 0", Y * z == Zero(n, 1))],
+      by=[order(), _PAIR,
+          instances(n=(2,), using={**_SOLUTION["using"], c: scalar()},
+                    made_by={**_SOLUTION["made_by"], z: c * inv(B) * column(i, n, when(i < n, 1, 0))}),
+          instances(n=(1, 2), using={**_AT_REST["using"]}, made_by=_AT_REST["made_by"])])
+
+claim("BLZ94-SA9", "a product of two linear forms that vanishes has a factor that vanishes",
+      (p == Zero(k, 1)) | (q == Zero(k, 1)), sizes=["k"], over={p: vector(k), q: vector(k)},
+      given=[given("at z = p", (T(p) * p) * (T(q) * p) == 0), given("at z = p + q", (T(p) * (p + q)) * (T(q) * (p + q)) == 0)],
+      by=[steps(facts=["a sum of squares of real numbers is zero only if they all are"],
+                prose="If p is not zero, the first hypothesis gives q'p = 0; the second is then (p'p)(q'q) = 0."),
+          instances(k=(1, 2, 3), using={c: scalar()}, made_by={q: 0 * p}),
+          instances(k=(1, 2, 3), made_by={p: 0 * q}),
+          example(k=2, p=[1, 0], q=[0, 1]), example(k=1, p=[1], q=["-1"]), example(k=2, p=[1, 0], q=["-1", 1])],
+      note="z are the coordinates of a vector of ker Y in a basis, p and q the two linear forms in them. Of all z in (A-23) only two are used.")
+
+claim("BLZ94-EA.25", "the inverse of S, and invariance under the inverse",
+      (inv(S) == inv(_HAT := block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])) * T(S) * _HAT)
+      & (inv(S) * vstack(X, Y) == vstack(X, Y) * N) & (T(S) * vstack(-Y, X) == vstack(-Y, X) * N) & (Y * N * z == Zero(n, 1)), sizes=["n"],
+      over={**LOOP, X: matrix(n, n), Y: matrix(n, n), R: nonsingular(n), z: vector(n)}, where=[_S, let(N, inv(R))],
+      given=[_UR, given("Yz = 0", Y * z == Zero(n, 1)), given("g'Xz = 0", T(g) * X * z == 0)],
+      by=[order(), _PAIR,
+          instances(n=(2,), using=_SOLUTION["using"], made_by={**_SOLUTION["made_by"], z: inv(B) * column(i, n, when(i < n, 1, 0))}),
+          instances(n=(1, 2), using=_AT_REST["using"], made_by=_AT_REST["made_by"])],
+      note="Theorem and proof ask for alpha_n not zero, which is det A not zero. The matrix R of S on U is nonsingular as S is.")
+
+claim("BLZ94-EA.28", "invariance under S and under its inverse are the same for Im(U; 0)",
+      iff(M * L == L * T_, inv(M) * L == L * inv(T_)), sizes=["l", "k"],
+      over={M: nonsingular(l), L: matrix(l, k), T_: nonsingular(k)},
+      by=[order(), instances(l=(2, 3), k=(1, 2), using={Q: nonsingular(l), u: nonzero(), E: matrix(l, l)},
+                             made_by={L: Q * matrix_of(i, j, l, k, when(i == j, 1, 0)),
+                                      M: Q * matrix_of(i, j, l, l, when(j <= k, when(i <= k, T_[i, j], 0), when(i == j, u, E[i, j] * when(i < j, 1, 0))))
+                                      * inv(Q)}),
+          instances(8, l=(1, 2), k=(1,))],
+      note="In the text M = S and L = (U; 0) with U of full rank; S is nonsingular, hence so is Theta. No more is needed of S and L.")
+
+# ---------------------------------------------------------------------- Lemmas 6.7 and 6.8
+_OBSERVABLE = standing("(h, A) is observable", rank(matrix_of(i, j, n, n, (T(h) * A ** (i - 1))[1, j])) == n)
+_BASIS = {**LOOP, X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n)}
+_DIMENSION = standing("dim U = n", rank(vstack(X, Y)) == n)
+claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I) in invariant subspaces",
+      (rank(vstack(Y, Y * R)) == rank(Y)) & (rank(vstack(Y, Y * inv(R))) == rank(Y))
+      & (rank(vstack(X, X * R)) == rank(X)) & (rank(vstack(X, X * inv(R))) == rank(X)), sizes=["n"], over=_BASIS, where=[_S],
+      given=[_UR, _LAGRANGE, _DIMENSION],
+      by=[steps("BLZ94-EA.20", "BLZ94-EA.22", "BLZ94-SA9", "BLZ94-EA.25", "BLZ94-EA.28",
+                prose="By (A-23) and SA9 one of g'A'^(-1)Xz, g'Xz vanishes for all z with Yz = 0. In the first case (A-22) gives YRz = 0, in "
+                      "the second (A-25) gives YR^(-1)z = 0; the two are equivalent. For Im(0; I): if Xz = 0, the first block of SU = UR is "
+                      "-A'^(-1)h(h'Yz) = XRz, and z'Y'XRz = 0 makes (h'A^(-1)Yz)(h'Yz) vanish."),
+          _PAIR, instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST),
+          example(n=2, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], X=[[0, 1], [0, 0]], Y=[[1, 0], [0, 0]], R=[["3/2", "1/2"], ["-1/2", "1/2"]]),
+          example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]])],
+      note="alpha_n not zero is det A not zero. By (A-20) the intersection is invariant under S exactly if the null space of Y is "
+           "invariant under R: then the rows of YR are combinations of those of Y.")
+
+claim("BLZ94-E6.21", "what invariance of Im(0; V) means",
+      (T(h) * V == Zero(1, k)) & (A * V == V * T_), sizes=["n", "k"], over={**LOOP, V: matrix(n, k), T_: matrix(k, k)}, where=[_S],
+      given=[given("S(0; V) = (0; V)T", S * vstack(Zero(n, k), V) == vstack(Zero(n, k), V) * T_), standing("h != 0", T(h) * h != 0)],
+      by=[order(), example(n=2, k=1, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], V=[[0], [1]], Theta=[[3]]),
+          instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero()},
+                    made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), Q[i, j]), when(j == n, c + 1, 0))) * inv(E),
+                             h: inv(T(E)) * column(i, n, when(i == n, 1, 0)), T_: c * Identity(k),
+                             V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,))],
+      note="h'V = 0 and AV = VT make h'A^iV = 0 for all i, hence V = 0 if (h, A) is observable; an observable pair has h != 0.")
+
+claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian subspace Im(X; Y)",
+      invertible(X), sizes=["n"], over={X: matrix(n, n), Y: matrix(n, n)},
+      given=[given("U is Lagrangian", T(X) * Y == T(Y) * X), given("dim U = n", rank(vstack(X, Y)) == n)],
+      by=[example(n=1, X=[[0]], Y=[[1]]), instances(n=(1, 2), using={P: symmetric_matrix(n)}, made_by={Y: P * X})],
+      note="The lemma does not ask that U is invariant: (6.19) only says that U is spanned by the columns of (X; Y). Im(0; I) is Lagrangian.",
+      repair=repair("missing hypothesis", "U has to be S-invariant, as in the sentence before (6.19) and in the proof.",
+                    invertible(X), sizes=["n"], over=_BASIS, where=[_S],
+                    given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X), given("dim U = n", rank(vstack(X, Y)) == n),
+                           given("(h, A) is observable", rank(matrix_of(i, j, n, n, (T(h) * A ** (i - 1))[1, j])) == n)],
+                    by=[steps("BLZ94-L6.8", "BLZ94-E6.21", prose="The intersection with Im(0; I) is invariant by Lemma 6.8, so it is zero by "
+                                                                 "(6.21) and observability."),
+                        example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]]),
+                        example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]),
+                        example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[1]], R=[[2]]),
+                        instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)]))
+
+# ---------------------------------------------------------------------- Lemma 6.12
+claim("BLZ94-E6.34", "what invariance of Im(U; 0) means",
+      (inv(T(A)) * U == U * T_) & (g * T(g) * inv(T(A)) * U == Zero(n, k)) & forall(m, 1, n, T(U) * inv(A) ** m * g == Zero(k, 1)),
+      sizes=["n", "k"], over={**LOOP, U: matrix(n, k), T_: matrix(k, k)}, where=[_S],
+      given=[given("S(U; 0) = (U; 0)T", S * vstack(U, Zero(n, k)) == vstack(U, Zero(n, k)) * T_)],
+      by=[steps(prose="The blocks of the hypothesis are the first two equations. g'A'^(-1)U is zero since gg'A'^(-1)U is, and U'A^(-m) = "
+                      "T'U'A^(-m+1)."),
+          instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero(), u: nonzero()},
+                    made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), 0), when(j == n, u, Q[i, j]))) * inv(E),
+                             g: E * column(i, n, when(i == n, 1, 0)), T_: 1 / c * Identity(k),
+                             U: inv(T(E)) * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,))],
+      note="U'A^(-n)(g, Ag, ..., A^(n-1)g) has the columns U'A^(-m)g, m = n, ..., 1.")
+
+claim("BLZ94-S53", "(F, g) is reachable if and only if a and b are coprime",
+      iff(rank(matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])) == n, coprime(monic_of(a0), monic_of(a0 + 2 * g0))), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
+      by=[steps(facts=["Popov, Belevitch, Hautus: (F, g) is reachable if and only if no left eigenvector of F is orthogonal to g"],
+                prose="The left eigenvector of J - ah' to a root x of a(z) is (x^(n-1), ..., x, 1); it is orthogonal to g if and only if x is a root "
+                      "of g(z) = (b(z) - a(z))/2."),
+          instances(30, n=(1, 2, 3)), example(n=2, abar=[3, 2], gbar=[1, 1]), example(n=2, abar=[3, 2], gbar=[1, 2])])
+
+_REACHABLE = rank(matrix_of(i, j, n, n, (A ** (j - 1) * g)[i])) == n
+_W_ZERO = rank(Y) == n
+claim("BLZ94-S52", "U meets Im(I; 0) in zero if and only if (A, g) is reachable; reachability of (A, g) and of (F, g)",
+      iff(_W_ZERO, _REACHABLE) & iff(_REACHABLE, rank(matrix_of(i, j, n, n, ((A + g * T(h)) ** (j - 1) * g)[i])) == n), sizes=["n"],
+      over=_BASIS, where=[_S], given=[_UR, _LAGRANGE, given("dim U = n", rank(vstack(X, Y)) == n)],
+      by=[example(n=1, A=[[2]], g=[0], h=[1], X=[["-1/3"]], Y=[[1]], R=[[2]]), instances(n=(1, 2), **_AT_REST)],
+      note="F = A + gh'. In the example n = 1, g = 0, and U is the eigenvector of S to the eigenvalue A = 2.",
+      repair=repair("other", "Only one direction holds: W = 0 if (A, g) is reachable. If it is not, some invariant Lagrangian U meet Im(I; 0) "
+                             "and others do not.",
+                    (_REACHABLE >> _W_ZERO) & iff(_REACHABLE, rank(matrix_of(i, j, n, n, ((A + g * T(h)) ** (j - 1) * g)[i])) == n),
+                    sizes=["n"], over=_BASIS, where=[_S], given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X),
+                                                                 given("dim U = n", rank(vstack(X, Y)) == n)],
+                    by=[steps("BLZ94-L6.8", "BLZ94-E6.34", facts=["reachability is not changed by feedback"],
+                              prose="W = Im(U; 0) is invariant, and (6.34) makes U'(g, Ag, ...) vanish."),
+                        example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
+                        instances(n=(1, 2), **_SOLUTION), instances(n=(1, 2), **_AT_REST)]))
+
+claim("BLZ94-L6.12", "for coprime a and b no Lagrangian invariant subspace meets Im(I; 0)",
+      _W_ZERO, sizes=["n"], over=_BASIS, where=[_S, let(F, A + g * T(h))],
+      given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X), given("dim U = n", rank(vstack(X, Y)) == n), _OBSERVABLE,
+             given("a and b are coprime", coprime(charpoly(F), charpoly(F - 2 * g * T(h))))],
+      by=[steps("BLZ94-L6.8", "BLZ94-E6.34", "BLZ94-S52", "BLZ94-S53", prose="W is invariant by Lemma 6.8; (A, g) is reachable as a and b are "
+                                                                           "coprime, so W = 0 by (6.34)."),
+          example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
+          example(n=1, A=[[2]], g=[0], h=[1], X=[[1]], Y=[[0]], R=[["1/2"]]),
+          instances(n=(1, 2), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)],
+      note="a(z) and b(z) are the characteristic polynomials of F and of F - 2gh'; in the coordinates of (2.10), J - ah' and J - bh'. The "
+           "intersection of U = Im(X; Y) with Im(I; 0) is zero exactly if Y is nonsingular.")
