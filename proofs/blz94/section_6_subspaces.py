@@ -28,6 +28,7 @@ from exactkf.language import (
     coeff,
     column,
     coprime,
+    det,
     diag,
     eq,
     exists,
@@ -47,6 +48,8 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     outside_roots,
+    prod,
+    rational,
     polynomial,
     rank,
     real_roots,
@@ -68,7 +71,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.blz94.notation import OBSERVER, SHIFT, D, F, P, a, a0, b, g, g0, h, i, j, k, m, monic_of, n, symmetric_part, t
+from proofs.blz94.notation import OBSERVER, SHIFT, D, F, J, P, a, a0, b, g, g0, h, i, j, k, m, monic_of, n, strict_of, symmetric_part, t
 from proofs.blz94.section_6 import CLOSED, S_OF_A, A, S
 
 X, Y, R, U, V, K, L, N, Q, W, M, E, B = symbols("X Y R U V K L N Q W M E B")
@@ -163,8 +166,8 @@ _OBSERVABLE = standing("(h, A) is observable", rank(matrix_of(i, j, n, n, (T(h) 
 _BASIS = {**LOOP, X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n)}
 _DIMENSION = standing("dim U = n", rank(vstack(X, Y)) == n)
 claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I) in invariant subspaces",
-      (rank(vstack(Y, Y * R)) == rank(Y)) & (rank(vstack(Y, Y * inv(R))) == rank(Y))
-      & (rank(vstack(X, X * R)) == rank(X)) & (rank(vstack(X, X * inv(R))) == rank(X)), sizes=["n"], over=_BASIS, where=[_S],
+      (rank(hstack(K, R * K)) == rank(K)) & (rank(hstack(L, R * L)) == rank(L)), sizes=["n"], over=_BASIS,
+      where=[_S, let(K, kernel_basis(Y)), let(L, kernel_basis(X))],
       given=[_UR, _LAGRANGE, _DIMENSION],
       by=[steps("BLZ94-EA.20", "BLZ94-EA.22", "BLZ94-SA9", "BLZ94-EA.25", "BLZ94-EA.28",
                 prose="By (A-23) and SA9 one of g'A'^(-1)Xz, g'Xz vanishes for all z with Yz = 0. In the first case (A-22) gives YRz = 0, in "
@@ -174,16 +177,16 @@ claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I)
           example(n=2, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], X=[[0, 1], [0, 0]], Y=[[1, 0], [0, 0]], R=[["3/2", "1/2"], ["-1/2", "1/2"]]),
           example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]])],
       note="alpha_n not zero is det A not zero. By (A-20) the intersection is invariant under S exactly if the null space of Y is "
-           "invariant under R: then the rows of YR are combinations of those of Y.")
+           "invariant under R. K and L are bases of the null spaces of Y and X. By (A-28) invariance under S^(-1) is the same.")
 
 claim("BLZ94-E6.21", "what invariance of Im(0; V) means",
-      (T(h) * V == Zero(1, k)) & (A * V == V * T_), sizes=["n", "k"], over={**LOOP, V: matrix(n, k), T_: matrix(k, k)}, where=[_S],
-      given=[given("S(0; V) = (0; V)T", S * vstack(Zero(n, k), V) == vstack(Zero(n, k), V) * T_), standing("h != 0", T(h) * h != 0)],
-      by=[order(), example(n=2, k=1, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], V=[[0], [1]], Theta=[[3]]),
+      (T(h) * V == Zero(1, k)) & (A * V == V * T_), sizes=["n", "k"], over={**LOOP, V: matrix(n, k), T_: matrix(k, k), q: scalar()}, where=[_S],
+      given=[given("S(0; V) = (0; V)T", S * vstack(Zero(n, k), V) == vstack(Zero(n, k), V) * T_), standing("h'h has an inverse q", q * (T(h) * h) == 1)],
+      by=[order(), example(n=2, k=1, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], V=[[0], [1]], Theta=[[3]], q=1), example(n=1, k=1, A=[[2]], g=[1], h=[0], V=[[1]], Theta=[[2]], q=0),
           instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero()},
                     made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), Q[i, j]), when(j == n, c + 1, 0))) * inv(E),
-                             h: inv(T(E)) * column(i, n, when(i == n, 1, 0)), T_: c * Identity(k),
-                             V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,))],
+                             h: inv(T(E)) * column(i, n, when(i == n, 1, 0)), T_: c * Identity(k), q: 1 / (T(h) * h),
+                             V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,), made_by={q: 1 / (T(h) * h)})],
       note="h'V = 0 and AV = VT make h'A^iV = 0 for all i, hence V = 0 if (h, A) is observable; an observable pair has h != 0.")
 
 claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian subspace Im(X; Y)",
@@ -215,25 +218,23 @@ claim("BLZ94-E6.34", "what invariance of Im(U; 0) means",
                              U: inv(T(E)) * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,))],
       note="U'A^(-n)(g, Ag, ..., A^(n-1)g) has the columns U'A^(-m)g, m = n, ..., 1.")
 
+_CONTROL = matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])
 claim("BLZ94-S53", "(F, g) is reachable if and only if a and b are coprime",
-      iff(rank(matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])) == n, coprime(monic_of(a0), monic_of(a0 + 2 * g0))), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
-      by=[steps(facts=["Popov, Belevitch, Hautus: (F, g) is reachable if and only if no left eigenvector of F is orthogonal to g"],
-                prose="The left eigenvector of J - ah' to a root x of a(z) is (x^(n-1), ..., x, 1); it is orthogonal to g if and only if x is a root "
-                      "of g(z) = (b(z) - a(z))/2."),
-          instances(30, n=(1, 2, 3)), example(n=2, abar=[3, 2], gbar=[1, 1]), example(n=2, abar=[3, 2], gbar=[1, 2])])
+      det(_CONTROL) == det(substitute(strict_of(g0), F)) * prod(k, 1, n, rational(-1) ** (k - 1)), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER, by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
+      note="The left side vanishes exactly if (F, g) is not reachable. The eigenvalues of F are the roots of a(z), so the right side vanishes "
+           "exactly if a root of a(z) is one of g(z) = (b(z) - a(z))/2, that is of b(z).")
 
 _REACHABLE = rank(matrix_of(i, j, n, n, (A ** (j - 1) * g)[i])) == n
 _W_ZERO = rank(Y) == n
-claim("BLZ94-S52", "U meets Im(I; 0) in zero if and only if (A, g) is reachable; reachability of (A, g) and of (F, g)",
-      iff(_W_ZERO, _REACHABLE) & iff(_REACHABLE, rank(matrix_of(i, j, n, n, ((A + g * T(h)) ** (j - 1) * g)[i])) == n), sizes=["n"],
+claim("BLZ94-S52", "U meets Im(I; 0) in zero if and only if (A, g) is reachable",
+      iff(_W_ZERO, _REACHABLE) , sizes=["n"],
       over=_BASIS, where=[_S], given=[_UR, _LAGRANGE, given("dim U = n", rank(vstack(X, Y)) == n)],
       by=[example(n=1, A=[[2]], g=[0], h=[1], X=[["-1/3"]], Y=[[1]], R=[[2]]), instances(n=(1, 2), **_AT_REST)],
-      note="F = A + gh'. In the example n = 1, g = 0, and U is the eigenvector of S to the eigenvalue A = 2.",
+      note="(A, g) and (F, g), F = A + gh', are reachable together, as feedback does not change it. In the example n = 1, g = 0, and U is the eigenvector of S to the eigenvalue A = 2.",
       repair=repair("other", "Only one direction holds: W = 0 if (A, g) is reachable. If it is not, some invariant Lagrangian U meet Im(I; 0) "
                              "and others do not.",
-                    (_REACHABLE >> _W_ZERO) & iff(_REACHABLE, rank(matrix_of(i, j, n, n, ((A + g * T(h)) ** (j - 1) * g)[i])) == n),
-                    sizes=["n"], over=_BASIS, where=[_S], given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X),
+                    _W_ZERO, sizes=["n"], over=_BASIS, where=[_S], given=[_UR, given("(A, g) is reachable", _REACHABLE), standing("U is Lagrangian", T(X) * Y == T(Y) * X),
                                                                  given("dim U = n", rank(vstack(X, Y)) == n)],
                     by=[steps("BLZ94-L6.8", "BLZ94-E6.34", facts=["reachability is not changed by feedback"],
                               prose="W = Im(U; 0) is invariant, and (6.34) makes U'(g, Ag, ...) vanish."),
