@@ -169,8 +169,8 @@ claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I)
       (rank(hstack(K, R * K)) == rank(K)) & (rank(hstack(L, R * L)) == rank(L)), sizes=["n"], over=_BASIS,
       where=[_S, let(K, kernel_basis(Y)), let(L, kernel_basis(X))],
       given=[_UR, _LAGRANGE, _DIMENSION],
-      by=[steps("BLZ94-EA.20", "BLZ94-EA.22", "BLZ94-SA9", "BLZ94-EA.25", "BLZ94-EA.28",
-                prose="By (A-23) and SA9 one of g'A'^(-1)Xz, g'Xz vanishes for all z with Yz = 0. In the first case (A-22) gives YRz = 0, in "
+      by=[steps("BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-EA.28", facts=["a vector space is not the union of two proper subspaces"],
+                prose="By (A-23) one of g'A'^(-1)Xz, g'Xz vanishes for all z with Yz = 0. In the first case (A-22) gives YRz = 0, in "
                       "the second (A-25) gives YR^(-1)z = 0; the two are equivalent. For Im(0; I): if Xz = 0, the first block of SU = UR is "
                       "-A'^(-1)h(h'Yz) = XRz, and z'Y'XRz = 0 makes (h'A^(-1)Yz)(h'Yz) vanish."),
           _PAIR, instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST),
@@ -198,7 +198,7 @@ claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian subspace Im(X; Y)",
                     invertible(X), sizes=["n"], over=_BASIS, where=[_S],
                     given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X), given("dim U = n", rank(vstack(X, Y)) == n),
                            given("(h, A) is observable", rank(matrix_of(i, j, n, n, (T(h) * A ** (i - 1))[1, j])) == n)],
-                    by=[steps("BLZ94-L6.8", "BLZ94-E6.21", prose="The intersection with Im(0; I) is invariant by Lemma 6.8, so it is zero by "
+                    by=[steps("BLZ94-E6.21", prose="The intersection with Im(0; I) is invariant by Lemma 6.8, so it is zero by "
                                                                  "(6.21) and observability."),
                         example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]]),
                         example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]),
@@ -236,8 +236,8 @@ claim("BLZ94-S52", "U meets Im(I; 0) in zero if and only if (A, g) is reachable"
                              "and others do not.",
                     _W_ZERO, sizes=["n"], over=_BASIS, where=[_S], given=[_UR, given("(A, g) is reachable", _REACHABLE), standing("U is Lagrangian", T(X) * Y == T(Y) * X),
                                                                  given("dim U = n", rank(vstack(X, Y)) == n)],
-                    by=[steps("BLZ94-L6.8", "BLZ94-E6.34", facts=["reachability is not changed by feedback"],
-                              prose="W = Im(U; 0) is invariant, and (6.34) makes U'(g, Ag, ...) vanish."),
+                    by=[steps("BLZ94-EA.22", "BLZ94-EA.25", facts=["reachability is not changed by feedback"],
+                              prose="W = Im(U; 0) is invariant by Lemma 6.8, and (6.34) makes U'(g, Ag, ...) vanish."),
                         example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
                         instances(n=(1, 2), **_SOLUTION), instances(n=(1, 2), **_AT_REST)]))
 
@@ -245,7 +245,7 @@ claim("BLZ94-L6.12", "for coprime a and b no Lagrangian invariant subspace meets
       _W_ZERO, sizes=["n"], over=_BASIS, where=[_S, let(F, A + g * T(h))],
       given=[_UR, standing("U is Lagrangian", T(X) * Y == T(Y) * X), given("dim U = n", rank(vstack(X, Y)) == n), _OBSERVABLE,
              given("a and b are coprime", coprime(charpoly(F), charpoly(F - 2 * g * T(h))))],
-      by=[steps("BLZ94-L6.8", "BLZ94-E6.34", "BLZ94-S52", "BLZ94-S53", prose="W is invariant by Lemma 6.8; (A, g) is reachable as a and b are "
+      by=[steps("BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-S53", prose="W is invariant by Lemma 6.8; (A, g) is reachable as a and b are "
                                                                            "coprime, so W = 0 by (6.34)."),
           example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
           example(n=1, A=[[2]], g=[0], h=[1], X=[[1]], Y=[[0]], R=[["1/2"]]),
