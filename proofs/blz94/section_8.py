@@ -101,7 +101,7 @@ k1, k2, al, ga = symbols("kappa1 kappa2 alpha_bar gamma_bar")
 ONE = (rec(alpha, t, al, alpha[t] / (1 - gamma[t] ** 2)), rec(gamma, t, ga, -gamma[t] * alpha[t] / (1 - gamma[t] ** 2)))
 POINT = {al: scalar(), ga: scalar()}
 #: D of order one
-D_ONE = (let(D, symmetric_part(Z + al - ga, Z + al + ga)),)
+D_ONE = (let(a, Z + al - ga), let(b, Z + al + ga), let(D, symmetric_part(a, b)))
 DEFINITE = nonneg_on_circle(D) | nonneg_on_circle(-D)
 #: a point of the curve with 1/kappa = e, by a = alpha - gamma
 _B = (e * x - 1) / (x - e)
@@ -114,7 +114,7 @@ claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
       where=[*ORBIT, let(a, Z - gamma0[1] + alpha0[1]), let(b, Z + gamma0[1] + alpha0[1])], given=[standing("n = 1", n == 1)],
       by=[instances(n=(1,))], note="phi_1 = z - gamma_0, psi_1 = z + gamma_0.")
 
-claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al) + abs(ga) < 1, schur(Z + al - ga) & pos_on_circle(D)),
+claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al) + abs(ga) < 1, schur(a) & pos_on_circle(D)),
       over=POINT, where=D_ONE,
       by=[steps(prose="D = 1 + alpha^2 - gamma^2 + 2 alpha cos(theta) is positive for all theta if and only if |gamma| < |1 - |alpha||. If |alpha| < 1 "
                       "this is the diamond, where |alpha - gamma| < 1; if |alpha| > 1 it makes |alpha - gamma| > 1."),
@@ -123,8 +123,9 @@ claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al)
 
 claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) there",
       iff(DEFINITE, (abs(ga) <= abs(1 - abs(al))) | (abs(ga) >= 1 + abs(al)))
-      & (((abs(al) > 1) & (abs(ga) < abs(al) - 1)) >> (pos_on_circle(D) & (inside_roots(1 + (al - ga) * Z) == 1)))
-      & ((abs(ga) > 1 + abs(al)) >> (pos_on_circle(-D) & (inside_roots(1 + (al - ga) * Z) == 1))), over=POINT, where=D_ONE,
+      & iff((abs(al) > 1) & (abs(ga) < abs(al) - 1), pos_on_circle(D) & (inside_roots(f) == 1))
+      & iff(abs(ga) > 1 + abs(al), pos_on_circle(-D)) & (pos_on_circle(-D) >> (inside_roots(f) == 1)), over=POINT,
+      where=[*D_ONE, let(f, 1 + (al - ga) * Z)],
       by=[steps(prose="The extreme values of D on the circle are (1 + |alpha|)^2 - gamma^2 and (1 - |alpha|)^2 - gamma^2. v(1/z) has the pole "
                       "-1/(alpha - gamma)."),
           instances(40), example({al: 3, ga: 2}), example({al: 3, ga: 1}), example({al: -3, ga: 1}), example({al: 1, ga: 2}), example({al: 1, ga: 3}),
@@ -133,8 +134,8 @@ claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) t
       note="Regions with their boundary for definiteness, open ones for positive and negative realness. v(1/z) is positive (negative) real if D > 0 "
            "(D < 0) and its pole lies inside the circle.")
 
-claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", iff(defined(alpha[1]) & defined(gamma[1]), (ga != 1) & (ga != -1)), over=POINT,
-      where=ONE, by=[example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
+claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", iff(defined(alpha[1]), (ga != 1) & (ga != -1)), over=POINT,
+      where=ONE, by=[example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
 
 claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
       forall(t, 0, 3, al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (0 * al / (1 - ga**2) == 0), over=POINT, where=ONE,
@@ -163,13 +164,13 @@ claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point o
                     by=[identity(m=range(0, 4)), instances(m=(1, 2, 3))]))
 
 claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots only at (1, 0) and (-1, 0)",
-      iff(substitute(Z + al - ga, x) * substitute(Z + al - ga, 1 / x) + substitute(Z + al + ga, x) ** 2 == 0, (ga == 0) & (al == -x) & (x**2 == 1)),
-      over={**POINT, x: nonzero()},
-      given=[standing("x and 1/x are the roots, so x = 1/x", x**2 == 1)],
-      by=[steps(prose="A polynomial of degree one has one root, so x = 1/x; both a(x) and b(x) vanish."),
-          example({al: 1, ga: 0, x: -1}), example({al: -1, ga: 0, x: 1}), example({al: 1, ga: 1, x: 1}), example({al: 0, ga: 1, x: 1}), example({al: 0, ga: 1, x: -1}),
-          example({al: 1, ga: 2, x: 1}), example({al: 2, ga: 0, x: 1}), example({al: 1, ga: 0, x: 1}), instances(20, made_by={x: 0 * al - 1})],
-      note="A sum of squares says that both vanish. The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
+      iff((substitute(a, x) == 0) & (substitute(b, x) == 0) & (substitute(a, w) == 0), (ga == 0) & (al == -x) & (x == w)),
+      over={**POINT, x: nonzero()}, where=[*D_ONE, let(w, 1 / x)],
+      by=[steps(prose="a(x) = b(x) = 0 gives gamma = 0 and alpha = -x; a polynomial of degree one has one root, so x = 1/x."),
+          example({al: 1, ga: 0, x: -1}), example({al: -1, ga: 0, x: 1}), example({al: 1, ga: 1, x: 1}), example({al: 0, ga: 1, x: 1}),
+          example({al: 0, ga: 1, x: -1}), example({al: -2, ga: 0, x: 2}), example({al: -2, ga: 0, x: "1/2"}), example({al: 2, ga: 0, x: 1}),
+          example({al: 1, ga: 0, x: 1}), example({al: 1, ga: 2, x: 1}), example({al: 1, ga: -2, x: 1}), example({al: 2, ga: 0, x: 2}), instances(20)],
+      note="The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
 
 #: S of order one, (6.14)
 _S_ONE = (let(c, -al), let(S, rows([[1 / c, -1 / c], [ga**2 / c, c - ga**2 / c]])))
@@ -187,7 +188,7 @@ claim("BLZ94-S60", "n = 1: the eigenvalues of S for each kappa",
       note="Nonconvergence is Corollary 5.3; there is no Theorem 5.34. kappa infinite means trace zero, eigenvalues i and -i.")
 
 claim("BLZ94-S61", "0 < kappa^2 < 1: the equilibria on the curve, and how they attract",
-      (inside_roots(Z**2 - 2 / kappa * Z + 1) == 1) & (outside_roots(Z**2 - 2 / kappa * Z + 1) == 1), over={kappa: nonzero()},
+      (inside_roots(f) == 1) & (real_roots(f, -1, 1) == 1), over={kappa: nonzero()}, where=[let(f, Z**2 - 2 / kappa * Z + 1)],
       given=[given("kappa^2 < 1", kappa**2 < 1)],
       by=[steps("BLZ94-E8.4", prose="With gamma = 0, (8.4) is alpha^2 - (2/kappa) alpha + 1 = 0; the product of the roots is one, they are real and differ. That every "
                                     "other orbit tends to the root inside is the cross ratio of Figure 8.2. The Jacobian at (alpha, 0) is diag(1, -alpha)."),
@@ -198,7 +199,8 @@ _COS = when(p == 3, HALF, when(p == 4, 0, when(p == 5, (1 + sqrt(5)) / 4, when(p
     p == 10, -(1 + sqrt(5)) / 4, -sqrt(3) / 2))))))
 _PERIODS = (3, 4, 5, 6, 8, 10, 12)
 _CURVE = (let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE)
-_PERIOD = (alpha[p] == al) & (gamma[p] == ga) & forall(k, 1, p - 1, ~((alpha[k] == al) & (gamma[k] == ga)))
+#: the only return within p steps is at step p; alpha - gamma names the point
+_PERIOD = sum_of(k, 1, p, when(alpha[k] - gamma[k] == x, k, 0)) == p
 claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p"], over={x: scalar()}, where=_CURVE,
       by=[instances(28, p=_PERIODS)],
       note="Both conditions of the text are 1/kappa = -cos(2 pi q/p). One q for each p in 3, 4, 5, 6, 8, 10, 12; x = alpha - gamma names any point of the curve.")
@@ -207,11 +209,113 @@ claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], 
       note="Checked for p = 3, 4, 5, 6, 8, 10, 12. In general 1/kappa = -cos(2 pi/p) has the angle pi/p, with q = 1: kappa < -1 for p > 4, kappa infinite for "
            "p = 4, kappa = 2 for p = 3.")
 
-#: alpha that escape at step k: backwards from infinity by alpha -> 2/kappa - 1/alpha
-claim("BLZ94-X8.A2", "the number of points that escape", (w == when(p == 3, 4, when(p == 5, 8, p - 2))), sizes=["p"],
-      where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
-             function(f, [k], when(k == 1, when(2 * e == 0, 1, 1), when(y(k - 1) == 0, 0, f(k - 1)))),
-             let(w, 2 * sum_of(k, 1, p, f(k) * when(f(k) == 1, 1, 0)))],
-      by=[evaluation(p=_PERIODS)],
-      note="alpha escapes at step k if alpha moves to infinity in k steps; each such alpha belongs to two points, gamma and -gamma. Going back "
-           "from infinity one comes to 0, and there the list ends. 2(p - 1) is 4 and 8 for p = 3 and 5.")
+claim("BLZ94-X8.A2", "the number of points that escape", 2 * sum_of(k, 1, p, f(k)) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p"],
+      where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
+             function(f, [k], when(k == 1, 1, when(y(k - 1) == 0, 0, f(k - 1))))],
+      by=[instances(p=_PERIODS)],
+      note="alpha = y(k) moves to infinity in k steps; each such alpha belongs to two points, gamma and -gamma. Going back from infinity one comes "
+           "to alpha = 0, which nothing moves to, and there the list ends.")
+
+claim("BLZ94-X8.B", "other angles: no orbit returns, and infinitely many points escape",
+      forall(k, 1, m, (alpha[k] - gamma[k] != x) & (y(k) != 0)), sizes=["m"], over={x: scalar(), e: scalar()},
+      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1)))],
+      given=[standing("indefinite", abs(e) < 1), given("not a rational angle", e * (4 * e**2 - 1) != 0)],
+      by=[steps(facts=["Niven: 0, 1/2, 1 and their negatives are the only rational cosines of rational multiples of pi",
+                       "Kronecker: the multiples of an irrational angle are dense in the circle"],
+                prose="The curve is a circle on which each step is a rotation by one angle; y(k) are the alpha that escape at step k."),
+          example({"m": 3, x: "1/3", e: "1/2"}), example({"m": 4, x: "1/3", e: 0}), example({"m": 6, x: "1/3", e: "-1/2"}),
+          instances(30, m=(3, 6, 8), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
+      note="Rational 1/kappa = e with |e| < 1; that orbits are dense is the second fact.")
+
+claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
+      forall(t, 0, m, (alpha[t] - c) * (1 - c * t * (x - c)) == x - c), sizes=["p", "m"], over={x: scalar()},
+      where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE], by=[identity(p=(1, 2), m=range(0, 5)), instances(p=(1, 2), m=(2, 3))],
+      note="c = kappa. Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is 1 = c t (x - c) for some t, a countable set. At (c, 0) the "
+           "Jacobian is diag(1, -c): both eigenvalues have modulus one. Near (c, 0), (alpha - c)^2 - gamma^2 takes both signs, so curves of all "
+           "types come near.")
+
+claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order one",
+      (alpha[1] == column(i, n, when(i == 1, x / (1 - gamma0[n] ** 2), 0))) & (gamma[1][n] == -x * gamma0[n] / (1 - gamma0[n] ** 2)),
+      sizes=["n"], over={x: scalar(), gamma0: vector(n)}, where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT],
+      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1); the other entries of gamma "
+           "are earlier values of gamma_{n-1} after n - 1 steps.")
+
+# ---------------------------------------------------------------------- order two
+claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",
+      sum_of(k, 1, p, when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, 0), 0)) == p, sizes=["p"], over={x: scalar()},
+      where=[let(n, 2), let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)),
+             let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT],
+      by=[instances(12, p=(3, 4, 5))],
+      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. The second sentence follows from X8.B: arbitrarily close to any kappa of "
+           "period p there are kappa with dense, hence unbounded, orbits.")
+
+claim("BLZ94-E8.5", "(8.5) is (4.4) for n = 2",
+      (alpha[1][1] == alpha0[1] / (1 - gamma0[2] ** 2) + gamma0[2] / (1 - gamma0[2] ** 2) * gamma0[1] / (1 - gamma0[1] ** 2) * alpha0[2])
+      & (alpha[1][2] == alpha0[2] / (1 - gamma0[1] ** 2)) & (gamma[1][1] == gamma0[2])
+      & (gamma[1][2] == -alpha[1][1] * gamma0[2] - alpha[1][2] * gamma0[1]), over={alpha0: vector(2), gamma0: vector(2)}, where=[let(n, 2), *ORBIT],
+      by=[identity(), instances()])
+
+al1, al2, ga0, ga1 = symbols("alpha1 alpha2 gamma0 gamma1")
+_R1, _R2 = 1 - ga0**2, (1 - ga0**2) * (1 - ga1**2)
+_PHI2 = (let(a, Z * (Z - ga0) - ga1 * (1 - ga0 * Z) + al1 * (Z - ga0) + al2), let(b, Z * (Z + ga0) + ga1 * (1 + ga0 * Z) + al1 * (Z + ga0) + al2),
+         let(D, symmetric_part(a, b)))
+_POINT2 = {al1: scalar(), al2: scalar(), ga0: scalar(), ga1: scalar()}
+claim("BLZ94-E8.6", "the coefficients of D for n = 2",
+      (coeff(D, 0) == al2**2 + _R1 * al1**2 + _R2) & (coeff(D, 1) == _R1 * al1 + al1 * al2 + ga0 * ga1 * al2) & (coeff(D, 2) == al2),
+      over=_POINT2, where=_PHI2, by=[identity(), instances()], note="kappa_i = 2 d_i/d_0, so (8.6) is 2 d_i = kappa_i d_0.")
+
+claim("BLZ94-E8.7", "the constants at an equilibrium for n = 2",
+      (2 * coeff(D, 1) / coeff(D, 0) == 2 * al1 * (1 + al2) / (al2**2 + al1**2 + 1)) & (2 * coeff(D, 2) / coeff(D, 0) == 2 * al2 / (al2**2 + al1**2 + 1)),
+      over={al1: scalar(), al2: scalar()}, where=[let(ga0, 0), let(ga1, 0), *_PHI2], by=[identity(), instances()])
+
+_W = let(f, Z**2 + al1 * Z + al2)
+_AL = {al1: scalar(), al2: scalar()}
+_TRIANGLE = (abs(al1) <= 1 + al2) & (al2 <= 1)
+_GRID = ((0, -1), (-2, 1), (2, 1), (1, 1), (0, 1), (1, 0), (-1, 0), ("1/2", "-1/2"), ("-1/2", "-1/2"), (3, 2), (-3, 2), (3, 1), (0, 2), (0, "-3/2"),
+         (1, "1/4"), (0, "1/2"), (1, "1/2"), ("1/2", 0), (-2, 2), (-1, "1/4"))
+_EDGES = [example({al1: x_, al2: y_}) for x_, y_ in _GRID]
+claim("BLZ94-F8.3a", "the closed triangle is the set of alpha with all zeros inside the unit circle", iff(_TRIANGLE, schur(f)), over=_AL, where=[_W],
+      by=[*_EDGES[:1], instances(20)], note="The text says that all zeros lie inside the unit circle, and speaks of the closed triangle.",
+      repair=repair("boundary case", "The closed triangle belongs to zeros in the closed disc; on its boundary zeros lie on the circle.",
+                    iff(_TRIANGLE, outside_roots(f) == 0), over=_AL, where=[_W],
+                    by=[steps(facts=["Schur and Cohn: all roots of z^2 + uz + v lie in |z| < 1 if and only if |v| < 1 and |u| < 1 + v"],
+                              prose="The closed case is its limit."), *_EDGES, instances(20)]))
+
+claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
+      (((abs(al1) < 1 + al2) & (al2 < 1)) >> (circle_roots(f * q) == 0)) & (circle_roots(f * q) == 2 * circle_roots(f))
+      & ((_TRIANGLE & (4 * al2 < al1**2)) >> (real_roots(f, rational("-101/100"), 1) == 2)) & ((4 * al2 > al1**2) >> (real_roots(f, -1000, 1000) == 0)),
+      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2)],
+      by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v"], prose="z^2 D = f q up to a factor, q having the inverse roots of f."),
+          *[example({al1: x_, al2: y_}) for x_, y_ in _GRID if y_ != 0], instances(20)],
+      note="f = alpha_infinity(z), q its reversed polynomial.")
+
+claim("BLZ94-F8.3c", "the other equilibria with the same D",
+      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
+      over={x: nonzero(), y: nonzero()}, where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y))],
+      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1)],
+      by=[steps(facts=["a polynomial has one factorization into linear ones"],
+                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. A complex pair can only be "
+                      "replaced together."),
+          instances(20, using={u: nonzero(), v: nonzero()}, made_by={x: u / 7, y: v / 7}), example({x: 2, y: "1/2"}), example({x: "1/3", y: 2}),
+          example({x: "1/3", y: "1/2"})],
+      note="Real zeros x, y. For x = y, on the parabola, the two saddles are one.")
+
+_ROWS = rows([[1 + al1**2 + al2**2, al1 * (1 + al2), al2], [2 * al1, 1 + al2, 0], [2 * al2, al1, 1]])
+_SAME = given("on the same invariant manifold", (al1 * (1 + al2) * (1 + u**2 + v**2) == u * (1 + v) * (1 + al1**2 + al2**2))
+              & (al2 * (1 + u**2 + v**2) == v * (1 + al1**2 + al2**2)))
+_INTERIOR = given("interior of the triangle", (abs(u) < 1 + v) & (v < 1))
+_FOUR = {al1: scalar(), al2: scalar(), u: scalar(), v: scalar()}
+claim("BLZ94-S65", "the invariant manifold of an interior point has no singular point among the equilibria", det(_ROWS) != 0, over=_FOUR,
+      given=[_INTERIOR, _SAME], by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), instances(made_by={al1: u + 0, al2: v + 0})],
+      note="The rows are (d_0, d_1, d_2) at (alpha, 0) and its derivatives; those in gamma vanish. (u, v) = (1, 1/4) lies on the parabola, and (5/2, 1) on "
+           "its manifold.",
+      repair=repair("missing hypothesis", "The points on the parabola have to be excepted: reflecting one of two equal zeros gives an equilibrium with a pair "
+                                          "of reciprocal zeros, which is a singular point.",
+                    det(_ROWS) != 0, over=_FOUR, given=[_INTERIOR, _SAME, given("not on the parabola", u**2 != 4 * v)],
+                    by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), example({al1: 0, al2: 1, u: 0, v: 0}), example({al1: 3, al2: 2, u: 3, v: 2}),
+                        instances(made_by={al1: u + 0, al2: v + 0}),
+                        instances(using={x: nonzero(), y: nonzero()}, made_by={u: -x / 7 - y / 7, v: x * y / 49, al1: -7 / x - y / 7, al2: y / x})]))
+
+claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
+      by=[identity(), instances()], note="The determinant vanishes exactly on the three lines that bound the triangle.")
