@@ -123,7 +123,7 @@ claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al)
 
 claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) there",
       iff(DEFINITE, (abs(ga) <= abs(1 - abs(al))) | (abs(ga) >= 1 + abs(al)))
-      & iff((abs(al) > 1) & (abs(ga) < abs(al) - 1), pos_on_circle(D) & (inside_roots(f) == 1))
+      & iff(abs(ga) < abs(al) - 1, pos_on_circle(D) & (inside_roots(f) == 1))
       & iff(abs(ga) > 1 + abs(al), pos_on_circle(-D)) & (pos_on_circle(-D) >> (inside_roots(f) == 1)), over=POINT,
       where=[*D_ONE, let(f, 1 + (al - ga) * Z)],
       by=[steps(prose="The extreme values of D on the circle are (1 + |alpha|)^2 - gamma^2 and (1 - |alpha|)^2 - gamma^2. v(1/z) has the pole "
@@ -199,30 +199,32 @@ _COS = when(p == 3, HALF, when(p == 4, 0, when(p == 5, (1 + sqrt(5)) / 4, when(p
     p == 10, -(1 + sqrt(5)) / 4, -sqrt(3) / 2))))))
 _PERIODS = (3, 4, 5, 6, 8, 10, 12)
 _CURVE = (let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE)
-#: the only return within p steps is at step p; alpha - gamma names the point
-_PERIOD = sum_of(k, 1, p, when(alpha[k] - gamma[k] == x, k, 0)) == p
-claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p"], over={x: scalar()}, where=_CURVE,
+#: w is the first step at which the orbit is back; alpha - gamma names the point
+_RETURN = (function(f, [k], when(alpha[k] - gamma[k] == x, k, f(k + 1))), let(w, f(1)))
+_PERIOD = w == p
+claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
       by=[instances(28, p=_PERIODS)],
       note="Both conditions of the text are 1/kappa = -cos(2 pi q/p). One q for each p in 3, 4, 5, 6, 8, 10, 12; x = alpha - gamma names any point of the curve.")
 
-claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=_CURVE, by=[instances(28, p=_PERIODS)],
+claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN], by=[instances(28, p=_PERIODS)],
       note="Checked for p = 3, 4, 5, 6, 8, 10, 12. In general 1/kappa = -cos(2 pi/p) has the angle pi/p, with q = 1: kappa < -1 for p > 4, kappa infinite for "
            "p = 4, kappa = 2 for p = 3.")
 
-claim("BLZ94-X8.A2", "the number of points that escape", 2 * sum_of(k, 1, p, f(k)) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p"],
+claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
-             function(f, [k], when(k == 1, 1, when(y(k - 1) == 0, 0, f(k - 1))))],
+             function(f, [k], when(y(k) == 0, k, f(k + 1)))],
       by=[instances(p=_PERIODS)],
       note="alpha = y(k) moves to infinity in k steps; each such alpha belongs to two points, gamma and -gamma. Going back from infinity one comes "
            "to alpha = 0, which nothing moves to, and there the list ends.")
 
 claim("BLZ94-X8.B", "other angles: no orbit returns, and infinitely many points escape",
-      forall(k, 1, m, (alpha[k] - gamma[k] != x) & (y(k) != 0)), sizes=["m"], over={x: scalar(), e: scalar()},
-      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1)))],
+      (w == 1) & (v == m), sizes=["m"], over={x: scalar(), e: scalar()},
+      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
+             let(w, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))), let(v, sum_of(k, 1, m, when(y(k) == 0, 0, 1)))],
       given=[standing("indefinite", abs(e) < 1), given("not a rational angle", e * (4 * e**2 - 1) != 0)],
       by=[steps(facts=["Niven: 0, 1/2, 1 and their negatives are the only rational cosines of rational multiples of pi",
                        "Kronecker: the multiples of an irrational angle are dense in the circle"],
-                prose="The curve is a circle on which each step is a rotation by one angle; y(k) are the alpha that escape at step k."),
+                prose="The curve is a circle on which each step is a rotation by one angle; y(k) are the alpha that escape at step k. w counts the visits at the start, v the y(k) that are not zero."),
           example({"m": 3, x: "1/3", e: "1/2"}), example({"m": 4, x: "1/3", e: 0}), example({"m": 6, x: "1/3", e: "-1/2"}),
           instances(30, m=(3, 6, 8), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
       note="Rational 1/kappa = e with |e| < 1; that orbits are dense is the second fact.")
@@ -243,9 +245,10 @@ claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order
 
 # ---------------------------------------------------------------------- order two
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",
-      sum_of(k, 1, p, when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, 0), 0)) == p, sizes=["p"], over={x: scalar()},
+      w == p, sizes=["p"], over={x: scalar()},
       where=[let(n, 2), let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)),
-             let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT],
+             let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT,
+             function(f, [k], when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, f(k + 1)), f(k + 1))), let(w, f(1))],
       by=[instances(12, p=(3, 4, 5))],
       note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. The second sentence follows from X8.B: arbitrarily close to any kappa of "
            "period p there are kappa with dense, hence unbounded, orbits.")
@@ -273,22 +276,23 @@ _W = let(f, Z**2 + al1 * Z + al2)
 _AL = {al1: scalar(), al2: scalar()}
 _TRIANGLE = (abs(al1) <= 1 + al2) & (al2 <= 1)
 _GRID = ((0, -1), (-2, 1), (2, 1), (1, 1), (0, 1), (1, 0), (-1, 0), ("1/2", "-1/2"), ("-1/2", "-1/2"), (3, 2), (-3, 2), (3, 1), (0, 2), (0, "-3/2"),
-         (1, "1/4"), (0, "1/2"), (1, "1/2"), ("1/2", 0), (-2, 2), (-1, "1/4"))
+         (1, "1/4"), (0, "1/2"), (1, "1/2"), ("1/2", 0), (1, "1/5"), ("247/100", "3/2"), (-2, 2), (-1, "1/4"))
 _EDGES = [example({al1: x_, al2: y_}) for x_, y_ in _GRID]
 claim("BLZ94-F8.3a", "the closed triangle is the set of alpha with all zeros inside the unit circle", iff(_TRIANGLE, schur(f)), over=_AL, where=[_W],
       by=[*_EDGES[:1], instances(20)], note="The text says that all zeros lie inside the unit circle, and speaks of the closed triangle.",
       repair=repair("boundary case", "The closed triangle belongs to zeros in the closed disc; on its boundary zeros lie on the circle.",
-                    iff(_TRIANGLE, outside_roots(f) == 0), over=_AL, where=[_W],
+                    iff(_TRIANGLE, inside_roots(f) + circle_roots(f) == 2), over=_AL, where=[_W],
                     by=[steps(facts=["Schur and Cohn: all roots of z^2 + uz + v lie in |z| < 1 if and only if |v| < 1 and |u| < 1 + v"],
                               prose="The closed case is its limit."), *_EDGES, instances(20)]))
 
 claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
-      (((abs(al1) < 1 + al2) & (al2 < 1)) >> (circle_roots(f * q) == 0)) & (circle_roots(f * q) == 2 * circle_roots(f))
-      & ((_TRIANGLE & (4 * al2 < al1**2)) >> (real_roots(f, rational("-101/100"), 1) == 2)) & ((4 * al2 > al1**2) >> (real_roots(f, -1000, 1000) == 0)),
-      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2)],
+      iff((abs(al1) < 1 + al2) & (al2 < 1), schur(f)) & (circle_roots(f * q) == 2 * circle_roots(f))
+      & iff(w == 1, schur(f) & (real_roots(f, -1, 1) == 2))
+      & iff(4 * al2 > al1**2, real_roots(f, -1000, 1000) + 1 == 1),
+      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(w, when((abs(al1) < 1 + al2) & (al2 < 1) & (4 * al2 < al1**2), 1, 0))],
       by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v"], prose="z^2 D = f q up to a factor, q having the inverse roots of f."),
           *[example({al1: x_, al2: y_}) for x_, y_ in _GRID if y_ != 0], instances(20)],
-      note="f = alpha_infinity(z), q its reversed polynomial.")
+      note="w = 1 inside the triangle below the parabola; f = alpha_infinity(z), q its reversed polynomial.")
 
 claim("BLZ94-F8.3c", "the other equilibria with the same D",
       (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
@@ -306,13 +310,13 @@ _SAME = given("on the same invariant manifold", (al1 * (1 + al2) * (1 + u**2 + v
               & (al2 * (1 + u**2 + v**2) == v * (1 + al1**2 + al2**2)))
 _INTERIOR = given("interior of the triangle", (abs(u) < 1 + v) & (v < 1))
 _FOUR = {al1: scalar(), al2: scalar(), u: scalar(), v: scalar()}
-claim("BLZ94-S65", "the invariant manifold of an interior point has no singular point among the equilibria", det(_ROWS) != 0, over=_FOUR,
+claim("BLZ94-S65", "the invariant manifold of an interior point has no singular point among the equilibria", rank(e) == 3, over=_FOUR, where=[let(e, _ROWS)],
       given=[_INTERIOR, _SAME], by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), instances(made_by={al1: u + 0, al2: v + 0})],
       note="The rows are (d_0, d_1, d_2) at (alpha, 0) and its derivatives; those in gamma vanish. (u, v) = (1, 1/4) lies on the parabola, and (5/2, 1) on "
            "its manifold.",
       repair=repair("missing hypothesis", "The points on the parabola have to be excepted: reflecting one of two equal zeros gives an equilibrium with a pair "
                                           "of reciprocal zeros, which is a singular point.",
-                    det(_ROWS) != 0, over=_FOUR, given=[_INTERIOR, _SAME, given("not on the parabola", u**2 != 4 * v)],
+                    rank(e) == 3, over=_FOUR, where=[let(e, _ROWS)], given=[_INTERIOR, _SAME, given("not on the parabola", u**2 != 4 * v)],
                     by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), example({al1: 0, al2: 1, u: 0, v: 0}), example({al1: 3, al2: 2, u: 3, v: 2}),
                         instances(made_by={al1: u + 0, al2: v + 0}),
                         instances(using={x: nonzero(), y: nonzero()}, made_by={u: -x / 7 - y / 7, v: x * y / 49, al1: -7 / x - y / 7, al2: y / x})]))
