@@ -13,7 +13,7 @@ The eigenvalues of S come in pairs. If those on the circle have even multiplicit
 Jordan block for each eigenvalue, half of each block is dominant, the other half codominant.
 """
 
-from exactkf.claims import claim, repair
+from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import combination, evaluation, example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
@@ -252,3 +252,51 @@ claim("BLZ94-L6.12", "for coprime a and b no Lagrangian invariant subspace meets
           instances(n=(1, 2), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)],
       note="a(z) and b(z) are the characteristic polynomials of F and of F - 2gh'; in the coordinates of (2.10), J - ah' and J - bh'. The "
            "intersection of U = Im(X; Y) with Im(I; 0) is zero exactly if Y is nonsingular.")
+
+# ---------------------------------------------------------------------- dominant subspaces
+_CYCLE = given("A^4 = I, one real eigenvalue", (M**4 == Identity(3)) & (real_roots(charpoly(M), -2, 2) == 1) & (M * u == u))
+claim("BLZ94-L6.9", "powers of A take complementary subspaces to the dominant one, if it and the codominant one are unique",
+      rank(hstack(x, u)) == 1, over={M: matrix(3, 3), u: vector(3), x: vector(3)}, given=[_CYCLE, standing("u, x not zero", (T(u) * u != 0) & (T(x) * x != 0))],
+      by=[example({M: [[1, 0, 0], [0, 0, -1], [0, 1, 0]], u: [1, 0, 0], x: [1, 1, 0]}),
+          instances(made_by={M: rows([[1, 0, 0], [0, 0, -1], [0, 1, 0]]), u: rows([[1], [0], [0]]), x: rows([[1], [0], [0]])})],
+      note="All eigenvalues have modulus one. The real line spanned by u is the only invariant one, hence the unique dominant subspace of dimension one, and the plane of i and "
+           "-i the unique codominant one of dimension two. A sequence of period four converges only if it is constant, so Ax would have to span the line of u.",
+      repair=repair("missing hypothesis", "Uniqueness has to be meant for complex subspaces, or in the sense of exponents: then the eigenvalues of the modulus in question form one "
+                                          "Jordan block. For such a block of size three the first entry of (I + tN + t(t-1)/2 N^2)x outgrows the others.",
+                    (T(h) * q)[1, 1] == Z * (Z - 1) / 2 * x[3] + Z * x[2] + x[1], over={x: vector(3)},
+                    where=[let(N, rows([[0, 1, 0], [0, 0, 1], [0, 0, 0]])), let(h, rows([[1], [0], [0]])),
+                           let(q, x + Z * (N * x) + Z * (Z - 1) / 2 * (N * N * x))], by=[identity(), instances()]))
+
+claim("BLZ94-E6.22", "the exponents of the vectors of a Jordan block", 2 - 2 * 1 + 1 == w - 2 * v + 1, over={x: nonzero()},
+      where=[let(M, rows([[x, 1], [0, x]])), let(u, rows([[1], [0]])), let(w, rank(hstack(u, M * u))), let(v, 2 * rank(M))],
+      by=[instances()],
+      note="m is the dimension of the smallest invariant subspace that contains the vector, g that of the largest cyclic one; for the eigenvector of a block of size two m = 1, "
+           "g = 2. The proof of Lemma 6.10 uses m_i - 2j + 1 = 1 for it, with m_i = 2 and j = 1.",
+      repair=repair("other", "m and g are exchanged: m is the dimension of the largest cyclic subspace, g that of the smallest invariant subspace that contains the vector.",
+                    2 - 2 * 1 + 1 == rank(M) - 2 * w + 1, over={x: nonzero()},
+                    where=[let(M, rows([[x, 1], [0, x]])), let(u, rows([[1], [0]])), let(w, rank(hstack(u, M * u)))], by=[instances()]))
+
+claim("BLZ94-E6.26", "convergence of the subspaces as convergence of the matrices", M * vstack(X, Y) == vstack(X, Y), sizes=["n"],
+      over={M: matrix(2 * n, 2 * n), X: nonsingular(n), Y: matrix(n, n), R: nonsingular(n)},
+      given=[given("the subspace is invariant", M * vstack(X, Y) == vstack(X, Y) * R)],
+      by=[example(n=1, M=[[2, 0], [0, "1/2"]], X=[[1]], Y=[[0]], R=[[2]]), instances(n=(1,), made_by={M: Identity(2 * n), R: Identity(n)})],
+      note="A limit of the matrices S^t(I; 0) is fixed by S. In the example Im(1; 0) is the dominant subspace, S^t(1; 0) lies in it and is unbounded.",
+      repair=repair("other", "The matrices converge only after multiplication from the right: S^t(X; Y) = (X; Y)R^t; what converges is Y_tX_t^(-1).",
+                    forall(m, 0, k, M**m * vstack(X, Y) == vstack(X, Y) * R**m), sizes=["n", "k"],
+                    over={M: matrix(2 * n, 2 * n), X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n)},
+                    given=[given("the subspace is invariant", M * vstack(X, Y) == vstack(X, Y) * R)],
+                    by=[instances(n=(1, 2), k=(2, 3), using={Q: nonsingular(2 * n), E: matrix(n, n), N: matrix(n, n)},
+                                  made_by={M: Q * block([[R, E], [Zero(n, n), N]]) * inv(Q), X: top(Q * vstack(Identity(n), Zero(n, n)), n),
+                                           Y: bottom(Q * vstack(Identity(n), Zero(n, n)), n)})]))
+
+claim("BLZ94-E6.18", "the characteristic polynomial of S is a multiple of D",
+      charpoly(S) * (a0[n] + g0[n]) == Z**n * symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)), sizes=["n"], over={a0: vector(n), g0: vector(n)},
+      where=[*OBSERVER, let(A, F - g0 * T(h)), let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
+                                                            [g0 * T(g0) * inv(T(A)), A - g0 * T(g0) * inv(T(A)) * h * T(h)]]))],
+      by=[identity(n=(1, 2)), instances(n=(1, 2, 3))],
+      note="alpha_n = a_n + g_n. The printed coefficients kappa_i/kappa_n = d_i/d_n are those of D divided by d_n = alpha_n.")
+
+for _id, _title in (("BLZ94-L6.10", "uniqueness of the dominant subspace"), ("BLZ94-L6.11", "the limit of the orbit in terms of the dominant subspace"),
+                    ("BLZ94-S47", "intersection of the equimodular parts"), ("BLZ94-S48", "sign definite D and zeros of odd multiplicity"),
+                    ("BLZ94-S49", "spans of ordered generalized eigenvectors"), ("BLZ94-S50", "exponents for S"), ("BLZ94-S51", "a basis of the codominant subspace")):
+    not_checked(_id, _title, "not yet stated as an exact formula")

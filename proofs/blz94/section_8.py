@@ -13,6 +13,7 @@ equilibria on the same manifold come from reflecting roots of alpha(z) in the un
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import evaluation, example, identity, induction, instances, steps
 from exactkf.language import (
+    Identity,
     T,
     Z,
     always,
@@ -288,11 +289,11 @@ claim("BLZ94-F8.3a", "the closed triangle is the set of alpha with all zeros ins
 claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
       iff((abs(al1) < 1 + al2) & (al2 < 1), schur(f)) & (circle_roots(f * q) == 2 * circle_roots(f))
       & iff(w == 1, schur(f) & (real_roots(f, -1, 1) == 2))
-      & iff(4 * al2 > al1**2, real_roots(f, -1000, 1000) + 1 == 1),
-      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(w, when((abs(al1) < 1 + al2) & (al2 < 1) & (4 * al2 < al1**2), 1, 0))],
+      & iff(4 * al2 > al1**2, v == 1),
+      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(w, when((abs(al1) < 1 + al2) & (al2 < 1) & (4 * al2 < al1**2), 1, 0)), let(v, when(real_roots(f, -1000, 1000) == 0, 1, 0))],
       by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v"], prose="z^2 D = f q up to a factor, q having the inverse roots of f."),
           *[example({al1: x_, al2: y_}) for x_, y_ in _GRID if y_ != 0], instances(20)],
-      note="w = 1 inside the triangle below the parabola; f = alpha_infinity(z), q its reversed polynomial.")
+      note="v = 1 without real zeros, w = 1 inside the triangle below the parabola; f = alpha_infinity(z), q its reversed polynomial.")
 
 claim("BLZ94-F8.3c", "the other equilibria with the same D",
       (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
@@ -323,3 +324,77 @@ claim("BLZ94-S65", "the invariant manifold of an interior point has no singular 
 
 claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
       by=[identity(), instances()], note="The determinant vanishes exactly on the three lines that bound the triangle.")
+
+claim("BLZ94-S64", "a = b occurs only at equilibria; a common root one outside of them", iff(a == b, (ga0 == 0) & (ga1 == 0)), over=_POINT2, where=_PHI2,
+      by=[steps(prose="b - a = 2 gamma_0 z + 2(gamma_1 + alpha_1 gamma_0). a(1) = b(1) = 0 holds for instance at (-1, 0, 0, 0) and at (-2, 1, 0, 0), and with "
+                      "gamma_0 = -gamma_1/(1 + alpha_1) and 1 + alpha_1 + alpha_2 + gamma_0 gamma_1 = 0."),
+          example({al1: 1, al2: 1, ga0: 0, ga1: 0}), example({al1: 1, al2: 1, ga0: 0, ga1: 1}), example({al1: 1, al2: 1, ga0: 1, ga1: -1}), instances()])
+
+claim("BLZ94-S67", "n = 2: no eigenvalue on the circle exactly off the boundary of the triangle",
+      iff(circle_roots(f) == 0, w == 0), over=_AL, where=[_W, let(w, when(_TRIANGLE, when((abs(al1) == 1 + al2) | (al2 == 1), 1, 0), 0))],
+      by=[example({al1: -3, al2: 2}), instances(10)],
+      note="w = 1 on the boundary. The text speaks of the lines through the corners and of the boundary as if they were the same. The center manifold has dimension 2 + c.",
+      repair=repair("other", "The two lines through (0, -1) belong entirely to zeros at 1 and -1, also beyond the triangle; of the third only the edge.",
+                    iff(circle_roots(f) == 0, v == 0), over=_AL,
+                    where=[_W, let(v, when(((1 + al2) ** 2 == al1**2) | ((al2 == 1) & (abs(al1) <= 2)), 1, 0))],
+                    by=[steps(prose="A zero 1 or -1 is 1 + v = -u or u; a pair on the circle is v = 1 with |u| < 2."), *_EDGES, instances(20)]))
+
+claim("BLZ94-S70", "dimensions of the center manifolds on the boundary of the triangle", x == y, over=_AL,
+      where=[_W, let(x, circle_roots(f)), let(y, when(al2 == 1, 2, when((al1 == 0) & (al2 == -1), 2, 1)))],
+      given=[standing("boundary", _TRIANGLE & ((abs(al1) == 1 + al2) | (al2 == 1)))],
+      by=[steps(prose="The dimension is n + c (Theorem 5.2), c the number of zeros on the circle: v = 1 has two, (0, -1) has 1 and -1, the open edges have one."),
+          *_EDGES[:5], instances(10, using={u: scalar()}, made_by={al2: u**2 / (1 + u**2), al1: 1 + u**2 / (1 + u**2)}),
+          instances(10, using={u: scalar()}, made_by={al2: -1 + u**2 / (2 + u**2), al1: u**2 / (2 + u**2)})])
+
+_AB2 = (let(a, Z**2 + al1 * Z + al2), let(b, Z**2 + ga0 * Z + ga1), let(D, symmetric_part(a, b)),
+        let(e, rows([[coeff(D, 0), coeff(D, 1), coeff(D, 2)],
+                     [coeff(symmetric_part(Z, b), 0), coeff(symmetric_part(Z, b), 1), coeff(symmetric_part(Z, b), 2)],
+                     [coeff(symmetric_part(1, b), 0), coeff(symmetric_part(1, b), 1), coeff(symmetric_part(1, b), 2)],
+                     [coeff(symmetric_part(a, Z), 0), coeff(symmetric_part(a, Z), 1), coeff(symmetric_part(a, Z), 2)],
+                     [coeff(symmetric_part(a, 1), 0), coeff(symmetric_part(a, 1), 1), coeff(symmetric_part(a, 1), 2)]])))
+claim("BLZ94-S69", "the invariant manifold of a point with v = 1, or of (0, -1), has dimension less than two",
+      rank(e) < 3, over={**_POINT2, u: scalar()}, where=_AB2,
+      given=[given("on the manifold of (u, 1)", (coeff(D, 0) == coeff(D, 2) * (2 + u**2)) & (coeff(D, 1) == coeff(D, 2) * 2 * u)),
+             standing("D is not zero", coeff(D, 2) != 0)],
+      by=[example({al1: 0, al2: 0, ga0: 0, ga1: 1, u: 0}), instances(10, made_by={al1: u + 0, al2: 1 + 0 * u, ga0: u + 0, ga1: 1 + 0 * u})],
+      note="a = z^2 + alpha_1 z + alpha_2 and b = z^2 + gamma_0 z + gamma_1 here. Where D, up to a factor, is a map of rank two, the manifold is a surface. In "
+           "the example a = z^2, b = z^2 + 1, with the D of z^2 + 1.",
+      repair=repair("other", "Only the equilibrium itself is singular: the manifold is a surface at its points whose polynomial a(z) has no pair of reciprocal zeros.",
+                    rank(e) == 3, over={**_POINT2, u: scalar()}, where=_AB2,
+                    given=[given("a has no reciprocal zeros", (al2 - 1) * ((1 + al2) ** 2 - al1**2) != 0)],
+                    by=[steps(prose="The last two rows and a(z)b(1/z) + a(1/z)b(z) are the values of an invertible linear map at z, 1 and b."),
+                        example({al1: 1, al2: 1, ga0: 1, ga1: 1, u: 1}), example({al1: "5/2", al2: 1, ga0: "5/2", ga1: 1, u: 1}), instances(20)]))
+
+_CLOSED = (let(n, 2), let(alpha0, rows([[0], [2]])), let(gamma0, rows([[rational("1/2")], [rational("1/3")]])), *ORBIT,
+           function(al1, [t], alpha[t][1]), function(al2, [t], alpha[t][2]), function(ga0, [t], gamma[t][1]), function(ga1, [t], gamma[t][2]),
+           function(a, [t], Z * (Z - ga0[t]) - ga1[t] * (1 - ga0[t] * Z) + al1[t] * (Z - ga0[t]) + al2[t]),
+           function(b, [t], Z * (Z + ga0[t]) + ga1[t] * (1 + ga0[t] * Z) + al1[t] * (Z + ga0[t]) + al2[t]),
+           function(D, [t], symmetric_part(a[t], b[t])))
+claim("BLZ94-X8.1a", "the point (0, 2, 1/2, 1/3): D is positive, v is not positive real, the orbit converges",
+      (D[0] == rational("14/3") + (Z + 1 / Z) / 3 + 2 * (Z**2 + Z**(-2))) & pos_on_circle(D[0]) & ~schur(a[0]) & schur(a[6]) & pos_on_circle(D[6]) & coprime(a[0], b[0]), where=_CLOSED, by=[evaluation()],
+      note="After six steps the data are positive real; from there the classical theorem gives convergence. alpha_2 = 2 > 1 places the point in an unbounded region.")
+claim("BLZ94-X8.1b", "|gamma_t| exceeds one exactly twice",
+      (sum_of(k, 0, 12, when(abs(gamma[k][1]) > 1, 1, 0)) == 2) & (abs(gamma[2][1]) > 1) & (abs(gamma[4][1]) > 1) & schur(a[5]) & pos_on_circle(D[5]), where=_CLOSED,
+      by=[evaluation()], note="From step five on the data are positive real, so that |gamma_t| < 1.")
+claim("BLZ94-X8.1c", "after six steps the data are positive real and remain so", schur(a[6]) & pos_on_circle(D[6]) & schur(a[7]) & pos_on_circle(D[7]) & ~pos_on_circle(D[4]),
+      where=_CLOSED, by=[evaluation()], note="Five steps are enough. Positive realness is kept by the algorithm, as the Schur parameters of v_t are later ones of v.")
+
+claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
+      (k2 * (x**2 - 2) + k1 * x + 2 == 0) & (k2 * (y**2 - 2) + k1 * y + 2 == 0), over={k1: scalar(), k2: nonzero(), w: scalar()},
+      where=[let(x, (-k1 + w) / (2 * k2)), let(y, (-k1 - w) / (2 * k2))], given=[given("w is the root", w**2 == k1**2 - 8 * k2 + 8 * k2**2)],
+      by=[steps(prose="2D/d_0 = 2 + kappa_1(z + 1/z) + kappa_2(z^2 + 1/z^2), and z^2 + 1/z^2 = (z + 1/z)^2 - 2; z + 1/z = 2 cos(phi) = 2/beta."),
+          instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
+
+_F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
+claim("BLZ94-X8.2", "the period 144",
+      (X**144 == Identity(14)) & (X**72 != Identity(14)) & (X**72 != -Identity(14)) & (X**48 != Identity(14)),
+      where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0))))], by=[evaluation()],
+      note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
+           "matrix is X. The orbit returns when S^p is the identity; S^p = -I would exchange a and b.")
+
+not_checked("BLZ94-F8.4a", "one bounded and four unbounded regions in Figure 8.4", "a statement read off a picture, about the number of components of a planar set")
+not_checked("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to", "it is Theorem 7.1 for the points of a picture")
+not_checked("BLZ94-F8.5", "the plot of an orbit", "a picture without printed numbers; what the text says of it is in X8.1a, X8.1b and X8.1c")
+not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point", "the initial point and its rounding are not printed")
+not_checked("BLZ94-S66", "the manifold of an interior point is its global stable manifold", "it is Corollary 7.2 with Theorem 7.1 for n = 2; not yet stated as an exact formula")
+not_checked("BLZ94-S71", "three behaviours in the white region", "periodic points and escape are in P8.1 and X8.A2; density on some manifold is not yet stated as an exact formula")
