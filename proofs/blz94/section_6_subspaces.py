@@ -33,6 +33,7 @@ from exactkf.language import (
     eq,
     exists,
     forall,
+    function,
     given,
     hstack,
     iff,
@@ -267,14 +268,14 @@ claim("BLZ94-L6.9", "powers of A take complementary subspaces to the dominant on
                     where=[let(N, rows([[0, 1, 0], [0, 0, 1], [0, 0, 0]])), let(h, rows([[1], [0], [0]])),
                            let(q, x + Z * (N * x) + Z * (Z - 1) / 2 * (N * N * x))], by=[identity(), instances()]))
 
-claim("BLZ94-E6.22", "the exponents of the vectors of a Jordan block", 2 - 2 * 1 + 1 == w - 2 * v + 1, over={x: nonzero()},
-      where=[let(M, rows([[x, 1], [0, x]])), let(u, rows([[1], [0]])), let(w, rank(hstack(u, M * u))), let(v, 2 * rank(M))],
-      by=[instances()],
-      note="m is the dimension of the smallest invariant subspace that contains the vector, g that of the largest cyclic one; for the eigenvector of a block of size two m = 1, "
-           "g = 2. The proof of Lemma 6.10 uses m_i - 2j + 1 = 1 for it, with m_i = 2 and j = 1.",
+_GRADE = (let(N, matrix_of(i, j, p, p, when(j == i + 1, 1, 0))),
+          function(u, [m], rank(matrix_of(i, k, p, p, (N ** (k - 1) * column(s, p, when(s == m, 1, 0)))[i]))))
+claim("BLZ94-E6.22", "the exponents of the vectors of a Jordan block", forall(m, 1, p, u(m) - 2 * p + 1 == p - 2 * m + 1), sizes=["p"], where=_GRADE,
+      by=[example(p=2), instances(p=(1, 2, 3))],
+      note="In one Jordan block of size p the smallest invariant subspace that contains the m-th vector has dimension u(m), the largest cyclic one dimension p. The proof of "
+           "Lemma 6.10 uses the exponents p - 2m + 1.",
       repair=repair("other", "m and g are exchanged: m is the dimension of the largest cyclic subspace, g that of the smallest invariant subspace that contains the vector.",
-                    2 - 2 * 1 + 1 == rank(M) - 2 * w + 1, over={x: nonzero()},
-                    where=[let(M, rows([[x, 1], [0, x]])), let(u, rows([[1], [0]])), let(w, rank(hstack(u, M * u)))], by=[instances()]))
+                    forall(m, 1, p, p - 2 * u(m) + 1 == p - 2 * m + 1), sizes=["p"], where=_GRADE, by=[instances(p=(1, 2, 3, 4))]))
 
 claim("BLZ94-E6.26", "convergence of the subspaces as convergence of the matrices", M * vstack(X, Y) == vstack(X, Y), sizes=["n"],
       over={M: matrix(2 * n, 2 * n), X: nonsingular(n), Y: matrix(n, n), R: nonsingular(n)},
@@ -296,7 +297,29 @@ claim("BLZ94-E6.18", "the characteristic polynomial of S is a multiple of D",
       by=[identity(n=(1, 2)), instances(n=(1, 2, 3))],
       note="alpha_n = a_n + g_n. The printed coefficients kappa_i/kappa_n = d_i/d_n are those of D divided by d_n = alpha_n.")
 
-for _id, _title in (("BLZ94-L6.10", "uniqueness of the dominant subspace"), ("BLZ94-L6.11", "the limit of the orbit in terms of the dominant subspace"),
+_DOMINANT = {**LOOP, X: matrix(2 * n, n), R: matrix(n, n), Y: matrix(2 * n, n), Q: matrix(n, n)}
+_TWO = [given("X is invariant", S * X == X * R), given("Y is invariant", S * Y == Y * Q), given("dimension of X", rank(X) == n), given("dimension of Y", rank(Y) == n),
+        given("X is dominant", inside_roots(charpoly(R)) == 0), given("Y is dominant", inside_roots(charpoly(Q)) == 0)]
+_EVEN = standing("no eigenvalue of odd multiplicity on the circle",
+                 nonneg_on_circle(Z ** (-n) * charpoly(S)) | nonneg_on_circle(-(Z ** (-n) * charpoly(S))))
+_REST = instances(n=(1, 2), using={B: nonsingular(n), E: nonsingular(n), u: scalar()},
+                  made_by={A: matrix_of(i, j, n, n, when(i == j, 1 / (1 + i + u**2), 0)), g: 0 * h, X: vstack(B, Zero(n, n)), R: inv(B) * inv(T(A)) * B,
+                           Y: vstack(E, Zero(n, n)), Q: inv(E) * inv(T(A)) * E})
+claim("BLZ94-L6.10", "the dominant invariant subspace of dimension n is unique", rank(hstack(X, Y)) == n, sizes=["n"], over=_DOMINANT, where=[_S],
+      given=[*_TWO, _EVEN],
+      by=[example(n=2, A=[[0, 1], [1, 0]], g=[0, 0], h=[1, 0], X=[[1, 0], [1, "-1/2"], [0, 1], [0, 1]], R=[[1, "-1/2"], [0, 1]],
+                  Y=[[1, 0], [-1, "1/2"], [0, 1], [0, -1]], Q=[[-1, "1/2"], [0, -1]]), _REST],
+      note="Dominance is that of Lemma 6.9, by moduli. In the example S has the double eigenvalues 1 and -1; the generalized eigenspaces of both are dominant.",
+      repair=repair("missing hypothesis", "Only among Lagrangian subspaces, or in the sense of exponents, is it unique, and there are such with a, b coprime.",
+                    rank(hstack(X, Y)) == n, sizes=["n"], over=_DOMINANT, where=[_S, let(W, block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]]))],
+                    given=[*_TWO, standing("X is Lagrangian", T(X) * W * X == Zero(n, n)), standing("Y is Lagrangian", T(Y) * W * Y == Zero(n, n)), _EVEN],
+                    by=[_REST, example(n=1, A=[["1/2"]], g=[0], h=[0], X=[[1], [0]], R=[[2]], Y=[[0], [1]], Q=[["1/2"]]),
+                        example(n=1, A=[["1/2"]], g=[0], h=[0], Y=[[1], [0]], Q=[[2]], X=[[0], [1]], R=[["1/2"]]),
+                        example(n=1, A=[["1/2"]], g=[0], h=[0], Y=[[1], [0]], Q=[[2]], X=[[1], [1]], R=[[2]]),
+                        example(n=1, A=[["1/2"]], g=[0], h=[0], X=[[1], [0]], R=[[2]], Y=[[1], [1]], Q=[[2]]),
+                        example(n=1, A=[["1/2"]], g=[0], h=[0], X=[[1], [0]], R=[[2]], Y=[[0], [0]], Q=[[2]]),
+                        example(n=1, A=[["1/2"]], g=[0], h=[0], X=[[0], [0]], R=[[2]], Y=[[0], [0]], Q=[[2]])]))
+for _id, _title in (("BLZ94-L6.11", "the limit of the orbit in terms of the dominant subspace"),
                     ("BLZ94-S47", "intersection of the equimodular parts"), ("BLZ94-S48", "sign definite D and zeros of odd multiplicity"),
                     ("BLZ94-S49", "spans of ordered generalized eigenvectors"), ("BLZ94-S50", "exponents for S"), ("BLZ94-S51", "a basis of the codominant subspace")):
     not_checked(_id, _title, "not yet stated as an exact formula")

@@ -18,7 +18,9 @@ from exactkf.language import (
     column,
     coprime,
     forall,
+    circle_roots,
     given,
+    inside_roots,
     inv,
     let,
     matrix,
@@ -68,6 +70,7 @@ claim("BLZ94-T7.1.0", "convergence makes D sign definite", nonneg_on_circle(D) |
       given=[given("D = c w(z)w(1/z)", D == c * w * recip(w))],
       by=[steps(facts=["a number times its conjugate is not negative"], prose="On the circle w(1/z) is the conjugate of w(z). Sufficiency is Lemmas 6.9 to 6.12 "
                                                                                         "with the formula of T7.1.2."),
+          example(n=1, a=[2, 1], b=[-2, 1], w=[0, 1], c=-3), example(n=1, a=[2, 1], b=[2, 1], w=[1, 1], c=1),
           instances(n=(1, 2), made_by={a: w, b: w, c: 1}), instances(n=(1, 2))])
 
 claim("BLZ94-T7.1.3", "a common factor of a and b goes through a step",
@@ -92,7 +95,7 @@ claim("BLZ94-C7.2.1", "the stable manifold of (alpha, 0) consists of pairs whose
       by=[example(n=1, u=["1/2", 1], v=["1/2", 1]), instances(n=(1,), made_by={v: u})],
       note="theta = 1. The equilibrium itself belongs to its stable manifold, but there a = b.",
       repair=repair("boundary case", "The reduced polynomials may have common zeros, if these lie in the closed disc.",
-                    outside_roots(u) == 0, sizes=["n"], over={u: monic(n), v: monic(n)},
+                    inside_roots(u) + circle_roots(u) == n, sizes=["n"], over={u: monic(n), v: monic(n)},
                     given=[given("the limit is Schur", schur(u)), standing("the orbit tends to it, being at it", u == v)],
                     by=[example(n=1, u=[2, 1], v=[2, 1]), instances(n=(1, 2), using={x: monic(n)},
                                                                     made_by={u: substitute(x, 4 * Z) / to_expr(4) ** n, v: substitute(x, 4 * Z) / to_expr(4) ** n})]))

@@ -335,8 +335,8 @@ claim("BLZ94-S67", "n = 2: no eigenvalue on the circle exactly off the boundary 
       by=[example({al1: -3, al2: 2}), instances(10)],
       note="w = 1 on the boundary. The text speaks of the lines through the corners and of the boundary as if they were the same. The center manifold has dimension 2 + c.",
       repair=repair("other", "The two lines through (0, -1) belong entirely to zeros at 1 and -1, also beyond the triangle; of the third only the edge.",
-                    iff(circle_roots(f) == 0, v == 0), over=_AL,
-                    where=[_W, let(v, when(((1 + al2) ** 2 == al1**2) | ((al2 == 1) & (abs(al1) <= 2)), 1, 0))],
+                    iff(inside_roots(f) + outside_roots(f) == 2, v == 1), over=_AL,
+                    where=[_W, let(v, when(((1 + al2) ** 2 == al1**2) | ((al2 == 1) & (abs(al1) <= 2)), 0, 1))],
                     by=[steps(prose="A zero 1 or -1 is 1 + v = -u or u; a pair on the circle is v = 1 with |u| < 2."), *_EDGES, instances(20)]))
 
 claim("BLZ94-S70", "dimensions of the center manifolds on the boundary of the triangle", x == y, over=_AL,
