@@ -71,7 +71,7 @@ _REGISTRY: dict[str, Claim] = {}
 
 def claim(id: str, title: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[str] = (),
           over: Mapping[Any, tuple] | None = None, where: Sequence[tuple] = (), given: Any = (),
-          repair: Repair | None = None, note: str = "") -> Claim:
+          tex: Mapping[Any, str] | None = None, repair: Repair | None = None, note: str = "") -> Claim:
     """Register one printed statement.
 
     Parameters
@@ -86,19 +86,23 @@ def claim(id: str, title: str, says: Expr, *, by: Evidence | Sequence[Evidence],
         What to look for, strongest first; see `exactkf.evidence`.
     repair : Repair, optional
         The corrected statement, where the printed one fails.
+    tex : mapping of name to LaTeX, optional
+        How the paper prints a name, where that differs from `exactkf.language.names`; keys may be names or `Expr`.
+        A name that is used nowhere in the statement is refused.
     note : str
         One or two sentences for the reader, e.g. how a phrase was read.
     """
-    statement = Statement(says=says, over=_names(over), sizes=sizes, where=where, given=given)
+    statement = Statement(says=says, over=_names(over), sizes=sizes, where=where, given=given, tex=_names(tex))
     return _register(Claim(id, title, _section(), statement, _tuple(by), repair, "", note))
 
 
 def repair(kind: str, wrong: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[str] = (),
-           over: Mapping[Any, tuple] | None = None, where: Sequence[tuple] = (), given: Any = ()) -> Repair:
-    """The corrected statement; ``kind`` is one of `REPAIR_KINDS`, ``wrong`` one sentence on what was wrong."""
+           over: Mapping[Any, tuple] | None = None, where: Sequence[tuple] = (), given: Any = (),
+           tex: Mapping[Any, str] | None = None) -> Repair:
+    """The corrected statement; ``kind`` is one of `REPAIR_KINDS`, ``wrong`` one sentence on what was wrong; see `claim`."""
     if kind not in REPAIR_KINDS:
         raise BadInput(f"argument 'kind' = {kind!r} is not a kind of repair; use one of {', '.join(REPAIR_KINDS)}")
-    return Repair(kind, wrong, Statement(says=says, over=_names(over), sizes=sizes, where=where, given=given), _tuple(by))
+    return Repair(kind, wrong, Statement(says=says, over=_names(over), sizes=sizes, where=where, given=given, tex=_names(tex)), _tuple(by))
 
 
 def not_checked(id: str, title: str, reason: str, note: str = "") -> Claim:
@@ -156,5 +160,5 @@ def _tuple(value: Any) -> tuple:
     return (value,) if isinstance(value, Evidence) else tuple(value)
 
 
-def _names(over: Mapping[Any, tuple] | None) -> dict[str, tuple]:
-    return {(k.tree[1] if isinstance(k, Expr) else k): v for k, v in (over or {}).items()}
+def _names(of: Mapping[Any, Any] | None) -> dict[str, Any]:
+    return {(k.tree[1] if isinstance(k, Expr) else k): v for k, v in (of or {}).items()}

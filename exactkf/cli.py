@@ -139,6 +139,26 @@ def show(setup: Setup, id: str, **how: Any) -> int:
     return show_command(Session.open(setup, [id], how))
 
 
+@main.command()
+@click.argument("file", metavar="FILE", type=click.Path(path_type=Path))
+@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the outcome as JSON.")
+@click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; past them the lemma is open.")
+@click.option("--degree", type=click.IntRange(min=1), default=8, show_default=True, metavar="N",
+              help="Longest word that the completion of the assumptions looks at.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of random instances.")
+def lemma(file: Path, json_file: Path | None, certificates: Path | None, time_limit: float, degree: int, seed: int) -> int:
+    """Prove a lemma of your own for every matrix size, or refute it by explicit matrices.
+
+    FILE is a text in the grammar that 'python -m pydoc exactkf.lemma.grammar' shows.
+
+    Exit status: 0 if it is proved, 1 if it is refuted or open, 2 if the call or the file is wrong.
+    """
+    from exactkf.lemma.command import lemma_command
+
+    return lemma_command(file, json_file, certificates, time_limit, degree, seed)
+
+
 @main.command("list")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @click.pass_obj

@@ -147,9 +147,9 @@ def shown_number(value: Any, digits: int) -> str:
 
 def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:
     """The state after so many steps, exact as long as it is short, in digits in any case."""
-    from exactkf.dynamics.ahead import state_ahead
+    from exactkf.dynamics.ahead import ahead_lines
 
-    return state_ahead(filter, steps, digits)
+    return ahead_lines(filter.a, filter.g, steps, digits)
 
 
 def _picture(text: str) -> tuple[str, Path]:

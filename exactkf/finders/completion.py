@@ -195,6 +195,8 @@ class System:
             _bump(total, (left + le, name, ri + right, _product(s, scalars)), c * a)
 
     def _between_numbers(self, rule: _Rule) -> bool:
+        if not rule.scalars:  # 1 = 0 is I = 0 for one size, and not an equation between numbers
+            return False
         return not rule.lead and (len(rule.origin) > 1 or isinstance(rule.origin[0][2], _Rule)) and not any(map(self._word, rule.tail))
 
     def _written(self, rule: _Rule) -> dict:

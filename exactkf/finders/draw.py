@@ -21,6 +21,7 @@ from random import Random
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.solve import Solver
 from exactkf.kernel.instances import admissible, computed
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import Signal, World
@@ -28,6 +29,7 @@ from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, rational
 
 __all__ = ["Sampler", "examples_of", "plain"]
 
+_SOLVING = 8  # times the equations of the hypotheses are solved, where the hints do not say
 _FLAVOURS = ("small", "small", "fraction", "tiny", "degenerate", "fraction", "wide")
 
 
@@ -54,22 +56,48 @@ class Sampler:
         self.horizon = hints.get("horizon", 5)
         self.random = seed if isinstance(seed, Random) else Random(f"{seed}")
         self.rejected: dict[str, int] = {}
+        self.solver, self.solving = Solver(statement), hints.get("solving", _SOLVING)
+        self.eager = "solving" in hints  # not only where random draws miss
+        self.aside = seed if isinstance(seed, Random) else Random(f"{seed}/solved")  # leaves the other draws as they are
 
     def stream(self, tries: int) -> Iterator[tuple[dict, World]]:
-        """Admissible instances with their worlds; the hand-made examples come first."""
+        """Admissible instances with their worlds; the hand-made examples come first.
+
+        Where random draws miss the hypotheses (or the hints ask for it) and nothing says how to make variables, their equations are solved.
+        """
         for example in self.examples:
             yield from self._admit(self._from_example(example))
         every = self._every_size()
         most = every[:max(4, 2 * len(every) // 3)]
+        solving = self.solving if not self.made_by and self.solver.useful else 0
+        admitted = 0
         for k in range(tries):
-            if k < len(every):
-                yield from self._try(every[k], "small")
-            else:  # the largest sizes once, the others again and again
-                yield from self._try(most[k % len(most)], self.random.choice(_FLAVOURS))
+            sizes = every[k] if k < len(every) else most[k % len(most)]  # the largest sizes once, the others again and again
+            flavour = "small" if k < len(every) else self.random.choice(_FLAVOURS)
+            found = list(self._try(sizes, flavour))
+            admitted += len(found)
+            yield from found
+            if solving > 0 and (self.eager or (not found and admitted <= k // 8)):
+                solving -= 1
+                yield from self._solve(sizes)
 
     def one(self) -> Iterator[tuple[dict, World]]:
         """One draw of any size: an admissible instance with its world, or nothing."""
         yield from self._try(self.random.choice(self._every_size()), self.random.choice(_FLAVOURS))
+
+    def _solve(self, sizes: Mapping[str, int]) -> Iterator[tuple[dict, World]]:
+        """One try at solving the equations of the hypotheses."""
+        flavour, random = self.aside.choice(_FLAVOURS), self.random
+        self.random = self.aside
+        try:
+            values = self.solver.draw(sizes, lambda kind, args: self._value(kind, args, flavour), self.aside)
+        finally:
+            self.random = random
+        if values is None:
+            self._refuse("the equations of the hypotheses were not solved")
+            return
+        full = {**sizes, "horizon": self.horizon, **values}
+        yield from self._admit((self._as_json(full, World(self.statement, full)), full))
 
     def _every_size(self) -> list[dict[str, int]]:
         every = [dict(zip(self.sizes, c, strict=True)) for c in product(*self.sizes.values())] or [{}]
@@ -125,9 +153,11 @@ class Sampler:
             if kinds.get(name, ("",))[0] in ("sequence", "signal") and isinstance(made, Matrix):  # a column lists the entries
                 made = dict(enumerate((row[0] for row in made.rows), world.integer(kinds[name][1], {})))
             values[name] = world.values[name] = made
-        data = {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
-                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in kinds.items()}}
-        return data, {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
+        return self._as_json(values, world), {k: v for k, v in values.items() if k in kinds or k in sizes or k == "horizon"}
+
+    def _as_json(self, values: Mapping[str, Any], world: World) -> dict:
+        return {"sizes": {**{n: values[n] for n in self.statement["sizes"]}, "horizon": self.horizon},
+                "values": {name: _padded(plain(values[name]), kind, world) for name, kind in self.statement["over"]}}
 
     # ------------------------------------------------------------------ values
     def number(self, flavour: str) -> Any:

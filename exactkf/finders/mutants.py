@@ -58,8 +58,9 @@ class MutantReport:
         return [f"{r['kind']}: {r['text']}" for r in self.rows if r["outcome"] == "survived"]
 
 
-def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampler: Sampler | None) -> MutantReport:
-    """Make the mutants of a statement and judge each on the statement's own instances."""
+def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampler: Sampler | None,
+                  tex: Mapping[str, str] | None = None) -> MutantReport:
+    """Make the mutants of a statement and judge each on the statement's own instances; ``tex`` names are printed as given."""
     from exactkf.language.latex import latex
     from exactkf.language.statement import as_tuples
     from exactkf.language.text import text
@@ -76,7 +77,7 @@ def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampl
         outcome = _drop(data, mutant, sampler, by, report) if mutant.drops else _judge(data, mutant, order, by, report)
         if outcome != "void":
             says = as_tuples(mutant.says)
-            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says), "outcome": outcome})
+            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says, tex), "outcome": outcome})
     for _kind, new in rewritings(data):
         report.neighbours_made += 1
         report.neighbours_accepted += _accepted(data, new, worlds[:6], report)

@@ -44,18 +44,24 @@ def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Ite
                 yield seal(id, "induction", statement, {"cases": cases, **given, **use})
 
 
-def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float) -> Iterator[dict]:
+def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float, degree: int = 8) -> Iterator[dict]:
     """Certificates to try that hold for every size at once."""
     if not statement["sizes"]:
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
-    if (terms := find_membership(statement, seconds=seconds)) is not None:
+    if (terms := find_membership(statement, degree, seconds)) is not None:
         yield seal(id, "membership", statement, {"terms": terms})
-    sums, roots, lemmas = (hints.get("order", {}).get(key, []) for key in ("sums", "roots", "lemmas"))
-    if (parts := find_order(statement, sums, roots, lemmas, seconds=seconds)) is not None:
+    sums, roots, lemmas, factors = (hints.get("order", {}).get(key, []) for key in ("sums", "roots", "lemmas", "factors"))
+    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors)) is not None:
         yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas})
+    if not _has_index(statement["says"]):
+        return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)
+
+
+def _has_index(tree: Any) -> bool:
+    return isinstance(tree, list) and (tree[:1] in (["always"], ["forall"]) or any(map(_has_index, tree)))
 
 
 def _cases(statement: Mapping[str, Any], sizes: Mapping[str, Any]) -> list[dict[str, int]]:

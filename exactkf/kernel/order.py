@@ -1,20 +1,28 @@
 # SPDX-License-Identifier: MIT
 """Order and invertibility of matrices of every size, by a few classical facts.
 
-`definiteness` reads a term and says whether its form alone makes it positive
+`exactkf.kernel.definite` reads a term and says whether its form alone makes it positive
 (semi)definite under the hypotheses. The facts it uses:
 
 1. a variable of type psd, pd, and a hypothesis that says so; semidefinite and
    invertible is definite;
-2. the identity and I are positive definite; a nonnegative number times a
-   semidefinite matrix is semidefinite;
+2. the identity is positive definite; a nonnegative number times a
+   semidefinite matrix is semidefinite; sums and products of nonnegative
+   numbers are nonnegative, and so are squares;
 3. a sum of semidefinite matrices is semidefinite, definite if one of them is;
 4. a congruence X'PX of a semidefinite matrix is semidefinite, and of a definite
-   one definite if X is nonsingular;
+   one definite if X is nonsingular or has full column rank; a block diagonal
+   matrix is semidefinite if its blocks are;
 5. the inverse of an invertible semidefinite matrix is definite;
 6. a semidefinite matrix is the square of one;
 7. a null vector of a sum of semidefinite matrices is one of each of them, and
-   a null vector of X'PX one of PX.
+   a null vector of X'PX one of PX; x'Px = 0 gives Px = 0;
+8. a matrix has full column rank, and a square one is nonsingular, if Xv = 0
+   only for v = 0;
+9. AT = TB with a nonsingular T makes A and B similar, and then they have one
+   characteristic polynomial;
+10. the determinant of a product of square matrices is the product of theirs, that
+   of a transpose the same, of a block triangular matrix that of its diagonal blocks.
 
 A conclusion is taken apart by `leaves`: conjunctions, implications and
 equivalences become equations, statements of order and of invertibility, each
@@ -22,8 +30,9 @@ with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
 invertibility by an inverse. An equation may use fact 7 for a hypothesis Kx = 0
-with terms that add up to K. Lemmas are shown first and then used. An inverse that the evidence brings in must be one
-of a matrix that is nonsingular by its form (`exists`).
+with terms that add up to K. Lemmas are shown first and then used. An inverse
+that the evidence brings in must be one of a matrix that is nonsingular by its
+form.
 """
 
 from __future__ import annotations
@@ -32,11 +41,12 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
+from exactkf.kernel.definite import are_transposed, definiteness, exists, nonsingular
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.words import Blocks, Relation, add
+from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
-__all__ = ["Leaf", "definiteness", "exists", "goal_of", "leaves"]
+__all__ = ["Leaf", "goal_of", "leaves"]
 
 
 # ---------------------------------------------------------------------- taking a conclusion apart
@@ -57,8 +67,8 @@ def _cases(statement: dict, rest: list) -> Iterator[dict]:
             for n, one in enumerate(formula[1:]):
                 yield from _cases(statement, [*rest[:k], [f"{label}.{n}", one, kind], *rest[k + 1:]])
             return
-    for label, formula, _ in rest:
-        statement = _assume(statement, label, formula)
+    for label, formula, kind in rest:
+        statement = {**_assume({**statement, "lemma": kind == "lemma"}, label, formula), "lemma": False}
     yield statement
 
 
@@ -104,7 +114,11 @@ class Leaf:
     roots : sequence of (name, tree)
         Symmetric matrices whose squares are the given semidefinite terms.
     null : str
-        Label of that hypothesis.
+        Label of that hypothesis, or the tree of a matrix x: then x'(sum of the terms)x = 0 is to be shown.
+    vector : bool
+        An invertibility or a full rank is shown by: Xv = 0 only for v = 0. The terms are then those of an equation.
+    factors : sequence of (tree, trees)
+        A matrix and factors of it: its determinant is the product of theirs.
 
     Attributes
     ----------
@@ -119,20 +133,28 @@ class Leaf:
         With what is not shown.
     """
 
-    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: str = "") -> None:
+    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
+                 factors: Any = ()) -> None:
+        said = formula
+        if vector:
+            statement, formula = _through_vector(statement, formula)
         self.reader = reader = Reader(statement)
         op, found, wanted, self.first = formula[0], [], 0, 0
+        self.shown: dict[str, Relation] = {}
         for tree in statement["own"]:
             _register_inverses(reader, tree)
+        reader.granted = list(reader.inverses), list(reader.quotients), set(reader.units)
         self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
-        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in formula[1:]):
+        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in said[1:]):
             raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
-            if not isinstance(found[0], Blocks) or reader._total(found[0].rows) != reader._total(found[0].cols):
+            if not isinstance(found[0], Blocks) or reader.total(found[0].rows) != reader.total(found[0].cols):
                 raise Unknown("invertibility of scalars or of matrices that are not square")
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
+        elif op in ("similar", "cospectral"):
+            found = [reader.read(x) for x in formula[1:]]
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
@@ -147,19 +169,52 @@ class Leaf:
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
             found = [reader._plus(reader._times(found[0], reader.read(terms[0])), Blocks.unit(found[0].rows), -1)]
+        elif op in ("similar", "cospectral"):
+            found = self._similar(found, terms)
         elif wanted:
             levels = [definiteness(reader, tree) for tree in terms]
             if 0 in levels or wanted > max(levels, default=1):
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
             for tree in terms:
-                found[0] = reader._plus(found[0], reader.read(tree), -1)
+                term = reader.read(tree)
+                found[0] = reader._plus(found[0], term, -1)
         elif terms and null:
-            found = [self._null(null, terms), *found]
-            self.first = 1
+            found = [self._null(null, terms) if isinstance(null, str) else self._null_of_form(null, terms), *found]
+            self.first = len(found[0].cells())
         else:
             for tree in terms:
                 reader.read(tree)
+        if factors:
+            found = [*self._factored(factors), *found]
         self.goals = [cell for b in found for cell in b.cells()]
+        self.always = {**relations(reader), **self.extra}
+
+    def _similar(self, sides: list, terms: Any) -> list[Blocks]:
+        """AT = TB with a nonsingular T; its inverse is given, or T is nonsingular by its form."""
+        reader = self.reader
+        if len(terms) not in (1, 2) or (len(terms) == 1 and not nonsingular(reader, terms[0])):
+            raise Unknown("a nonsingular T with AT = TB is needed")
+        t = reader.read(terms[0])
+        if not isinstance(t, Blocks) or reader.total(t.rows) != reader.total(t.cols):
+            raise Unknown("a square T with AT = TB is needed")
+        found = [reader._plus(reader._times(sides[0], t), reader._times(t, sides[1]), -1)]
+        return [*found, *(reader._plus(reader._times(t, reader.read(s)), Blocks.unit(t.rows), -1) for s in terms[1:])]
+
+    def _factored(self, factors: Any) -> list[Blocks]:
+        """Matrices less the products of their factors; determinants are then products."""
+        reader, out = self.reader, []
+        for n, (tree, parts) in enumerate(factors):
+            if not all(exists(reader, x, self.known) for x in (tree, *parts)):
+                raise Unknown("an inverse that need not exist")
+            whole, product = reader.read(tree), reader.read(parts[0])
+            right = reader.det(product)
+            for part in parts[1:]:
+                factor = reader.read(part)
+                product, right = reader._times(product, factor), multiply(right, reader.det(factor))
+            out.append(reader._plus(whole, product, -1))
+            self.shown[f"det {n}"] = Relation(add(reader.det(whole), right, -1), None, None)
+        self.first += sum(len(b.cells()) for b in out)
+        return out
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
@@ -180,21 +235,61 @@ class Leaf:
             raise Unknown("no hypothesis Kx = 0")
         *factors, x = equation[1][1:]
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
-        self.vanishing: dict[str, Relation] = {}
+        for tree in terms:
+            rest = reader._plus(rest, reader.read(tree), -1)
+        self._vanish(x, terms)
+        return rest
+
+    def _null_of_form(self, x: Any, terms: Any) -> Blocks:
+        """x'(sum of the terms)x, which is to vanish; then each term vanishes at x."""
+        reader = self.reader
+        if not exists(reader, x, self.known):
+            raise Unknown("an inverse that need not exist")
+        value = reader.read(x)
+        form = reader.read(terms[0])
+        for tree in terms[1:]:
+            form = reader._plus(form, reader.read(tree), 1)
+        self._vanish(x, terms)
+        return reader._times(reader._times(reader.transpose(value), form), value)
+
+    def _vanish(self, x: Any, terms: Any) -> None:
+        """Semidefinite terms, and their halves, vanish at x."""
+        reader = self.reader
         for n, tree in enumerate(terms):
             if not definiteness(reader, tree):
                 raise Unknown("a term is not semidefinite by its form")
-            rest = reader._plus(rest, reader.read(tree), -1)
             for m, part in enumerate(_halves(reader, tree)):
                 zero = reader._times(reader.read(part), reader.read(x))
                 for k, (p, rows, cols) in enumerate(zero.cells()):
-                    self.vanishing[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
-                    self.vanishing[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
-        return rest
+                    self.shown[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
+                    self.shown[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
 
     def assumed(self, goal: int) -> dict[str, Relation]:
         """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
-        return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
+        return {**self.always, **self.shown} if goal >= self.first > 0 else self.always
+
+
+def _through_vector(statement: Mapping[str, Any], formula: Any) -> tuple[dict[str, Any], Any]:
+    """Xv = 0 as a hypothesis and v = 0 as the conclusion, for a square X or one of full column rank; X' for full row rank."""
+    reader = Reader(statement)
+    rank = formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank"
+    if not rank and formula[0] != "invertible":
+        raise Unknown("a vector is for an invertibility or a full rank")
+    tree = formula[1][1] if rank else formula[1]
+    x = reader.read(tree)
+    if not isinstance(x, Blocks):
+        raise Unknown("the rank of a scalar")
+    wanted = reader.size(formula[2]) if rank else reader.total(x.rows)
+    if rank and wanted != reader.total(x.cols):
+        tree, x = ["T", tree], reader.transpose(x)
+    if wanted != reader.total(x.cols):
+        raise Unknown("the rank is not the number of rows or of columns, or the matrix is not square")
+    names = [f"v.{k}" for k in range(len(x.cols))]
+    parts = [["sym", name] for name in names]
+    v = parts[0] if len(parts) == 1 else ["block", *([p] for p in parts)]
+    over = [*statement["over"], *([name, ["matrix", size_tree(s), 1]] for name, s in zip(names, x.cols, strict=True))]
+    given = [*statement["given"], ["null vector", ["=", ["*", tree, v], 0], "standing"]]
+    return {**statement, "over": over, "given": given}, ["=", v, 0]
 
 
 def _is_zero(tree: Any) -> bool:
@@ -209,7 +304,7 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
         if factors.pop(0) == 0:
             return
     outer: list = []
-    while len(factors) > 1 and _transposed(reader, factors[0], factors[-1]):
+    while len(factors) > 1 and are_transposed(reader, factors[0], factors[-1]):
         outer.insert(0, factors.pop())
         factors.pop(0)
         if factors and not definiteness(reader, factors[0] if len(factors) == 1 else ["*", *factors]):
@@ -234,27 +329,6 @@ def _register_inverses(reader: Reader, tree: Any) -> None:
         _register_inverses(reader, part)
 
 
-def exists(reader: Reader, tree: Any, known: list) -> bool:
-    """Every inverse in a term is one of the statement or of a matrix that is nonsingular by its form."""
-    if not isinstance(tree, (list, tuple)):
-        return True
-    if tree and tree[0] in ("/", "^"):
-        return False
-    if tree and tree[0] == "at":
-        before = len(reader.inverses)
-        reader.read(tree)
-        return len(reader.inverses) == before
-    if tree and tree[0] == "inv":
-        term = reader.read(tree[1])
-        if not isinstance(term, Blocks):
-            return False
-        if not any(p in (term, reader.transpose(term)) for p, _ in known) and not _nonsingular(reader, tree[1]):
-            return False
-    if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
-        return exists(reader, reader.lets[tree[1]][3], known)
-    return all(exists(reader, x, known) for x in tree[1:])
-
-
 def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:
     """Matrix that is to be semidefinite (1) or definite (2)."""
     op = formula[0]
@@ -267,94 +341,8 @@ def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:
         found = reader._plus(reader.read(big), reader.read(small), -1)
     else:
         raise Unknown(f"{op!r} is no statement of order")
-    if not isinstance(found, Blocks) or len(found.rows) != 1 or found.rows != found.cols:
-        raise Unknown("the order of block matrices or scalars")
+    if not isinstance(found, Blocks):
+        found = Blocks(((("", 1),),), ((("", 1),),), [[found]])
+    if found.rows != found.cols:
+        raise Unknown("the order of matrices that are not square")
     return found, 2 if op in ("pd", "<", ">") else 1
-
-
-def definiteness(reader: Reader, tree: Any) -> int:
-    """0: not known, 1: positive semidefinite, 2: positive definite."""
-    known = _by_hypothesis(reader, tree)
-    if known:
-        return known
-    if isinstance(tree, int):
-        return 1 if tree >= 0 else 0
-    op, args = tree[0], tree[1:]
-    if op == "sym":
-        definition = reader.lets.get(args[0])
-        if args[0] not in reader.kinds and definition is not None and definition[0] == "let" and not definition[2]:
-            return definiteness(reader, definition[3])
-        level = {"psd": 1, "pd": 2, "nonneg": 1, "positive": 2}.get(reader.kinds.get(args[0], ("",))[0], 0)
-        return 2 if level and _invertible_by_hypothesis(reader, tree) else level
-    if op == "I":
-        return 2
-    if op == "O":
-        return 1
-    if op == "+":
-        found = [definiteness(reader, a) for a in args]
-        return 0 if 0 in found else max(found)
-    if op == "inv":
-        return 2 if definiteness(reader, args[0]) else 0
-    if op == "T":
-        return definiteness(reader, args[0])
-    return _congruence(reader, list(args)) if op == "*" else 0
-
-
-def _congruence(reader: Reader, factors: list[Any]) -> int:
-    """X_1 ... X_k P X_k' ... X_1' (P = I may be left out), with nonnegative numbers in front."""
-    strict = True
-    while factors and isinstance(factors[0], int):
-        number = factors.pop(0)
-        if number < 0:
-            return 0
-        strict = strict and number > 0
-    while len(factors) > 1:
-        first, last = factors.pop(0), factors.pop()
-        if not _transposed(reader, first, last):
-            return 0
-        strict = strict and _nonsingular(reader, first)
-    middle = definiteness(reader, factors[0]) if factors else 2
-    return middle if strict or middle == 0 else 1
-
-
-def _transposed(reader: Reader, x: Any, y: Any) -> bool:
-    try:
-        a, b = reader.transpose(reader.read(x)), reader.read(y)
-    except (Undefined, Unknown):
-        return False
-    return isinstance(a, Blocks) and isinstance(b, Blocks) and (a.rows, a.cols, a.grid) == (b.rows, b.cols, b.grid)
-
-
-def _nonsingular(reader: Reader, tree: Any) -> bool:
-    """Nonsingular by its form: by type or hypothesis, definite, an inverse, a transpose or product of such matrices."""
-    if not isinstance(tree, (list, tuple)):
-        return False
-    if _invertible_by_hypothesis(reader, tree):
-        return True
-    if tree[0] == "T":
-        return _nonsingular(reader, tree[1])
-    if tree[0] == "*":
-        return all(_nonsingular(reader, x) for x in tree[1:])
-    if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
-        return True
-    if tree[0] == "sym" and tree[1] not in reader.kinds:
-        body = reader.lets.get(tree[1], ("", "", (), None))
-        if body[0] == "let" and not body[2]:
-            return _nonsingular(reader, body[3]) or _invertible_by_hypothesis(reader, tree)
-    return tree[0] == "inv" or _invertible_by_hypothesis(reader, tree) or definiteness(reader, tree) == 2
-
-
-def _invertible_by_hypothesis(reader: Reader, tree: Any) -> bool:
-    said = [f[1] for _, f, _kind in reader.statement["given"] if f[0] == "invertible"]
-    return tree in said or any(_transposed(reader, t, x) for x in said for t in (tree, ["T", tree]))
-
-
-def _by_hypothesis(reader: Reader, tree: Any) -> int:
-    for _, formula, _kind in reader.statement["given"]:
-        for part in formula[1:] if formula[0] == "and" else [formula]:
-            if part[0] in ("psd", "pd") and part[1] == tree:
-                return 2 if part[0] == "pd" or _invertible_by_hypothesis(reader, tree) else 1
-            if part[0] == "loewner" and (["-", part[1], part[2]] == tree or (part[2] == 0 and part[1] == tree)):
-                return 1
-    return 0
-

@@ -127,6 +127,8 @@ class Divisor:
     __slots__ = ("degree", "first", "image", "last", "lead", "lower", "place", "terms", "univariate")
 
     def __init__(self, terms: Poly) -> None:
+        if _crowded(terms):
+            raise Unknown("degree too large for symbolic evaluation")
         self.terms, self.first, self.last = terms, max(terms), min(terms)
         used = reduce(or_, terms, 0)
         places = [s for s in range(0, used.bit_length(), BITS) if (used >> s) & _MASK]

@@ -37,6 +37,7 @@ from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
+from exactkf.kernel.orbit_n import check_orbit
 from exactkf.kernel.symbolic import SymbolicField
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -401,6 +402,9 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
 # ---------------------------------------------------------------------- orbits
 def _orbit(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     _need(set(statement) == {"question", "answer"}, "the statement is not a question with an answer")
+    if "a" in statement["question"]:
+        check_orbit(statement["question"], statement["answer"], evidence)
+        return []
     fault = check_order_one(statement["question"], statement["answer"])
     _need(not fault, fault)
     return []

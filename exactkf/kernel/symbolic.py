@@ -3,7 +3,8 @@
 
 An element is an integer polynomial over a product of powers of recorded
 factors. Every factor ever divided by is kept in the field, so that the
-denominators of an identity are known. No gcd is taken: recorded factors are
+denominators of an identity are known; factors in one variable are split off
+when a denominator is recorded. No other gcd is taken: recorded factors are
 cancelled by exact division, after a quick test modulo a prime.
 
 Numerators and factors are polynomials of `exactkf.kernel.packed`.
@@ -107,6 +108,11 @@ class Symbolic:
             den[index] -= times
         return num
 
+    def _over(self, den: dict[int, int], among: Iterable[int]) -> Symbolic:
+        """This polynomial over a denominator, less the factors among those given that they have in common."""
+        num = self._primitive()._cancelled(den, among)
+        return Symbolic(self.field, num, self.q, tuple(sorted((index, e) for index, e in den.items() if e)))
+
     def _coerce(self, x: Any) -> Symbolic | None:
         if isinstance(x, Symbolic):
             return x
@@ -127,15 +133,15 @@ class Symbolic:
             return NotImplemented
         if not self.num or not y.num:
             return self if self.num else y
-        mine, theirs = dict(self.den), dict(y.den)
-        den = {index: max(e, theirs.get(index, 0)) for index, e in (theirs | mine).items()}
-        p, q = self._lift(den), y._lift(den)
         common = gcd(self.q, y.q)
         a, b = y.q // common, self.q // common
-        out = Symbolic(self.field, add(p, q, a, b), self.q * a, ())._primitive()
-        # a factor of different powers in the two denominators divides one term and not the other, if it is irreducible
-        num = out._cancelled(den, [index for index, e in den.items() if theirs.get(index) == mine.get(index) or not self.field.divisors[index].univariate])
-        return Symbolic(self.field, num, out.q, tuple(sorted((index, e) for index, e in den.items() if e)))
+        if not self.den and not y.den:
+            return Symbolic(self.field, add(self.num, y.num, a, b), self.q * a, ())._primitive()
+        mine, theirs = dict(self.den), dict(y.den)
+        den = {index: max(e, theirs.get(index, 0)) for index, e in (theirs | mine).items()}
+        out = Symbolic(self.field, add(self._lift(den), y._lift(den), a, b), self.q * a, ())
+        # an irreducible factor of different powers in the two denominators divides one term and not the other
+        return out._over(den, [index for index in den if theirs.get(index) == mine.get(index) or not self.field.divisors[index].univariate])
 
     __radd__ = __add__
 
@@ -154,13 +160,14 @@ class Symbolic:
             return NotImplemented
         if not self.num or not y.num:
             return Symbolic(self.field, {}, 1, ())
+        if not self.den and not y.den:
+            return Symbolic(self.field, mul(self.num, y.num), self.q * y.q, ())._primitive()
         mine, theirs = dict(self.den), dict(y.den)
         p = self._cancelled(theirs, theirs.keys() - mine.keys())
         q = y._cancelled(mine, mine.keys() - theirs.keys())
         den = {index: e for index in mine | theirs if (e := mine.get(index, 0) + theirs.get(index, 0))}
-        out = Symbolic(self.field, mul(p, q), self.q * y.q, ())._primitive()
-        num = out._cancelled(den, [index for index in den if not self.field.divisors[index].univariate])
-        return Symbolic(self.field, num, out.q, tuple(sorted((index, e) for index, e in den.items() if e)))
+        # an irreducible factor divides neither p nor q now
+        return Symbolic(self.field, mul(p, q), self.q * y.q, ())._over(den, [index for index in den if not self.field.divisors[index].univariate])
 
     __rmul__ = __mul__
 

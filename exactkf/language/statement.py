@@ -134,6 +134,9 @@ class Statement:
         From `let`, `function`, `rec`; each may use those before it (and itself).
     given : sequence of hypotheses
         From `given` and `standing`; a mapping of label to formula is read as `given`.
+    tex : mapping of name to LaTeX
+        How names are printed, where that differs from `exactkf.language.names`. It is no part of the JSON: what is
+        checked does not depend on it.
     """
 
     says: Any
@@ -200,6 +203,9 @@ def as_tuples(value: Any) -> Any:
 
 def _check(statement: Statement) -> None:
     known = set(statement.sizes) | {n for n, _ in tuple(statement.over)} | {d[1] for d in statement.where}
+    for name in statement.tex:
+        if name not in known:
+            raise BadInput(f"argument 'tex' = {dict(statement.tex)!r} prints {name!r}, which the statement does not have; leave it out")
     for name, type_ in tuple(statement.over):
         known_type = type_[0] in TYPES and len(type_) == TYPES[type_[0]] + 1
         if known_type and type_[0] in ("sequence_of", "signal_of"):

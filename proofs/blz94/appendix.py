@@ -113,7 +113,7 @@ claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
                              "-gamma_{t+n-1}, and so on.",
                     always(t, a[t + 1][n] == -gamma[t + 1][n]
                            - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
-                    **_ALONG, by=[induction(n=range(1, 6), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)]))
+                    **_ALONG, by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)]))
 
 claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]),
       **_ALONG,

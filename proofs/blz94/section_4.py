@@ -169,7 +169,7 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
 claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",
       always(t, gamma(t + 1, m) == gamma(t, m + 1)), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
       where=[*FAST, *INVERSE[:-1]],
-      by=[induction(n=(1, 2)), instances(n=(1, 2, 3), horizon=3)],
+      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
       note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
            "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3.")
 
@@ -201,7 +201,7 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
              & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
       sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *_START, *FAST],
-      by=[induction(n=range(1, 6)), instances(n=(2, 3, 4), horizon=3)],
+      by=[induction(n=range(1, 7)), instances(n=(2, 3, 4), horizon=3)],
       note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 

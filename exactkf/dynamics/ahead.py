@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: MIT
+r"""The state of the fast filter far ahead: exactly, or to any number of digits.
+
+Main definitions
+----------------
+``state_ahead``    the exact state after `T` steps, as `exactkf.theory.power_method.state_after`
+``digits_ahead``   the same state to a number of digits, for `T` as large as :math:`10^{12}`
+``ahead_lines``    the same as text
+``DigitsAhead``    its result
+
+Main statements
+---------------
+With :math:`A = J - qh'`, :math:`u = P_T h` and the columns of :math:`S^T(I; 0)` as :math:`(X; Y)`,
+
+.. math:: X'(u, w) = (Y'h, g), \qquad r_T = 1 - u_1, \qquad
+          q(T) = a + (g - Fu)/r_T, \qquad g(T) = w / r_T
+
+(see `exactkf.theory.power_method`).  The columns of :math:`S^T` become parallel where the orbit
+converges, so the balls are around :math:`X^{-1}`, :math:`X^{-1}B` and :math:`P = YX^{-1}`, B the upper
+right block: these compose by the star product, with
+:math:`X = X_2(I + G_2P_1)X_1`, and stay bounded.  The working precision doubles until the balls are small
+enough.  They exist only if no X at the times composed is singular; an escape in between is what `decide` excludes.
+
+Notation
+--------
+As in `exactkf.theory.fast_filter`.
+
+References
+----------
+BLZ94 (2.2), (2.8), (2.17), (6.4)-(6.17).  R. Redheffer, On a certain linear fractional transformation,
+J. Math. and Phys. 39 (1960).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from flint import arb, arb_mat, fmpq
+
+from exactkf._errors import BadInput, Unsupported
+from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.every_order import decide
+from exactkf.exact.balls import precision
+from exactkf.kernel.orbit_n import reduce_pair
+from exactkf.theory._scalars import Scalar, check_length, unify
+from exactkf.theory.orbits import exact_orbit
+from exactkf.theory.power_method import Arrival, state_after, symplectic_matrix_of
+
+__all__ = ["DigitsAhead", "ahead_lines", "digits_ahead", "state_ahead"]
+
+_BOUND = 1 << 17
+_SHORT = 50
+
+
+class DigitsAhead(NamedTuple):
+    """Balls around the state after `T` steps, or the step of escape before `T`.
+
+    `never_escapes` says that an escape before `T` is excluded; otherwise it is excluded in the
+    steps that `decide` searched.
+    """
+
+    a: tuple[arb, ...]
+    g: tuple[arb, ...]
+    escape: int | None
+    never_escapes: bool
+
+
+def state_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
+    """Return the exact state after `T` steps, without stepping; see `exactkf.theory.power_method.state_after`."""
+    return state_after(a, g, T)
+
+
+def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15, *, answer: Answer | None = None) -> DigitsAhead:
+    r"""Return the state after `T` steps to a number of digits.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals, length n
+    T : int
+        Number of steps, nonnegative.
+    digits : int
+        The absolute error of each entry is less than ``10**-digits``.
+    answer : Answer, optional
+        What `decide` says, if it is known already.
+
+    Returns
+    -------
+    DigitsAhead
+
+    Raises
+    ------
+    BadInput
+        If the entries are not rational, the lengths differ, `T` is negative or `digits` is not positive.
+    Unsupported
+        If the precision needed is above 2**17 bits, as for a state at or next to an escape.
+
+    Examples
+    --------
+    >>> digits_ahead([0], [2], 2, 5).g[0]
+    [-1.14285714285714 +/- 2.87e-15]
+    """
+    if isinstance(T, bool) or not isinstance(T, int) or T < 0:
+        raise BadInput(f"T = {T!r}: the number of steps must be a nonnegative integer; pass T >= 0")
+    if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
+        raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
+    a, g = unify(a=a, g=g)
+    check_length("g", g, len(a), "a")
+    if not a or not all(isinstance(x, fmpq) for x in (*a, *g)):
+        raise BadInput("(a, g): not rational, or empty; pass rationals")
+    answer = decide(a, g) if answer is None else answer
+    if answer.escape is not None and answer.escape < T:
+        return DigitsAhead((), (), answer.escape, False)
+    Q = [x + y for x, y in zip(a, g, strict=True)][::-1] + [fmpq(1)]
+    S = [*g[::-1], fmpq(0)]
+    reduced = reduce_pair(Q, S)
+    start, m = min(reduced.start, T), len(reduced.Q) - 1
+    bits = 64 + 4 * digits
+    while bits <= _BOUND:
+        with precision(bits):
+            found = _at(a, g, start) if T <= start else _power(reduced.Q, reduced.S, reduced.removed, T - start) if m else _rest(reduced.removed)
+        if found is not None and all(x.rad() < arb(10) ** -digits for x in (*found[0], *found[1])):
+            return DigitsAhead(*found, None, answer.never_escapes)
+        bits *= 2
+    raise Unsupported(f"the state after {T} steps needs more than {_BOUND} bits; it is next to an escape, or is one")
+
+
+def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> list[str]:
+    """Return the state after `T` steps as lines of text: exactly as long as it is short, and in digits; arguments and errors as `digits_ahead`."""
+    found = digits_ahead(a, g, T, digits)
+    if found.escape is not None:
+        return [f"no state after {T} steps: the orbit escapes at step {found.escape}"]
+    exact = state_ahead(a, g, T).state if T <= _SHORT else None
+    lines = []
+    for name, balls, values in (("a", found.a, exact and exact[0]), ("g", found.g, exact and exact[1])):
+        for i, x in enumerate(balls):
+            text = str(values[i]) if values else ""
+            lines.append(f"{name}_{i + 1}({T}) = {text if 0 < len(text) <= 60 else x.str(digits, radius=False)}")
+    return lines if found.never_escapes else [*lines, "(an escape before that step is not excluded)"]
+
+
+def _at(a: Sequence[fmpq], g: Sequence[fmpq], T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
+    state = exact_orbit(a, g, T).states[-1]
+    return tuple(arb(x) for x in state[0]), tuple(arb(x) for x in state[1])
+
+
+def _rest(removed: list) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
+    """The equilibrium with the polynomial `removed`."""
+    return tuple(arb(x) for x in reversed(removed[:-1])), tuple(arb(0) for _ in removed[:-1])
+
+
+def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]] | None:
+    """Return balls around the state `T` steps after a reduced pair, times the common factor; None if they are not finite."""
+    m = len(Q) - 1
+    g = [fmpq(x) for x in S[-2::-1]]
+    a = [fmpq(x) - y for x, y in zip(Q[-2::-1], g, strict=True)]
+    rows = [[arb(x) for x in row] for row in symplectic_matrix_of(a, g).tolist()]
+    block = [arb_mat([row[k : k + m] for row in rows[i : i + m]]) for i in (0, m) for k in (0, m)]
+    try:
+        inverse = block[0].inv()
+        total = _repeated(_Scattering(inverse, inverse * block[1], block[2] * inverse), T)
+    except ZeroDivisionError:
+        return None
+    u = [row[0] for row in total.P.tolist()]
+    w = [row[0] for row in (total.phi.transpose() * arb_mat([[arb(x)] for x in g])).tolist()]
+    r = 1 - u[0]
+    if r.contains(0) or not all(x.is_finite() for x in (*u, *w)):
+        return None
+    g_T = [x / r for x in w]
+    # F u = J u - a u_1, so q(T) r_T = a r_T + g - F u = a + g - J u
+    q_T = [(x + y - z) / r for x, y, z in zip(a, g, [*u[1:], arb(0)], strict=True)]
+    return _with_factor([x - y for x, y in zip(q_T, g_T, strict=True)], g_T, removed)
+
+
+class _Scattering(NamedTuple):
+    """A power of S with blocks X, B, Y, D as X^-1, X^-1 B and Y X^-1, which stay bounded where the orbit converges."""
+
+    phi: arb_mat
+    G: arb_mat
+    P: arb_mat
+
+
+def _after(second: _Scattering, first: _Scattering) -> _Scattering:
+    """Return the product of two powers, by Redheffer's star product: X = X2 (I + G2 P1) X1."""
+    m = first.P.nrows()
+    eye = arb_mat([[int(i == j) for j in range(m)] for i in range(m)])
+    middle = (eye + second.G * first.P).inv()
+    return _Scattering(first.phi * middle * second.phi,
+                       first.G + first.phi * middle * second.G * first.phi.transpose(),
+                       second.P + second.phi.transpose() * first.P * middle * second.phi)
+
+
+def _repeated(one: _Scattering, T: int) -> _Scattering:
+    total = one
+    for bit in bin(T)[3:]:
+        total = _after(total, total)
+        if bit == "1":
+            total = _after(one, total)
+    return total
+
+
+def _with_factor(a: list[arb], g: list[arb], removed: list[Any]) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
+    """Multiply the polynomials by a monic factor."""
+    factor = [arb(fmpq(x)) for x in reversed(removed)]
+
+    def times(p: list[arb]) -> list[arb]:
+        out = [arb(0)] * (len(p) + len(factor) - 1)
+        for i, x in enumerate(p):
+            for j, y in enumerate(factor):
+                out[i + j] += x * y
+        return out
+
+    return tuple(times([arb(1), *a])[1:]), tuple(times(list(g)))

@@ -1,0 +1,411 @@
+# SPDX-License-Identifier: MIT
+r"""What the fast filter of any order does, decided exactly.
+
+Main definitions
+----------------
+``decide``        the answer for a state :math:`(a, g)`
+``limit_digits``  the digits of the limit
+``LimitDigits``   what `limit_digits` returns
+
+Main statements
+---------------
+The statements and their proofs are those of `exactkf.kernel.orbit_n`, whose functions
+decide here as well.  For the coprime pair that is left after reduction, with :math:`Q(0) \ne 0`:
+
+* If `D` has only zeros of even multiplicity on the unit circle, the orbit escapes at one of finitely
+  many steps or converges to :math:`(w, 0)`, `w` the stable spectral factor of `D`.  It enters the
+  positive real region, because :math:`r_t` tends to a limit that is not zero, so that
+  :math:`|\gamma_t| < 1` from some step on; the first such step is one after the last with :math:`|\gamma_t| > 1`.
+  BLZ94 Theorem 7.1 says this of :math:`w\theta`, :math:`\theta` the common factor.  No
+  condition on the initial subspace is left over: coprime data never meet the codominant subspace (BLZ94 Lemma 6.12).
+* If `D` changes sign on the circle the orbit never converges.  It is periodic if and only if the zeros
+  of `D` are distinct roots of unity; its period is then the least common multiple of their
+  orders.  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
+* Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
+  a question about zeros of linear recurring sequences, for which no general method is known.
+
+"Positive real" is meant of the function :math:`v = b/2a`: :math:`\operatorname{Re} v \ge 0` outside the
+circle.  If `D` has no zero on the circle this is the strict notion of BLZ94 (2.13)-(2.15) for coprime data.
+
+References
+----------
+BLZ94 Theorem 7.1, Corollary 7.2, Lemmas 6.7-6.12, Proposition 8.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import lcm
+from typing import Any, NamedTuple
+
+from flint import arb, fmpq, fmpz
+
+from exactkf._errors import BadInput
+from exactkf.dynamics.answer import Answer, Fact
+from exactkf.dynamics.exact_json import element_json, field_json, number_json
+from exactkf.dynamics.spectral_factor import spectral_factor
+from exactkf.dynamics.wandering import (
+    aperiodic_modulus,
+    apparent_orders,
+    escapes_before,
+    modulus_without_escape,
+    no_escape_modulo,
+    prime_without_singularity,
+    torus_evidence,
+)
+from exactkf.exact.numberfield import RealField, RealNumber
+from exactkf.kernel.intervals import does_not_escape
+from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
+from exactkf.kernel.orbit_wandering import common_order
+from exactkf.kernel.replay import seal
+from exactkf.theory._scalars import Scalar, check_length, unify
+from exactkf.theory.orbits import first_escape, integer_orbit
+
+__all__ = ["LimitDigits", "decide", "limit_digits"]
+
+MAX_STEPS = 2000
+_LARGE = ((1 << 61) - 1, (1 << 89) - 1)
+
+_SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
+_LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
+
+
+class _Case(NamedTuple):
+    """The question, the pair, what is left of it, and z^m D of that."""
+
+    a: tuple[Any, ...]
+    g: tuple[Any, ...]
+    Q: list
+    S: list
+    reduced: Reduced
+    D: list
+    facts: list[Fact]
+
+    @property
+    def rational(self) -> bool:
+        return not isinstance(self.a[0], RealNumber)
+
+
+def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STEPS) -> Answer:
+    r"""Return what the orbit of the state :math:`(a, g)` does.
+
+    Parameters
+    ----------
+    a, g : sequences of rationals or of elements of one `RealField`, length n
+        The coefficients below the leading one; :math:`b = a + 2g`.
+    max_steps : int, optional
+        The number of steps within which the entry into the positive real region, or an escape
+        that nothing excludes, is sought.
+
+    Returns
+    -------
+    Answer
+        With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
+        described in the facts and not written as numbers, and orbits that neither converge nor repeat are undecided.
+
+    Raises
+    ------
+    BadInput
+        If the lengths differ or an entry is neither rational nor in the field of the others.
+
+    Examples
+    --------
+    >>> decide([fmpq(-3, 10)], [fmpq(1, 2)]).behaviour
+    'converges'
+    >>> decide([0, 1], [0, 0]).period
+    1
+    """
+    if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 0:
+        raise BadInput(f"max_steps = {max_steps!r}: the number of steps must be a nonnegative integer; pass max_steps >= 0")
+    case = _case(a, g)
+    reduced = case.reduced
+    if reduced.escape is not None:
+        return _escaped(case, reduced.escape)
+    if len(reduced.Q) == 1:
+        return _convergent(case, max_steps)
+    shape = spectral_sign(case.D)
+    _describe(case, shape)
+    if shape != "+-":
+        return _convergent(case, max_steps)
+    period = _period(case)
+    if period is not None:
+        return _returning(case, period)
+    return _wandering(case, max_steps)
+
+
+def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
+    a: Any
+    g: Any
+    a, g = unify(a=a_0, g=g_0)
+    check_length("g", g, len(a), "a")
+    if not a:
+        raise BadInput("a = (): the filter needs n >= 1; pass at least one coefficient")
+    algebraic = isinstance(a[0], RealNumber)
+    for name, vector in (("a", a), ("g", g)):
+        for i, x in enumerate(vector):
+            if not isinstance(x, RealNumber if algebraic else (fmpq, Fraction)) or isinstance(x, RealNumber) and x.field != a[0].field:
+                raise BadInput(f"{name}[{i}] = {x}: not in the field of a[0]; pass rationals, or elements of one RealField")
+    if not algebraic:
+        a, g = (tuple(fmpq(x.numerator, x.denominator) for x in v) for v in (a, g))
+    elif all(x.is_rational() for x in (*a, *g)):
+        a, g = (tuple(x.rational_value() for x in v) for v in (a, g))
+    one = a[0] - a[0] + 1
+    Q = [x + y for x, y in zip(a, g, strict=True)][::-1] + [one]
+    S = [*g[::-1], one - one]
+    reduced = reduce_pair(Q, S)
+    facts: list[Fact] = []
+    D = spectral_polynomial(reduced.Q, reduced.S)
+    theta = len(reduced.removed) - 1
+    if theta and len(reduced.Q) > 1:
+        facts.append(Fact(f"{theta} factor{'s' * (theta > 1)} that a and b have in common, or come to have in {reduced.start} steps, "
+                          f"stay{'s' * (theta == 1)}; a pair of order {len(reduced.Q) - 1} is left.",
+                          f"$\\theta = (a, b)$ has degree ${theta}$ after ${reduced.start}$ steps; a coprime pair of order ${len(reduced.Q) - 1}$ is left."))
+    return _Case(a, g, Q, S, reduced, D, facts)
+
+
+def _describe(case: _Case, shape: str) -> None:
+    m = len(case.reduced.Q) - 1
+    d = case.D[m:]
+    if d[0] != 0:
+        kappa = ", ".join(str(2 * x / d[0]) for x in d[1:])
+        case.facts.append(Fact(f"The invariants kappa_1, ..., kappa_{m} are {kappa}.", f"$(\\kappa_1, \\dots, \\kappa_{m}) = ({kappa})$."))
+    else:
+        point = " : ".join(str(x) for x in d)
+        case.facts.append(Fact(f"d_0 = 0; the point of projective space is ({point}).", f"$d_0 = 0$, $(d_0 : \\dots : d_{m}) = ({point})$."))
+    if shape == "+-":
+        case.facts.append(Fact("D changes sign on the unit circle: the orbit does not converge.", "$D(z, z^{-1})$ changes sign on $|z| = 1$."))
+    else:
+        case.facts.append(Fact(f"D is {_SIGNS[shape]} on the unit circle.", f"$D(z, z^{{-1}}) {_LATEX_SIGNS[shape]}$ on $|z| = 1$."))
+
+
+# ---------------------------------------------------------------------- answers
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
+    n = len(case.a)
+    draft = Answer(n, behaviour, facts=tuple(case.facts), reason=reason, **fields)
+    statement = {"question": _question(case), "answer": draft.decided()}
+    certificate = seal("orbit", "orbit", statement, evidence)
+    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=certificate, **fields)
+
+
+def _question(case: _Case) -> dict[str, Any]:
+    if case.rational:
+        return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g], "field": None}
+    field = case.a[0].field
+    return {"order": len(case.a), "a": [element_json(x) for x in case.a], "g": [element_json(x) for x in case.g], "field": field_json(field)}
+
+
+def _escaped(case: _Case, t: int) -> Answer:
+    case.facts.append(Fact(f"gamma^2 = 1 at step {t}: there is no next state.", f"$\\gamma_{{{t}}}^2 = 1$."))
+    return _answer(case, "escapes", {}, escape=t)
+
+
+def _convergent(case: _Case, max_steps: int) -> Answer:
+    entry = _entry(case, max_steps)
+    if isinstance(entry, Answer):
+        return entry
+    case.facts.append(Fact(f"The orbit is positive real from step {entry} on, so it never escapes.",
+                           f"$v_t$ is positive real exactly for $t \\ge {entry}$, hence $|\\gamma_t| < 1$ there."))
+    fields: dict[str, Any] = {"never_escapes": True, "enters_positive_real": entry}
+    if all(x == 0 for x in case.g):
+        fields["period"] = 1
+    if case.rational:
+        factor = spectral_factor(case.D) if len(case.D) > 1 else None
+        w = list(factor.coefficients) if factor else [fmpq(1)]
+        field = factor.field if factor else None
+        full = _product(w, case.reduced.removed)
+        alpha = [number_json(x) for x in reversed(full[:-1])]
+        evidence: dict[str, Any] = {"field": field_json(field), "factor": [element_json(x) for x in w]}
+        fields["limit"] = {"alpha": alpha, "gamma": "0"}
+    elif len(case.D) == 1:
+        field = case.a[0].field
+        full = [x * field(1) for x in case.reduced.removed]
+        evidence = {"field": field_json(field), "factor": [["1"]]}
+        fields["limit"] = {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
+    else:
+        evidence = {}
+    case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
+                           r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
+    return _answer(case, "converges", evidence, **fields)
+
+
+def _product(p: Sequence[Any], q: Sequence[Any]) -> list:
+    out = [0 * p[0]] * (len(p) + len(q) - 1)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            out[i + j] = out[i + j] + x * y
+    return out
+
+
+def _entry(case: _Case, max_steps: int) -> int | Answer:
+    """Return the first step in the positive real region, or an answer if the orbit escapes before or does not arrive.
+
+    The region is tested at steps that double in distance.  From the entry on |gamma| < 1, and
+    at the step before it |gamma| > 1.
+    """
+    common = case.reduced.removed
+    last, test = -1, 0  # the last step with |gamma| > 1, and the next step to be tested
+    for t, (Q, S) in enumerate(_pairs(case)):
+        if t >= test:
+            if _enters(Q, S, common, case.reduced.start <= t):
+                return last + 1
+            test = 2 * t - case.reduced.start + 1 if t >= case.reduced.start else t + 1
+        lead, first = Q[-1] * Q[-1], S[-2] * S[-2]
+        if first == lead:
+            return _escaped(case, t)
+        if first > lead:
+            last = t
+        if t >= max_steps:
+            break
+    return _undecided(case, max_steps, f"the orbit has not escaped in {max_steps} steps, nor come to the positive real region, "
+                                       "which it will enter if it never escapes; ask with more steps")
+
+
+def _pairs(case: _Case) -> Any:
+    """Yield the orbit as polynomials from z^0 up, as integers up to a factor if it is rational."""
+    if case.rational:
+        for lead_first, star in integer_orbit(case.a, case.g):
+            yield list(lead_first[::-1]), [*star[::-1], fmpz(0)]
+        return
+    Q, S = case.Q, case.S
+    while True:
+        yield Q, S
+        first = S[-2]
+        if first * first == 1:
+            return
+        Q, S = step(Q, S, first)
+
+
+def _enters(Q: list, S: list, common: list, late: bool) -> bool:
+    """Whether the pair is positive real; late pairs are divided by the known common factor."""
+    Q, S = ([fmpq(x) if isinstance(x, fmpz) else x for x in p] for p in (Q, S))
+    if late and len(common) > 1:
+        Q, S = _quotient(Q, common), _quotient(S, common)
+    elif not late:
+        Q, S = coprime(Q, S)
+    return is_positive_real(Q, S)
+
+
+def _quotient(p: list, q: list) -> list:
+    """Divide exactly by a monic polynomial."""
+    p, out = list(p), []
+    for _ in range(len(p) - len(q) + 1):
+        c = p[-1]
+        out.append(c)
+        for i, x in enumerate(q):
+            p[len(p) - len(q) + i] = p[len(p) - len(q) + i] - c * x
+        p.pop()
+    return out[::-1]
+
+
+def _period(case: _Case) -> int | None:
+    """Return the least p with z^p = 1 modulo D, if there is one."""
+    if case.rational:
+        D = [Fraction(int(x.numerator), int(x.denominator)) for x in case.D]
+        if aperiodic_modulus(D) is not None:
+            return None
+        order = common_order(len(D) - 1)
+        return _least(order, D) if power_of_z(order, D) == [1] else None
+    guess = _guess_order(case.D)
+    return _least(guess, case.D) if guess and power_of_z(guess, case.D) == [1] else None
+
+
+def _least(order: int, D: list) -> int:
+    """Return the order of z modulo D, a divisor of `order`."""
+    for p, _ in fmpz(order).factor():
+        while order % int(p) == 0 and power_of_z(order // int(p), D) == [1]:
+            order //= int(p)
+    return order
+
+
+def _returning(case: _Case, period: int) -> Answer:
+    start = case.reduced.start
+    for t, (Q, S) in zip(range(start + period), _pairs(case), strict=False):
+        if Q[-1] * Q[-1] == S[-2] * S[-2]:
+            return _escaped(case, t)
+    since = f" from step {start} on" if start else ""
+    case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: "
+                           f"the orbit has the period {period}{since}.",
+                           f"$S^{{{period}}} = I$: the orbit has the period ${period}${since}."))
+    evidence: dict[str, Any] = {}
+    if not case.rational:
+        Q, S = start_pair(_question(case))
+        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, period, bits := (256 + 4 * period) << k))
+    return _answer(case, "periodic", evidence, never_escapes=True, period=period)
+
+
+def _wandering(case: _Case, max_steps: int) -> Answer:
+    if not case.rational:
+        for t, (Q, S) in zip(range(min(max_steps, 100) + 1), _pairs(case), strict=False):
+            if Q[-1] * Q[-1] == S[-2] * S[-2]:
+                return _escaped(case, t)
+        return _undecided(case, min(max_steps, 100), "D changes sign on the circle, so the orbit does not converge; "
+                          "for irrational data nothing here excludes that it escapes later or, if it does not, that it repeats with a long period")
+    escape = first_escape(case.a, case.g, max_steps)
+    if escape is not None:
+        return _escaped(case, escape)
+    rational = [[Fraction(int(x.numerator), int(x.denominator)) for x in v] for v in (case.Q, case.S, case.reduced.Q, case.reduced.S, case.D)]
+    Q, S, q, s, D = rational
+    before = escapes_before(q, s)
+    modulus = prime_without_singularity(q, s, D, before) if before else modulus_without_escape(Q, S, D)
+    if modulus is None:
+        return _undecided(case, max_steps, "D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, "
+                          f"so it does not repeat; it does not escape in {max_steps} steps, but no modulus was found that excludes a later escape")
+    dimension, torus, reason = torus_evidence(D)
+    case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
+    case.facts.append(Fact(f"The orbit does not escape modulo {modulus}{'^2' if before else ''}, so it never does.",
+                           f"$1 - \\gamma_t^2$ is no multiple of ${modulus}{'^2' if before else ''}$, so it is never zero."))
+    if dimension is None:
+        case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
+    else:
+        case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
+                               f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
+    evidence = {"aperiodic": aperiodic_modulus(D), "modulus": modulus, "torus": torus, **({"before": before} if before else {})}
+    return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
+
+
+def _undecided(case: _Case, steps: int, reason: str) -> Answer:
+    evidence: dict[str, Any] = {"searched": steps}
+    if case.rational and steps:
+        modulus = next((N for N in _LARGE if no_escape_modulo(case.Q, case.S, steps, N)), None)
+        evidence.update({"modulus": modulus} if modulus else {})
+    return _answer(case, "undecided", evidence, reason)
+
+
+def _guess_order(D: list) -> int | None:
+    """Return a common multiple of the orders that the zeros of D seem to have as roots of unity, from balls."""
+    found = apparent_orders(D)
+    return None if found is None else lcm(*found)
+
+
+# ---------------------------------------------------------------------- digits
+class LimitDigits(NamedTuple):
+    """Balls around the coefficients of the limit."""
+
+    alpha: tuple[arb, ...]
+
+
+def limit_digits(answer: Answer, digits: int) -> LimitDigits:
+    r"""Return the limit :math:`\alpha_\infty` to a number of digits.
+
+    Parameters
+    ----------
+    answer : Answer
+        Of an orbit that converges.
+    digits : int
+        The relative error of each coefficient is at most ``10**-digits``.
+
+    Returns
+    -------
+    LimitDigits
+
+    Raises
+    ------
+    BadInput
+        If the answer has no limit, or `digits` is not a positive integer.
+    """
+    if answer.limit is None or "alpha" not in answer.limit:
+        raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for rational data that converge")
+    values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
+    numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
+    return LimitDigits(tuple(x.enclose(digits) for x in numbers))

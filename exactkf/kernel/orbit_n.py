@@ -1,0 +1,403 @@
+# SPDX-License-Identifier: MIT
+r"""Answers about orbits of the fast filter of any order, checked.
+
+An orbit starts at two polynomials, `Q` monic of degree `n` and `S` (the paper's
+:math:`Q^*`) of lower degree, and goes on by
+
+    g = S[n-1] / Q[n],   Q, S  <-  Q - g z S,  z S - g Q,
+
+unless g^2 = 1: then it escapes.  A polynomial is its list of coefficients from z^0 up.
+
+Main statements
+---------------
+D = Q(z)Q(1/z) - S(z)S(1/z) is multiplied by 1 - g^2 in a step.  Common factors of Q and S
+stay; if Q(0) = 0, both polynomials are divisible by z after a step.  So `reduce_pair` comes to a
+coprime pair of order m with Q(0) != 0, or to S = 0, an equilibrium, or to an escape.
+
+For such a coprime pair let S_m be the symplectic matrix of order 2m whose powers carry the
+Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to z^m D.
+
+1. S_m has one Jordan block for each eigenvalue, and Im(I; 0) meets no S_m-invariant
+   Lagrangian subspace, real or complex: for (x; 0) in such a subspace W the form of (x; 0) and
+   its image is (g'x)(g'A'^-1 x) = 0; a vector space is not the union of two proper subspaces,
+   so one factor vanishes on all of W, W is invariant under A' or its inverse, and is zero
+   because (A, g) is reachable.
+2. If every zero of D on the circle has even multiplicity, S_m^t Im(I; 0) tends to the dominant
+   subspace, so the orbit escapes or tends to the only equilibrium (w, 0) with
+   D proportional to w(z) w(1/z) and no zero of w outside the closed disc (BLZ94 Theorem 7.1).
+3. If D >= 0 and all zeros of Q lie inside the circle, S/Q is bounded by one outside the
+   circle (v = (Q+S)/2(Q-S) is positive real); then g^2 < 1 from there on, by Schwarz' lemma.
+4. If D changes sign on the circle the orbit tends to no equilibrium, for D would be a
+   multiple of |w|^2.
+5. The orbit has a period p if and only if S_m^p = I: periodicity makes (S_m^p - c)^j Im(I; 0),
+   the last one that is not zero, a part of an invariant isotropic subspace, which 1 forbids;
+   so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.
+6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N,
+   which is finite, 1 - g^2 is never zero.
+
+References
+----------
+BLZ94 Sections 6 and 7; BLM91 (2.25)-(2.28); I. Schur, J. reine angew. Math. 147 (1917).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from math import gcd, lcm
+from typing import Any, NamedTuple
+
+from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.intervals import does_not_escape, is_schur
+from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
+from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
+from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
+
+__all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
+           "start_pair", "states", "step"]
+
+_FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period",
+           "torus_dimension", "enters_positive_real")
+
+
+class Reduced(NamedTuple):
+    """The coprime pair at step `start`, the product of all factors taken out, and the escape on the way."""
+
+    start: int
+    Q: list
+    S: list
+    removed: list
+    escape: int | None
+
+
+def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    """Accept the answer if it follows from the question.
+
+    Parameters
+    ----------
+    question : mapping
+        ``{"a": [...], "g": [...]}`` and, for algebraic data, ``"field": [modulus, lo, hi]``; numbers
+        are "p/q" or lists of coefficients in theta.
+    answer : mapping
+        The fields of `exactkf.dynamics.answer.Answer` that are decided.
+    evidence : mapping
+        Hints: the field and the spectral factor of the limit, moduli, exponents.
+
+    Raises
+    ------
+    Undefined
+        With the step that does not follow.
+    """
+    _need(set(answer) == set(_FIELDS), "the answer does not have the fields of an answer")
+    Q, S = start_pair(question)
+    n = len(Q) - 1
+    _need(type(answer["order"]) is int and answer["order"] == n, f"the order is {n}")
+    _need(answer["rate"] is None and answer["monotone_from"] is None and answer["region"] == "", "a field that is not decided is filled")
+    behaviour = answer["behaviour"]
+    _need(behaviour in _CHECKS, f"behaviour {behaviour!r} is not decided for every order")
+    required = _REQUIRED[behaviour]
+    filled = {k for k in ("escape", "limit", "period", "torus_dimension", "enters_positive_real") if answer[k] is not None}
+    _need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
+    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "not convergent, not periodic")),
+          "never_escapes does not go with the behaviour")
+    _CHECKS[behaviour](Q, S, answer, evidence)
+
+
+# ---------------------------------------------------------------------- the orbit
+def _number(x: Any, field: AlgebraicField | None) -> Any:
+    if isinstance(x, list):
+        _need(field is not None, "an algebraic number needs the field")
+        return field.element([Fraction(c) for c in x])  # type: ignore[union-attr]
+    _need(isinstance(x, str), "a number is a string p/q")
+    return field.element([Fraction(x)]) if field is not None else Fraction(x)
+
+
+def _field(data: Any) -> AlgebraicField | None:
+    if data is None:
+        return None
+    modulus, lo, hi = data
+    return AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+
+
+def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
+    """The two polynomials of a question."""
+    _need({"a", "g"} <= set(question) <= {"a", "g", "field", "order"}, "the question is not a pair a, g")
+    field = _field(question.get("field"))
+    a, g = ([_number(x, field) for x in question[k]] for k in ("a", "g"))
+    _need(len(a) == len(g) > 0, "a and g are of different or zero length")
+    _need(question.get("order", len(a)) == len(a), "the order is not the length of a")
+    one = _number("1", field)
+    return [x + y for x, y in zip(a, g, strict=True)][::-1] + [one], g[::-1] + [one - one]
+
+
+def step(Q: list, S: list, g: Any) -> tuple[list, list]:
+    """The next monic pair."""
+    r = 1 - g * g
+    moved = [S[-1], *S[:-1]]
+    pairs = list(zip(Q, moved, strict=True))
+    return [divide(x - g * y, r) for x, y in pairs], [divide(y - g * x, r) for x, y in pairs]
+
+
+def states(Q: list, S: list) -> Iterator[tuple[list, list]]:
+    """The orbit, each pair up to a common factor; it ends with the pair that escapes.
+
+    Rational pairs are kept as integers: after a step without fractions the leading coefficient
+    before the last divides everything, which is tested and not assumed.
+    """
+    if any(isinstance(x, Algebraic) for x in Q):
+        while True:
+            yield Q, S
+            g = S[-2] / Q[-1]
+            if g * g == 1:
+                return
+            Q, S = step(Q, S, g)
+    d = lcm(*(x.denominator for x in [*Q, *S]))
+    Q, S = [int(x * d) for x in Q], [int(x * d) for x in S]
+    divisor, following = 1, 1
+    while True:
+        yield Q, S
+        if Q[-1] ** 2 == S[-2] ** 2:
+            return
+        lead, first = Q[-1], S[-2]
+        moved = [0, *S[:-1]]
+        pairs = [divmod(lead * x - first * y, divisor) for x, y in zip(Q, moved, strict=True)]
+        stars = [divmod(lead * y - first * x, divisor) for x, y in zip(Q, moved, strict=True)]
+        if any(r for _, r in pairs + stars):  # cannot happen; the undivided pair is right all the same
+            divisor, pairs, stars = 1, [(lead * x - first * y, 0) for x, y in zip(Q, moved, strict=True)], [
+                (lead * y - first * x, 0) for x, y in zip(Q, moved, strict=True)]
+        Q, S = [q for q, _ in pairs], [q for q, _ in stars]
+        divisor, following = following, Q[-1]
+
+
+def reduce_pair(Q: list, S: list) -> Reduced:
+    """Take out common factors and step while Q(0) = 0."""
+    zero, t = Q[-1] - Q[-1], 0
+    removed = [zero + 1]
+    while True:
+        common = gcd_poly(Q, S)
+        removed = _product(removed, common)
+        Q = [zero + x for x in divmod_poly(Q, common)[0]]
+        S = [zero + x for x in _padded(divmod_poly(S, common)[0] if any(x != 0 for x in S) else [], len(Q))]
+        if len(Q) == 1 or Q[0] != 0:
+            return Reduced(t, Q, S, removed, None)
+        g = S[-2]
+        if g * g == 1:
+            return Reduced(t, Q, S, removed, t)
+        Q, S = step(Q, S, g)
+        t += 1
+
+
+def _padded(p: list, length: int) -> list:
+    return [*p, *[0] * (length - len(p))]
+
+
+def _product(p: list, q: list) -> list:
+    out: list[Any] = [0] * (len(p) + len(q) - 1)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            out[i + j] = out[i + j] + x * y
+    return out
+
+
+def spectral_polynomial(Q: list, S: list) -> list:
+    """z^m D, of degree 2m."""
+    return [x - y for x, y in zip(_product(Q, Q[::-1]), _product(S, S[::-1]), strict=True)]
+
+
+def spectral_sign(D: list) -> str:
+    """The sign of D on the circle, from z^m D."""
+    m = len(D) // 2
+    return circle_sign(Laurent({k - m: c for k, c in enumerate(D)}))
+
+
+# ---------------------------------------------------------------------- behaviours
+def _escapes(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    """Step exactly; the orbit ends where the answer says."""
+    T = _step_number(answer["escape"], "escape")
+    count = 0
+    for count, (q, _) in enumerate(states(Q, S)):
+        if count > T:
+            break
+        _need(q[-1] != 0, "a leading coefficient is zero")
+    _need(count == T and _is_escape(Q, S, T), f"the orbit does not escape at step {T}")
+
+
+def _is_escape(Q: list, S: list, T: int) -> bool:
+    q, s = _at(Q, S, T)
+    return s[-2] * s[-2] == q[-1] * q[-1]
+
+
+def _at(Q: list, S: list, T: int) -> tuple[list, list]:
+    for t, state in enumerate(states(Q, S)):
+        if t == T:
+            return state
+    raise Undefined(f"the orbit escapes before step {T}")
+
+
+def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    reduced = reduce_pair(Q, S)
+    _need(reduced.escape is None, f"the orbit escapes at step {reduced.escape}")
+    m = len(reduced.Q) - 1
+    D = spectral_polynomial(reduced.Q, reduced.S)
+    _need(m == 0 or spectral_sign(D) in ("+", "0+", "-", "-0"), "D changes sign on the circle")
+    _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
+    _need(answer["period"] in (None, 1), "an equilibrium has period one")
+    _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
+    if answer["limit"] is not None:
+        _limit(reduced, D, answer["limit"], evidence)
+
+
+def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
+    """The pair at step T is positive real, and the one before is not."""
+    late = T >= reduced.start
+    first = reduced.start if late else 0
+    before: tuple[list, list] | None = None
+    state: tuple[list, list] | None = None
+    if late and first:
+        before = _at(Q, S, first - 1) if T == first else None
+    if late and len(reduced.Q) == 1:
+        _need(T == first or T == 0, "the orbit rests before that step")
+        state = (reduced.Q, [0])
+    else:
+        for t, pair in enumerate(states(reduced.Q, reduced.S) if late else states(Q, S), first):
+            if t == T - 1:
+                before = pair
+            if t == T:
+                state = pair
+                break
+    _need(state is not None, f"the orbit escapes before step {T}")
+    _need(T == 0 or before is not None and sign(before[1][-2] * before[1][-2] - before[0][-1] * before[0][-1]) > 0,
+          "the orbit was positive real a step earlier")
+    q, s = state  # type: ignore[misc]
+    if not late:
+        q, s = coprime(q, s)
+    _need(is_positive_real(q, s), f"the orbit is not positive real at step {T}")
+
+
+def coprime(Q: list, S: list) -> tuple[list, list]:
+    q, s = ([Fraction(x) if isinstance(x, int) else x for x in p] for p in (Q, S))
+    common = gcd_poly(q, s)
+    q = divmod_poly(q, common)[0]
+    return q, _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))
+
+
+def is_positive_real(Q: list, S: list) -> bool:
+    """D >= 0 and every zero of Q inside the circle, for a coprime pair."""
+    if len(Q) == 1:
+        return True
+    return spectral_sign(spectral_polynomial(Q, S)) in ("+", "0+") and count_circle(Q)[0] == len(Q) - 1
+
+
+def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
+    """The limit is the stable spectral factor of D times the factors taken out."""
+    field = _field(evidence.get("field"))
+    one = _number("1", field)
+    w = [_number(x, field) for x in evidence["factor"]]
+    _need(len(w) == len(reduced.Q) and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
+    _need(w[0] != 0, "the spectral factor vanishes at zero")
+    square = _product(w, w[::-1])
+    _need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
+    if len(w) > 1:
+        stable = is_schur(w) if field is not None and spectral_sign(D) in ("+", "-") else count_circle(w)[2] == 0
+        _need(stable, "the spectral factor has a zero outside the closed disc")
+    full = _product(w, [one * x for x in reduced.removed])
+    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
+        _need(_same(claimed, value), "the limit is another number than the coefficient of the spectral factor")
+
+
+def _same(claimed: Any, value: Any) -> bool:
+    """A number of the answer is the value."""
+    if isinstance(claimed, str):
+        return value == Fraction(claimed)
+    p, (lo, hi) = [Fraction(c) for c in claimed["minpoly"]], (Fraction(x) for x in claimed["interval"])
+    _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
+    return value > lo and value < hi and _eval(p, value) == 0
+
+
+def _eval(p: list, x: Any) -> Any:
+    acc: Any = 0
+    for c in reversed(p):
+        acc = acc * x + c
+    return acc
+
+
+def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    reduced = reduce_pair(Q, S)
+    p = _step_number(answer["period"], "period")
+    _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
+    D = spectral_polynomial(reduced.Q, reduced.S)
+    D = [divide(c, D[-1]) for c in D]
+    _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
+    primes = [q for q in range(2, p + 1) if p % q == 0 and all(q % r for r in range(2, q))]
+    _need(all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
+    if isinstance(D[-1], Algebraic):
+        _need(reduced.start == 0 and does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
+    else:
+        count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
+        _need(count == p + 1, "the orbit escapes within a period")
+
+
+def power_of_z(k: int, modulus: list) -> list:
+    """z^k modulo a polynomial of degree at least one, without trailing zeros."""
+    out: list[Any] = [1]
+    for bit in bin(k)[2:]:
+        out = _product(out, out)
+        if bit == "1":
+            out = [0, *out]
+        out = divmod_poly([Fraction(x) if isinstance(x, int) else x for x in out], modulus)[1]
+    return out
+
+
+def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    _need(all(isinstance(x, Fraction) for x in Q), "only rational data are decided here")
+    reduced = _nonconvergent(Q, S)
+    D = spectral_polynomial(reduced.Q, reduced.S)
+    _need(has_infinite_order(D, evidence["aperiodic"]), "S may be of finite order")
+    if "before" in evidence:
+        check_never_singular(reduced.Q, reduced.S, evidence["modulus"], evidence["before"])
+    else:
+        check_never_escapes(Q, S, evidence["modulus"])
+    if answer["torus_dimension"] is not None:
+        check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
+
+
+def _nonconvergent(Q: list, S: list) -> Reduced:
+    reduced = reduce_pair(Q, S)
+    _need(reduced.escape is None and len(reduced.Q) > 1, "the orbit escapes or comes to rest")
+    _need(spectral_sign(spectral_polynomial(reduced.Q, reduced.S)) == "+-", "D does not change sign on the circle")
+    return reduced
+
+
+def _undecided(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    """No escape in the steps searched, seen modulo N; where the answer calls D indefinite, it is."""
+    steps, N = evidence["searched"], evidence.get("modulus")
+    _need(type(steps) is int and steps >= 0, "the number of steps searched is not a number")
+    if N is None:
+        count = sum(1 for _ in zip(range(steps + 1), states(Q, S), strict=False))
+        _need(count == steps + 1 and (steps == 0 or not _is_escape(Q, S, steps - 1)), "the orbit escapes in the steps searched")
+    else:
+        q, s = modular(Q, N), modular(S, N)
+        for _ in range(steps):
+            r = 1 - s[-2] * s[-2]
+            _need(gcd(r, N) == 1, "the orbit may escape in the steps searched")
+            q, s = modular_step(q, s, N)
+
+
+_CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic,
+           "not convergent, not periodic": _wanders, "undecided": _undecided}
+# fields that go with a behaviour, and fields that may
+_REQUIRED: dict[str, tuple[set[str], set[str]]] = {
+    "escapes": ({"escape"}, set()), "converges": ({"enters_positive_real"}, {"limit", "period"}), "periodic": ({"period"}, set()),
+    "not convergent, not periodic": (set(), {"torus_dimension"}), "undecided": (set(), set()),
+}
+
+
+def _step_number(x: Any, name: str) -> int:
+    _need(type(x) is int and x >= 0, f"{name} is not a number of steps")
+    return x
+
+
+def _need(condition: bool, step: str) -> None:
+    if not condition:
+        raise Undefined(step)

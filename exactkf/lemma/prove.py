@@ -1,0 +1,411 @@
+# SPDX-License-Identifier: MIT
+"""Prove or refute a lemma of one's own.
+
+Refutation comes first: exact instances that satisfy the assumptions, by
+construction. Then a proof for every size: multiples of the assumptions in
+words of letters, the order calculus, or both through an induction. Whatever is
+found is a certificate, and counts only after the checker has replayed it.
+
+What is never reported as proved:
+
+- a claim whose assumptions no instance meets (vacuous or contradictory);
+- a claim with an inverse of which neither an assumption nor the order calculus
+  says that it exists: a term has a value only where its inverses do, and
+  a proof is about those values alone;
+- a claim whose search ended at a bound.
+
+Changed lemmas that hold as well (mutants that survive) are warnings here, not
+faults: a true lemma need not be the sharpest one.
+
+Main definitions
+----------------
+`prove_lemma`
+    From a text, a file, a statement or its parts to an `Outcome`.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import chain
+from pathlib import Path
+from typing import Any
+
+from flint import fmpq
+
+from exactkf._errors import BadInput
+from exactkf.describe import instance_lines
+from exactkf.evidence import identity
+from exactkf.finders.completion import Stuck
+from exactkf.finders.membership import find_order, search_membership
+from exactkf.finders.prove import candidates, every_size
+from exactkf.kernel.numbers import Undefined, Unknown, rationals
+from exactkf.kernel.reader import Reader
+from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.language import Expr, Statement
+from exactkf.language.statement import as_tuples
+from exactkf.language.text import text
+from exactkf.lemma.grammar import read_lemma
+from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse
+from exactkf.lemma.neighbours import neighbours
+from exactkf.lemma.outcome import Outcome
+from exactkf.lemma.refute import Search, contradiction, look_for, unmet
+from exactkf.lemma.sizes import Misfit, Sizes
+
+__all__ = ["prove_lemma", "read_file"]
+
+_MOST_LEAVES = 8  # parts of a claim that one semidefinite term is tried for
+_MOST_WARNING = 5.0  # seconds for changed lemmas
+_MOST_SEARCH = 20.0  # seconds for the search of a counterexample, where there are that many
+
+
+def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequence[Any] = (), over: Any = (), where: Sequence[tuple] = (), given: Any = (),
+                says: Any = None, time_limit: float = 60.0, degree: int = 8, seed: int = 0, mutants: bool = True,
+                progress: Callable[[str], None] | None = None) -> Outcome:
+    """Prove a lemma for every size, refute it by explicit matrices, or say how far it got.
+
+    Parameters
+    ----------
+    lemma : Statement, str or Path, optional
+        A statement; the text of a lemma (see `exactkf.lemma.grammar`); or the path of a file with such a text.
+    sizes, over, where, given, says
+        The parts of an `exactkf.language.Statement`, instead of ``lemma``. ``0`` stands for a zero of the size that fits.
+    time_limit : float
+        Seconds after which no new search is begun.
+    degree : int
+        Longest word that the completion of the assumptions looks at.
+    seed : int
+        Of random instances.
+    mutants : bool
+        Whether to look at changed lemmas too, and to warn of those that are not refuted.
+    progress : callable, optional
+        Called with a few words on what is being done.
+
+    Returns
+    -------
+    Outcome
+
+    Raises
+    ------
+    BadInput
+        For a lemma that cannot be read: unknown letters, sizes that do not fit, with the place and the remedy.
+
+    Examples
+    --------
+    >>> outcome = prove_lemma('''
+    ... sizes n m
+    ... matrix P n m
+    ... matrix Q m n
+    ... assume I + P*Q invertible
+    ... claim inv(I + P*Q)*P == P*inv(I + Q*P)
+    ... ''')
+    >>> outcome.verdict
+    'proved'
+    """
+    if not (isinstance(time_limit, (int, float)) and math.isfinite(time_limit) and time_limit > 0):
+        raise BadInput(f"argument 'time_limit' = {time_limit!r} is not a number of seconds; give a finite one above 0")
+    if isinstance(degree, bool) or not isinstance(degree, int) or degree < 1:
+        raise BadInput(f"argument 'degree' = {degree!r} is not a length of words; give a whole number, 1 or more")
+    statement = _statement(lemma, sizes, over, where, given, says)
+    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
+        return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(mutants)
+
+
+def read_file(path: Path) -> Statement:
+    """Read the file of a lemma."""
+    try:
+        return read_lemma(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise BadInput(f"argument FILE = {str(path)!r} cannot be read ({error.strerror or error}); pass a file that you may read") from error
+    except UnicodeDecodeError as error:
+        raise BadInput(f"argument FILE = {str(path)!r} is not UTF-8 text; pass a file in the grammar of lemmas") from error
+    except BadInput as error:
+        raise BadInput(f"{path}: {error}") from error
+
+
+def _statement(lemma: Any, sizes: Sequence[Any], over: Any, where: Sequence[tuple], given: Any, says: Any) -> Statement:
+    parts = {"sizes": sizes, "over": over, "where": where, "given": given}
+    if lemma is None:
+        if says is None:
+            raise BadInput("argument 'says' is missing: the lemma claims nothing; pass a formula, or a Statement, text or Path as first argument")
+        names = [s.tree[1] if isinstance(s, Expr) else s for s in sizes]
+        variables = over.items() if isinstance(over, Mapping) else over
+        return _fitted(Statement(says=says, over=[(k.tree[1] if isinstance(k, Expr) else k, v) for k, v in variables], sizes=names, where=where, given=given))
+    used = [name for name, value in parts.items() if value] + ["says"] * (says is not None)
+    if used:
+        raise BadInput(f"argument {used[0]!r} is given beside a whole lemma; give one or the other")
+    if isinstance(lemma, Path):
+        return read_file(lemma)
+    if isinstance(lemma, str):
+        return read_lemma(lemma)
+    if not isinstance(lemma, Statement):
+        raise BadInput(f"argument 'lemma' = {lemma!r} is no lemma; pass a Statement, the text of a lemma, or the Path of a file")
+    return _fitted(lemma)
+
+
+def _fitted(statement: Statement) -> Statement:
+    """The statement with sizes checked and put in, as far as its operations are those of matrices."""
+    shapes = Sizes(statement.sizes)
+    try:
+        for name, kind in tuple(statement.over):
+            shapes.declare(name, kind)
+        where = []
+        for d in statement.where:
+            if d[0] == "let" and not d[2]:
+                d = (*d[:3], shapes.define(d[1], d[3]))
+            elif d[0] == "rec":
+                shapes.define(d[1], d[4][0])
+            where.append(d)
+        given = [(label, shapes.formula(formula), kind) for label, formula, kind in tuple(statement.given)]
+        return Statement(says=shapes.formula(statement.says), over=statement.over, sizes=statement.sizes, where=where, given=given)
+    except Misfit as error:
+        raise BadInput(f"the lemma does not fit together: {error}") from error
+
+
+class _Run:
+    """One lemma on its way to an outcome."""
+
+    def __init__(self, statement: Statement, time_limit: float, degree: int, seed: int, progress: Callable[[str], None]) -> None:
+        self.started = time.perf_counter()
+        self.deadline = self.started + time_limit
+        self.limit, self.degree, self.seed, self.progress = time_limit, degree, seed, progress
+        self.data = statement.to_json()
+        self.found = Outcome(statement)
+        self.sides = [side for part in _claims(self.data["says"]) if part[0] == "=" for side in part[1:] if isinstance(side, list)]
+
+    def outcome(self, mutants: bool) -> Outcome:
+        search = self._search()
+        if self.found.verdict == "open" and not self.found.reason:
+            self._prove()
+            if self.found.verdict == "proved" and mutants and self._left() > 0:
+                self._warn(search)
+        self.found.seconds = time.perf_counter() - self.started
+        return self.found
+
+    def _left(self) -> float:
+        return self.deadline - time.perf_counter()
+
+    def _share(self, part: float, most: float) -> float:
+        return max(0.05, min(most, part * self._left()))
+
+    def _keep(self, certificate: dict | None) -> bool:
+        """Replay what a finder proposes; keep it if it is accepted."""
+        if certificate is None:
+            return False
+        self.found.checks += 1
+        try:
+            replay(certificate)
+        except (Rejected, NotACertificate) as error:
+            self.found.reached.append(f"{certificate['kind']}: a candidate was not accepted by the checker: {error}")
+            return False
+        self.found.certificates.append(certificate)
+        return True
+
+    # ------------------------------------------------------------------ refutation
+    def _search(self) -> Search:
+        self.progress("looking for a counterexample")
+        found = self.found
+        search = look_for(self.data, time.perf_counter() + self._share(0.3, _MOST_SEARCH), seed=self.seed)
+        found.checks += search.checks
+        if search.certificate is not None:
+            found.verdict, found.counterexample = "refuted", search.counterexample
+            found.certificates = [search.certificate]
+            found.reason = self._what_fails(search)
+        elif search.kept:
+            found.witness = min(search.kept, key=lambda instance: sum(instance["sizes"].values()))
+            found.reached.append(f"{len(search.kept)} exact instances satisfy the assumptions and the claim (seed {self.seed})")
+            self._premises(search)
+        elif search.undefined:
+            found.reason = f"no value: on none of {search.undefined} instances of the assumptions has the claim a value ({search.why_undefined})"
+        elif search.unknown:
+            found.reached.append(f"instances: {search.unknown}")
+            found.reason = f"the claim was not evaluated on any instance: {search.unknown}"
+        else:
+            self._vacuous()
+        return search
+
+    def _what_fails(self, search: Search) -> str:
+        """The conjunct of the claim that the counterexample violates."""
+        instance = search.certificate["evidence"]["instance"]  # type: ignore[index]
+        for part in _claims(self.data["says"]):
+            certificate = seal("lemma", "counterexample", {**self.data, "says": part}, {"instance": instance})
+            try:
+                replay(certificate)
+            except (Rejected, NotACertificate):
+                continue
+            return f"{_text(part)} does not hold for the matrices below"
+        return "the claim does not hold for the matrices below"
+
+    def _premises(self, search: Search) -> None:
+        """An implication of which no instance satisfies the premise says nothing."""
+        for part in _claims(self.data["says"]):
+            if part[0] != "=>":
+                continue
+            values = []
+            for world in search.worlds:
+                try:
+                    values.append(world.value(part[1]))
+                except (Undefined, Unknown):
+                    continue
+            if True not in values:
+                self.found.reason = f"vacuous: no instance was found that satisfies the premise {_text(part[1])}; make sure that it can be met"
+
+    def _vacuous(self) -> None:
+        self.progress("looking for a witness of the assumptions")
+        found = self.found
+        label = unmet(self.data, time.perf_counter() + self._share(0.5, _MOST_SEARCH), self.seed)
+        if not label:
+            found.reason = "vacuous: no instance of the types was found"
+            return
+        before = " together with those before it" if label != self.data["given"][0][0] else ""
+        contradictory = contradiction(self.data, label, self.degree, self._share(0.3, 3.0))
+        if contradictory and self._keep(contradictory[1]):
+            size = contradictory[0]
+            found.reason = (f"contradictory: assumption {label!r}{before} implies I({size}) = 0, so that it can be met for {size} = 0 alone; "
+                            "remove or correct it")
+        else:
+            found.reason = f"vacuous: no matrices were found that satisfy assumption {label!r}{before}; make sure that it can be met"
+
+    # ------------------------------------------------------------------ proof
+    def _prove(self) -> None:
+        self.progress("looking for a proof")
+        found = self.found
+        whole = self._proof_of(self.data, 0.4)
+        if whole is None and not self._in_parts():
+            return
+        found.reached += [whole] if whole else []
+        missing = self._inverses()
+        if missing:
+            found.reason = missing
+            return
+        found.verdict = "proved"
+        found.assuming = [*(label for label, _, _ in self.data["given"]), *found.assuming]
+
+    def _proof_of(self, data: dict, part: float) -> str | None:
+        """Keep a certificate of a statement; how it was proved, or None."""
+        seconds = self._share(part, math.inf) / 2
+        every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
+        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
+            if self._keep(certificate):
+                return _HOW[certificate["kind"]].format(sum(len(terms) for terms in certificate["evidence"].get("terms", ())))
+        return None
+
+    def _in_parts(self) -> bool:
+        """The claims one by one: whether each is proved, and how far it got."""
+        parts, open_ = _claims(self.data["says"]), []
+        for k, part in enumerate(parts):
+            how = self._proof_of({**self.data, "says": part}, 0.8 / (len(parts) - k)) if len(parts) > 1 else None
+            if how is None:
+                open_.append(part)
+            else:
+                self.found.reached.append(f"{_text(part)}: {how}")
+        for part in open_:
+            self.found.reached.append(f"{_text(part)}: neither proved nor refuted; {self._stuck(part)}")
+        ended = "out of time" if self._left() <= 0 else f"no proof with words of up to {self.degree} letters"
+        self.found.reason = (f"{ended}, and no counterexample; a larger --degree or --time-limit (degree=, time_limit=), "
+                             "or a further assumption or claim on the way, may settle it") if open_ else ""
+        return not open_
+
+    def _stuck(self, part: Any) -> str:
+        """How far the search for multiples of the assumptions got."""
+        if part[0] in _CONNECTIVES:
+            return "the parts of it were not all proved"
+        equation = part[2] if part[0] == "always" else part
+        if equation[0] not in ("=", "symmetric", "symplectic"):
+            why = _not_in_words(self.data, equation)
+            return f"what is proved for every size does not reach it: {why}" if why else "no sum of terms that are semidefinite by their form was found"
+        found = search_membership({**self.data, "says": part}, self.degree, self._share(0.2, 5.0))
+        return str(found) if isinstance(found, Stuck) else "its multiples of the assumptions are found, but no certificate of it was accepted"
+
+    def _inverses(self) -> str:
+        """Show the inverses of the claim; why one is not granted, or nothing."""
+        for term, data in claimed_inverses(self.data):
+            name = f"{_text(['inv', term])}"
+            why = exists_by_assumption(data, term)
+            if why:
+                self.found.assuming.append(f"{name} exists {why}")
+                continue
+            formula = invertibility(data, term)
+            certificate = show_inverse(data, term, self.degree, self._share(0.2, 2.0)) if formula[0] == "invertible" else None
+            if certificate is not None and self._keep(certificate):
+                self.found.assuming.append(f"{name} exists, as is shown")
+                continue
+            return self._not_granted({**data, "says": formula}, term, name)
+        return ""
+
+    def _not_granted(self, data: dict, term: Any, name: str) -> str:
+        remedy = f"add 'assume {_text(data['says'])}'"
+        search = look_for(data, time.perf_counter() + self._share(0.3, 3.0), seed=self.seed, id="lemma: an inverse that need not exist")
+        self.found.checks += search.checks
+        claim = f"proved only where {name} exists, which no assumption grants"
+        if search.certificate is None:
+            return f"{claim}; {remedy}"
+        self.found.certificates.append(search.certificate)
+        self.found.reached.append(f"{_text(term)} is singular although every assumption holds: {'; '.join(_short(search.counterexample or {}))}")
+        return f"{claim}, and it need not exist; {remedy}"
+
+    def _warn(self, search: Search) -> None:
+        """Changed lemmas that the instances do not refute."""
+        self.progress("looking at changed lemmas")
+        until = time.perf_counter() + self._share(0.5, _MOST_WARNING)
+        refuted, looked, warnings = neighbours(self.data, search.worlds, self.degree, until, self.seed)
+        self.found.reached.append(f"{refuted} of {looked} changed lemmas refuted")
+        self.found.warnings += warnings
+
+
+_CONNECTIVES = ("and", "or", "not", "=>", "<=>")
+_HOW = {
+    "membership": "a sum of {} multiples of the assumptions, expanded in words of letters",
+    "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
+    "identity": "an identity of rational functions in the entries",
+    "word induction": "by induction, base and step in words of letters",
+}
+
+
+def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> Iterator[dict]:
+    """Proofs of an order by a term that an equation of the lemma names, and of an equation by null vectors of semidefinite matrices."""
+    if data["says"][0] in ("psd", "pd", "loewner"):
+        tried = [[side] for side in sides]
+    elif data["says"][0] == "=":
+        tried = [list(terms) for _, formula, _ in data["given"] if (terms := _null_terms(formula))]
+    else:
+        return
+    deadline = time.perf_counter() + seconds
+    for terms in tried:
+        if (left := deadline - time.perf_counter()) <= 0:
+            return
+        parts = find_order(data, [terms] * _MOST_LEAVES, degree=degree, seconds=left)
+        if parts is not None:
+            yield seal("lemma", "order", data, {"parts": parts, "lemmas": []})
+
+
+def _null_terms(formula: Any) -> Sequence[Any]:
+    """The summands of K in an assumption K x = 0."""
+    if formula[0] != "=" or formula[1][:1] != ["*"] or (formula[2] != 0 and formula[2][0] != "O"):
+        return ()
+    first = formula[1][1] if len(formula[1]) == 3 else ["*", *formula[1][1:-1]]
+    return first[1:] if first[0] == "+" else [first]
+
+
+def _not_in_words(data: dict, tree: Any) -> str:
+    """Why a formula is not one about matrices of every size; empty if it is."""
+    reader = Reader(data)
+    for term in tree[1:]:
+        try:
+            reader.read(term)
+        except (Unknown, Undefined) as error:
+            return str(error)
+    return ""
+
+
+def _claims(says: Any) -> list[Any]:
+    return list(says[1:]) if says[0] == "and" else [says]
+
+
+def _text(tree: Any) -> str:
+    return text(as_tuples(tree))
+
+
+def _short(instance: Mapping[str, Any]) -> list[str]:
+    return [line for line in instance_lines(instance) if not line.startswith("horizon")]

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""The state far ahead against stepping, and its digits."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+from flint import fmpq
+
+from exactkf._errors import BadInput
+from exactkf.dynamics.ahead import ahead_lines, digits_ahead, state_ahead
+from exactkf.dynamics.every_order import decide
+from exactkf.exact.balls import contains
+from exactkf.theory.orbits import exact_orbit
+from tests.dynamics.test_every_order import start
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_digits_and_exact_states_agree_with_stepping(n):
+    """The balls contain the state that stepping reaches, the exact state is that state, and escapes are the same."""
+    rng, reached = random.Random(n), 0
+    for _ in range(15):
+        a, g = start(rng, n)
+        T = rng.choice((0, 1, 2, 7, 40))
+        orbit, far = exact_orbit(a, g, T), digits_ahead(a, g, T, 20)
+        exact = state_ahead(a, g, T)
+        if len(orbit.states) <= T:
+            assert orbit.escape == far.escape == exact.escape
+            continue
+        assert exact.state == orbit.states[-1]
+        assert all(contains(x, y) for x, y in zip((*far.a, *far.g), (*exact.state[0], *exact.state[1]), strict=True))
+        reached += 1
+    assert reached > 3
+
+
+def test_a_periodic_orbit_a_trillion_steps_ahead():
+    """Where the orbit is periodic the digits at T = 10^12 are those of the state at T modulo the period."""
+    rng = random.Random(2)
+    a, g, period = next((a, g, answer.period) for a, g in (start(rng, 2) for _ in range(200)) if (answer := decide(a, g)).behaviour == "periodic")
+    far, near = digits_ahead(a, g, 10**12, 25), exact_orbit(a, g, 10**12 % period).states[-1]
+    assert all(contains(x, y) for x, y in zip((*far.a, *far.g), (*near[0], *near[1]), strict=True))
+
+
+def test_the_text_names_an_escape():
+    """The lines say that there is no state behind an escape."""
+    assert ahead_lines([-2], [fmpq(1, 2)], 10) == ["no state after 10 steps: the orbit escapes at step 1"]
+    assert ahead_lines([0], [2], 2) == ["a_1(2) = 2", "g_1(2) = -8/7"]
+
+
+@pytest.mark.parametrize(("T", "digits"), [(-1, 5), (3, 0), (True, 5)])
+def test_bad_input(T, digits):
+    """Steps and digits that are no numbers of steps and digits are refused."""
+    with pytest.raises(BadInput):
+        digits_ahead([fmpq(0)], [fmpq(2)], T, digits)
