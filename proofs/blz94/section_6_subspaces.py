@@ -14,24 +14,18 @@ Jordan block for each eigenvalue, half of each block is dominant, the other half
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, order, steps
+from exactkf.evidence import example, identity, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Z,
     Zero,
-    always,
     block,
     bottom,
     charpoly,
-    circle_roots,
-    coeff,
     column,
     coprime,
     det,
-    diag,
-    eq,
-    exists,
     forall,
     function,
     given,
@@ -44,36 +38,27 @@ from exactkf.language import (
     let,
     matrix,
     matrix_of,
-    monic,
     nonneg_on_circle,
     nonsingular,
     nonzero,
-    outside_roots,
     prod,
-    rational,
-    polynomial,
     rank,
+    rational,
     real_roots,
-    rec,
-    recip,
-    rev,
     rows,
     scalar,
-    schur,
     size_of,
     standing,
     substitute,
-    sum_of,
     symbols,
     symmetric_matrix,
-    symplectic,
     top,
     vector,
     vstack,
     when,
 )
-from proofs.blz94.notation import OBSERVER, SHIFT, D, F, J, P, a, a0, b, g, g0, h, i, j, k, m, monic_of, n, strict_of, symmetric_part, t
-from proofs.blz94.section_6 import CLOSED, S_OF_A, A, S
+from proofs.blz94.notation import OBSERVER, F, P, a0, g, g0, h, i, j, k, m, monic_of, n, strict_of, symmetric_part
+from proofs.blz94.section_6 import A, S
 
 X, Y, R, U, V, K, L, N, Q, W, M, E, B = symbols("X Y R U V K L N Q W M E B")
 p, q, s, u, v, w, x, y, z, c, l, T_ = symbols("p q s u v w x y z c l Theta")
@@ -298,7 +283,7 @@ claim("BLZ94-E6.18", "the characteristic polynomial of S is a multiple of D",
       note="alpha_n = a_n + g_n. The printed coefficients kappa_i/kappa_n = d_i/d_n are those of D divided by d_n = alpha_n.")
 
 _DOMINANT = {**LOOP, X: matrix(2 * n, n), R: matrix(n, n), Y: matrix(2 * n, n), Q: matrix(n, n)}
-_TWO = [given("X is invariant", S * X == X * R), given("Y is invariant", S * Y == Y * Q), given("dimension of X", rank(X) == n), given("dimension of Y", rank(Y) == n),
+_TWO = [given("X is invariant", S * X == X * R), given("Y is invariant", S * Y == Y * Q), standing("dimension of X", rank(X) == n), standing("dimension of Y", rank(Y) == n),
         given("X is dominant", inside_roots(charpoly(R)) == 0), given("Y is dominant", inside_roots(charpoly(Q)) == 0)]
 _EVEN = standing("no eigenvalue of odd multiplicity on the circle",
                  nonneg_on_circle(Z ** (-n) * charpoly(S)) | nonneg_on_circle(-(Z ** (-n) * charpoly(S))))
@@ -323,3 +308,10 @@ for _id, _title in (("BLZ94-L6.11", "the limit of the orbit in terms of the domi
                     ("BLZ94-S47", "intersection of the equimodular parts"), ("BLZ94-S48", "sign definite D and zeros of odd multiplicity"),
                     ("BLZ94-S49", "spans of ordered generalized eigenvectors"), ("BLZ94-S50", "exponents for S"), ("BLZ94-S51", "a basis of the codominant subspace")):
     not_checked(_id, _title, "not yet stated as an exact formula")
+
+claim("BLZ94-P6.6", "the eigenvalues of S are the zeros of D, with multiplicity",
+      Z ** (-n) * charpoly(S) == symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)) / det(A) * rational(-1) ** n, sizes=["n"],
+      over={a0: vector(n), g0: vector(n)},
+      where=[*OBSERVER, let(A, F - g0 * T(h)), let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
+                                                            [g0 * T(g0) * inv(T(A)), A - g0 * T(g0) * inv(T(A)) * h * T(h)]]))],
+      by=[identity(n=(1, 2)), instances(n=(1, 2, 3))], note="det A = (-1)^n alpha_n, not zero.")

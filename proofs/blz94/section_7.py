@@ -8,17 +8,14 @@ A common factor of a and b stays in a and b for all times.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import (
     Identity,
     T,
     Z,
-    Zero,
-    coeff,
+    circle_roots,
     column,
     coprime,
-    forall,
-    circle_roots,
     given,
     inside_roots,
     inv,
@@ -29,9 +26,7 @@ from exactkf.language import (
     nonneg_on_circle,
     nonzero,
     outside_roots,
-    polynomial,
     recip,
-    rev,
     scalar,
     schur,
     standing,
@@ -40,9 +35,26 @@ from exactkf.language import (
     symmetric_matrix,
     to_expr,
     vector,
-    when,
 )
-from proofs.blz94.notation import FAST, ORBIT, SHIFT, D, F, J, P, a, a0, alpha, alpha0, b, b0, g, g0, gamma, gamma0, h, i, j, k, m, monic_of, n, symmetric_part, t, u
+from proofs.blz94.notation import (
+    ORBIT,
+    D,
+    F,
+    P,
+    a,
+    alpha,
+    alpha0,
+    b,
+    g,
+    gamma,
+    gamma0,
+    h,
+    i,
+    j,
+    n,
+    symmetric_part,
+    u,
+)
 
 c, q, r, v, w, x, y, Q, L, Gamma = symbols("c q r v w x y Q L Gamma")
 
