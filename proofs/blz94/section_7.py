@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""Section 7: global convergence.
+
+If an orbit tends to (alpha, 0), D is a multiple of alpha(z)alpha(1/z) and so does not change sign on the circle. Conversely let P be
+the solution of the Riccati equation that belongs to the dominant subspace of S, and Gamma its closed loop. A step from Q goes to
+P + Gamma (Q - P)(I - hh'(Q - P)/(1 - h'Ph))^(-1) Gamma', which ties the orbit to the powers of Gamma.
+A common factor of a and b stays in a and b for all times.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, identity, instances, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Z,
+    circle_roots,
+    column,
+    coprime,
+    given,
+    inside_roots,
+    inv,
+    let,
+    matrix,
+    matrix_of,
+    monic,
+    nonneg_on_circle,
+    nonzero,
+    outside_roots,
+    recip,
+    scalar,
+    schur,
+    standing,
+    substitute,
+    symbols,
+    symmetric_matrix,
+    to_expr,
+    vector,
+)
+from proofs.blz94.notation import (
+    ORBIT,
+    D,
+    F,
+    P,
+    a,
+    alpha,
+    alpha0,
+    b,
+    g,
+    gamma,
+    gamma0,
+    h,
+    i,
+    j,
+    n,
+    symmetric_part,
+    u,
+)
+
+c, q, r, v, w, x, y, Q, L, Gamma = symbols("c q r v w x y Q L Gamma")
+
+claim("BLZ94-T7.1.2", "the step of the Riccati equation near a solution, on which sufficiency rests",
+      (F * Q * T(F) + (g - F * Q * h) / (1 - T(h) * Q * h) * T(g - F * Q * h))
+      == P + Gamma * (Q - P) * inv(Identity(n) - q * h * T(h) * (Q - P)) * T(Gamma), sizes=["n"],
+      over={F: matrix(n, n), g: vector(n), h: vector(n), Q: symmetric_matrix(n), L: symmetric_matrix(n), P: symmetric_matrix(n), q: scalar()},
+      where=[let(Gamma, F - q * (g - F * P * h) * T(h))],
+      given=[given("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
+             given("(6.1)", F * P * T(F) + q * (g - F * P * h) * T(g - F * P * h) == P)],
+      by=[steps("BLZ94-E6.9", "BLZ94-E6.11", facts=["Parlett and Poole: the powers of a matrix take a subspace to the dominant one if it is complementary to the "
+                                                   "codominant one"],
+                prose="Subtract the equation of P from the step in the form gg' + AQ(I - hh'Q)^(-1)A'. That convergence needs a sign definite D is Corollary 5.3."),
+          instances(n=(1,), using={u: scalar(), v: nonzero()},
+                    made_by={P: matrix_of(i, j, n, n, 1 - (1 / v - u**2 * v) / (1 - u**2) / v), q: v / ((1 / v - u**2 * v) / (1 - u**2)), h: column(i, n, 1),
+                             F: matrix_of(i, j, n, n, u * ((1 / v - u**2 * v) / (1 - u**2) - v) - (1 / v - u**2 * v) / (1 - u**2)),
+                             g: column(i, n, u * ((1 / v - u**2 * v) / (1 - u**2) - v))})],
+      note="The theorem speaks of limits, which are not stated here: the verdict is on the exact formula of one step only.")
+
+not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those among them with sign definite D, have measure zero",
+            "a statement about Lebesgue measure; for each t escape is one equation 1 - gamma_t^2 = 0, which is not an identity as equilibria never escape")
+
+claim("BLZ94-T7.1.0", "convergence makes D sign definite", nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"],
+      over={a: monic(n), b: monic(n), w: monic(n), c: scalar()}, where=[let(D, symmetric_part(a, b))],
+      given=[given("D = c w(z)w(1/z)", D == c * w * recip(w))],
+      by=[steps(facts=["a number times its conjugate is not negative"], prose="On the circle w(1/z) is the conjugate of w(z). Sufficiency is Lemmas 6.9 to 6.12 "
+                                                                                        "with the formula of T7.1.2."),
+          example(n=1, a=[2, 1], b=[-2, 1], w=[0, 1], c=-3), example(n=1, a=[2, 1], b=[2, 1], w=[1, 1], c=1),
+          instances(n=(1, 2), made_by={a: w, b: w, c: 1}), instances(n=(1, 2))])
+
+claim("BLZ94-T7.1.3", "a common factor of a and b goes through a step",
+      (symmetric_part(u * w, v * w) == symmetric_part(u, v) * w * recip(w))
+      & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n), x: scalar()},
+      by=[identity(n=range(1, 5)), instances(n=(1, 2))],
+      note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor; so a_t and b_t keep it, and the limit is "
+           "that of the reduced orbit times the factor.")
+
+claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc", u == w, sizes=["n"], over={u: monic(n), w: monic(n), r: nonzero()},
+      given=[given("same product", u * recip(u) == r * w * recip(w)), given("u has no zero outside", outside_roots(u) == 0),
+             given("w has no zero outside", outside_roots(w) == 0)],
+      by=[steps(facts=["a polynomial has one factorization into linear ones"], prose="The zeros of w(z)w(1/z)z^n are those of w and their inverses; those inside belong to w, those on "
+                                                                                  "the circle have even multiplicity and belong to w half."),
+          example(n=1, u=[2, 1], w=["1/2", 1], r=4), example(n=1, w=[2, 1], u=["1/2", 1], r="1/4"), example(n=1, u=["1/2", 1], w=["1/3", 1], r=1),
+          instances(n=(1, 2), made_by={u: w, r: 1})],
+      note="The factor r in (7.1a) is twice the limit of r_t, compare (5.4) and (8.8).")
+
+claim("BLZ94-C7.2.1", "the stable manifold of (alpha, 0) consists of pairs whose reduced polynomials are coprime", coprime(u, v), sizes=["n"],
+      over={u: monic(n), v: monic(n)},
+      given=[given("the limit is Schur", schur(u)), given("the orbit tends to it, being at it", u == v)],
+      by=[example(n=1, u=["1/2", 1], v=["1/2", 1]), instances(n=(1,), made_by={v: u})],
+      note="theta = 1. The equilibrium itself belongs to its stable manifold, but there a = b.",
+      repair=repair("boundary case", "The reduced polynomials may have common zeros, if these lie in the closed disc.",
+                    inside_roots(u) + circle_roots(u) == n, sizes=["n"], over={u: monic(n), v: monic(n)},
+                    given=[given("the limit is Schur", schur(u)), standing("the orbit tends to it, being at it", u == v)],
+                    by=[example(n=1, u=[2, 1], v=[2, 1]), instances(n=(1, 2), using={x: monic(n)},
+                                                                    made_by={u: substitute(x, 4 * Z) / to_expr(4) ** n, v: substitute(x, 4 * Z) / to_expr(4) ** n})]))
+
+not_checked("BLZ94-C7.2.2", "the global unstable manifold", "a statement about backward orbits and their limits; no exact form is stated yet")
+
+claim("BLZ94-C7.2.3", "the equilibria form an invariant set of fixed points", (alpha[1] == alpha0) & (gamma[1] == 0 * alpha0), sizes=["n"], over={alpha0: vector(n)},
+      where=[let(gamma0, 0 * alpha0), *ORBIT], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      note="The Jacobian at (alpha, 0) has n eigenvalues one and those of G(alpha); without zeros on the circle E is of the right dimension.")
