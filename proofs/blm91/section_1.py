@@ -100,18 +100,19 @@ claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa *
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 D1 = let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z)))
 claim("BLM91-S8", "excursions, periods, and returns to the classical region",
-      forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 7), u: integer(2, 3)},
-      where=[let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
+      forall(t, 1, k, iff(back(t), t == k)) & forall(t, 1, i, iff(pit[t] == -u, t == i)) & (hits >= 1) & flag, over={k: integer(3, 7), i: integer(2, 5), u: integer(2, 3)},
+      where=[let(growth, cospi(1, i)), let(stay, 2 * (growth + u) / (1 - u**2)), let(far, 1 + u * stay), rec(pit, t, -u, ((stay**2 - far**2) * pit[t] + far**2) / (1 - pit[t])),
+             let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
              let(hits, sum_of(t, 1, 60, when(abs(alb[t]) > 5, 1, 0))), rec(alc, t, 1, alc[t] / (1 - gac[t] ** 2)), rec(gac, t, 3, -gac[t] * alc[t] / (1 - gac[t] ** 2)), let(flag, abs(alc[1]) + abs(gac[1]) < 1)],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
-                "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(8), example(k=3, u=2), example(k=4, u=2), example(k=6, u=3)],
-      note="Period k for 1/kappa = -cos(2 pi/k); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
+                "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(5), example(k=3, i=2, u=2), example(k=4, i=3, u=2), example(k=6, i=5, u=3)],
+      note="Period k for 1/kappa = -cos(2 pi/k), and period i of the Riccati equation (4.7) from -u for 1/kappa = cos(pi/i); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
 LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]
 ROOTS = (D1, let(poly, al0 * Z**2 + (1 + al0**2 - ga0**2) * Z + al0), let(bound, 2 + abs((1 + al0**2 - ga0**2) / al0)), let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(real, real_roots(poly, -bound, bound) >= 1))
-claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & (ga[1] == -(ga0 * al[1])), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT],
+claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & iff(real, far <= 0) & (ga[2] ** 2 == (al[2] - lam) ** 2 + far), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT, LAMBDA, let(far, 1 - lam**2)],
       by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative"],
-                prose="a limit is a fixed point (alpha, 0) of the hyperbola, a real zero of alpha^2 - (2/kappa) alpha + 1; where there is one, every orbit that does not end converges (S39)"), instances(60), *LISTED],
-      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: the fixed point equation has real zeros.")
+                prose="along an orbit gamma^2 = (alpha - lambda)^2 + 1 - lambda^2, lambda = 1/kappa: where D changes sign gamma_t^2 >= 1 - lambda^2 > 0 for all t, and nothing converges; where D has one sign every orbit that does not end converges (S39)"), instances(60), *LISTED],
+      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: z D has real zeros; the identity for gamma^2 is taken at t = 2.")
 claim("BLM91-S10", "sign definite is the same as real roots", iff(definite, real) & (poly == Z * D), over={al0: nonzero(), ga0: scalar()}, where=ROOTS,
       by=[steps("BLM91-E3.12", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                 prose="both say |1 + alpha^2 - gamma^2| >= 2|alpha|"), instances(60), *LISTED])
@@ -125,9 +126,14 @@ claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1,
           instances(30, using={k: integer(-1, 1), u: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0}),
           instances(20, using={pick_: integer(1, 3), u: scalar()}, made_by={al0: 2 * (when(pick_ == 1, rational("3/5"), when(pick_ == 2, rational("-1/3"), rational("-4/5"))) + u) / (1 - u**2), ga0: 1 + u * al0})],
       note="On rational points, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; elsewhere |alpha_t| > 4 within 60 steps.")
-GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))))
-claim("BLM91-S12", "few initial values of a scalar Riccati equation escape", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID, by=[example(alpha0=0, gamma0=1), instances()],
-      repair=repair("boundary case", "for alpha_0 = 0, |gamma_0| = 1, where D is zero, every solution reaches the pole 1 after one step and ends; for all other parameters the statement is right", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID,
-                    given=[given("D not zero", (al0 != 0) | (ga0**2 != 1))],
-                    by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero"], prose="one initial value ends at each step; convergence, period or density as in Theorem 4.1"), instances(40), example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=2)]),
-      note="hits: of the initial values 2, .., 12 those for which pi_3 exists; at most one value ends at each step.")
+GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))),
+        LAMBDA, MANY, let(stay, x**2 - 2 * (1 - al0 * lam) * x + ga0**2 == 0), let(flag, lam == 0), let(special, 4 * lam**2 == 1))
+claim("BLM91-S12", "few initial values of a scalar Riccati equation escape; the others converge, are periodic, or dense",
+      (hits >= 9) & forall(t, 1, 6, iff(pit(x, t) == x, stay | special & many(3, t) | flag & many(2, t))), over={al0: nonzero(), ga0: scalar(), x: scalar()}, where=GRID,
+      by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="the map is invertible for alpha_0 not 0, so that one initial value ends at each step; all others converge where D has real roots (S39, in the coordinate alpha = alpha_0/(1 - pi)), and else return or are "
+                      "dense by the phase of the roots"),
+          instances(40), instances(30, using={k: integer(-1, 1), u: scalar(), w: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: w}),
+          example(alpha0=2, gamma0=0, x=0), example(alpha0="1/2", gamma0="1/2", x=2)],
+      note="alpha_0 not 0: the sentence goes by the roots of D, and for alpha_0 = 0 D is constant (for |gamma_0| not 1 every solution is at gamma_0^2 after one step; for |gamma_0| = 1 D is zero and all end at the pole). "
+           "hits: of the initial values 2, .., 12 those for which pi_3 exists, all but at most one for each of pi_2, pi_3. Returns to x within 6 steps on rational data: at the zeros x of (4.12), and with the periods 3 and 2.")

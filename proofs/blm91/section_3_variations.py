@@ -54,8 +54,8 @@ FOUR = [standing("a cycle of period 4", (f(x4) == x1) & (f(x2) != x1)), standing
 CYCLES = (function(f, [x], kap * x - kap * x * x), let(x1, y), let(x2, f(x1)), let(x3, f(x2)), let(x4, f(x3)), let(mult, kap**4 * (1 - 2 * x1) * (1 - 2 * x2) * (1 - 2 * x3) * (1 - 2 * x4)))
 FAMILY = dict(over={kap: scalar(), y: scalar()}, where=CYCLES, given=FOUR)
 claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1, **FAMILY, by=[DOUBLED],
-      repair=repair("other", "3.449.. = 1 + sqrt 6 is where the period doubles from 2 to 4, not where doubling ends: the 4-cycle is stable at 7/2, and at 71/20 it has lost its stability by a multiplier below -1, to a cycle of period 8",
-                    iff(above, kap <= rational("177/50")) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
+      repair=repair("other", "3.449.. = 1 + sqrt 6 is where the period doubles from 2 to 4, not where doubling ends: the 4-cycle is stable at 7/2, stays so to 3.544.., and at 71/20 it has lost its stability by a multiplier below -1, to a cycle of period 8",
+                    ((kap <= rational("3544/1000")) >> above) & ((kap >= rational("3545/1000")) >> ~(above)) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
       note="Had doubling subsided for kappa > 3.45, the 4-cycle that is stable there would stay so up to the onset of chaos at 3.5699... The real 4-cycle is taken at kappa = 7/2 and 71/20, in its number field. That stable cycles of "
            "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
