@@ -75,26 +75,29 @@ claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
       where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
       note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
            "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
-still, zero = symbols("still zero")
+still, zero, top, low = symbols("still zero numerator denominator")
+#: 1/kappa a fraction, and any point of its hyperbola
+FRACTION = {top: integer(-12, 12), low: integer(1, 12), u: scalar()}
+ON_FRACTION = (let(lam, top / low), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+HALVES = [example(numerator=i_, denominator=2, u=u_) for i_ in (1, 0, -1) for u_ in (2, "1/3")]
+STILL = example(numerator=5, denominator=4, u="-1/2")
 FLAT = (let(still, ga0 == 0), let(zero, lam == 0))
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 claim("BLM91-X.8", "rational data have the periods 1, 3, 4, 6 and no others",
       forall(t, 1, 13, iff(back(t), still | (2 * lam == 1) & many(3, t) | zero & many(4, t) | (2 * lam == -1) & many(6, t))),
-      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, BACK, MANY, *FLAT],
+      over=FRACTION, where=[*ON_FRACTION, *ORBIT, BACK, MANY, *FLAT],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="1/kappa is rational with the point. For gamma_0 not 0 a return after t steps means w^t = 1 for w + 1/w = -2/kappa, w not 1 or -1 (for kappa = 1, -1 the "
                       "closed form grows with t), so that -2/kappa is an integer by (X.6)"),
-          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
-          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0="1/2", gamma0=0)],
-      note="Orbits that end are left aside. Where none of the cases applies the orbit converges (kappa^2 <= 1) or is dense.")
+          instances(60), *HALVES, STILL],
+      note="1/kappa is any fraction with terms up to 12, and u runs through the points of the hyperbola, rational or not. Orbits that end are left aside. Where none of the cases applies the orbit converges (kappa^2 <= 1) or is dense.")
 claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2, 3 and no others",
       forall(t, 1, 7, iff(al[t] == al0, still | (4 * lam**2 == 1) & many(3, t) | zero & many(2, t))),
-      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, MANY, *FLAT],
+      over=FRACTION, where=[*ON_FRACTION, *ORBIT, MANY, *FLAT],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="alpha_t = alpha_0 says N_t = alpha_0 M_t, which is (w^t - w^(-t))(alpha_0^2 - 2 lambda alpha_0 + 1) = 0: gamma_0 = 0 or w^(2t) = 1"),
-          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
-          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2)],
-      note="The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
+          instances(60), *HALVES, STILL],
+      note="1/kappa and u as in X.8. The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
 
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first = symbols("odd d unit none first")

@@ -116,24 +116,21 @@ claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real)
 claim("BLM91-S10", "sign definite is the same as real roots", iff(definite, real) & (poly == Z * D), over={al0: nonzero(), ga0: scalar()}, where=ROOTS,
       by=[steps("BLM91-E3.12", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                 prose="both say |1 + alpha^2 - gamma^2| >= 2|alpha|"), instances(60), *LISTED])
-RETURNS = (*ORBIT, LAMBDA, BACK, MANY, let(special, (lam == 0) | (4 * lam**2 == 1)), *PROJECTIVE, let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 4 * abs(Mt[t]), 1, 0))), let(flag, special | (hits >= 1)),
+TENTHS = (let(lam, k2 / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+RETURNS = (*TENTHS, *ORBIT, BACK, MANY, let(special, (lam == 0) | (4 * lam**2 == 1)), *PROJECTIVE, let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 4 * abs(Mt[t]), 1, 0))), let(flag, special | (hits >= 1)),
            let(growth, lam == 0))
-pick_ = sym("pick")
-claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1, 12, iff(back(t), (2 * lam == 1) & many(3, t) | growth & many(4, t) | (2 * lam == -1) & many(6, t))) & flag, over={al0: nonzero(), ga0: scalar()}, where=RETURNS,
-      given=[standing("sign indefinite", abs(lam) < rational("9/10"))],
+claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1, 12, iff(back(t), (2 * lam == 1) & many(3, t) | growth & many(4, t) | (2 * lam == -1) & many(6, t))) & flag, over={k2: integer(-8, 8), u: scalar()}, where=RETURNS,
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle", "a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="the roots of zD are exp(+-i(pi - theta))"),
-          instances(30, using={k: integer(-1, 1), u: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0}),
-          instances(20, using={pick_: integer(1, 3), u: scalar()}, made_by={al0: 2 * (when(pick_ == 1, rational("3/5"), when(pick_ == 2, rational("-1/3"), rational("-4/5"))) + u) / (1 - u**2), ga0: 1 + u * al0})],
-      note="On rational points, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; elsewhere |alpha_t| > 4 within 60 steps.")
+          instances(30), *(example(K2=k_, u=u_) for k_ in (5, 0, -5) for u_ in (2, -3)), example(K2=3, u=2), example(K2=-8, u=2)],
+      note="1/kappa = -8/10, .., 8/10, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; on the others |alpha_t| > 4 within 60 steps. K2 is ten times 1/kappa, u runs through the points.")
 GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))),
-        LAMBDA, MANY, let(stay, x**2 - 2 * (1 - al0 * lam) * x + ga0**2 == 0), let(flag, lam == 0), let(special, 4 * lam**2 == 1))
+        *TENTHS, MANY, let(stay, x**2 - 2 * (1 - al0 * lam) * x + ga0**2 == 0), let(flag, lam == 0), let(special, 4 * lam**2 == 1))
 claim("BLM91-S12", "few initial values of a scalar Riccati equation escape; the others converge, are periodic, or dense",
-      (hits >= 9) & forall(t, 1, 6, iff(pit(x, t) == x, stay | special & many(3, t) | flag & many(2, t))), over={al0: nonzero(), ga0: scalar(), x: scalar()}, where=GRID,
+      (hits >= 9) & forall(t, 1, 6, iff(pit(x, t) == x, stay | special & many(3, t) | flag & many(2, t))), over={k2: integer(-15, 15), u: scalar(), x: scalar()}, where=GRID, given=[given("alpha_0 not 0", al0 != 0)],
       by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the map is invertible for alpha_0 not 0, so that one initial value ends at each step; all others converge where D has real roots (S39, in the coordinate alpha = alpha_0/(1 - pi)), and else return or are "
                       "dense by the phase of the roots"),
-          instances(40), instances(30, using={k: integer(-1, 1), u: scalar(), w: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: w}),
-          example(alpha0=2, gamma0=0, x=0), example(alpha0="1/2", gamma0="1/2", x=2)],
+          instances(40), *(example(K2=k_, u=2, x=x_) for k_ in (5, 0, -5) for x_ in (0, "1/2")), example(K2=10, u="-1/2", x=0), example(K2=0, u=0, x=3)],
       note="alpha_0 not 0: the sentence goes by the roots of D, and for alpha_0 = 0 D is constant (for |gamma_0| not 1 every solution is at gamma_0^2 after one step; for |gamma_0| = 1 D is zero and all end at the pole). "
-           "hits: of the initial values 2, .., 12 those for which pi_3 exists, all but at most one for each of pi_2, pi_3. Returns to x within 6 steps on rational data: at the zeros x of (4.12), and with the periods 3 and 2.")
+           "hits: of the initial values 2, .., 12 those for which pi_3 exists, all but at most one for each of pi_2, pi_3. Returns to x within 6 steps: at the zeros x of (4.12), and with the periods 3 and 2. 1/kappa = K2/10, where the phase is a rational multiple of pi for 1/2, 0, -1/2 only; u runs through the points.")

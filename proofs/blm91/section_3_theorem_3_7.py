@@ -57,15 +57,17 @@ claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] =
       by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
           instances(), example(y=2), example(y=-3)],
       note="y = alpha + gamma runs over all nonzero numbers. The two points y = 1, -1 end in one step; all others have period 4.")
-DENSE = (*ORBIT, LAMBDA, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
-IRRATIONAL = [standing("|kappa| > 1", abs(lam) < rational("9/10")), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))]
+turn = sym("turn")
+POINT_OF = (let(lam, turn / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+DENSE = (*POINT_OF, *ORBIT, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
+ANY_POINT = {turn: integer(-8, 8), u: scalar()}
+IRRATIONAL = ~exists(k, -1, 1, 2 * lam == k)
 pick, double = symbols("pick double")
 SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("2/5"), rational("-4/5"))))
-DRAW = dict(using={pick: integer(1, 4), y: scalar()}, made_by={al0: 2 * (SOME + y) / (1 - y**2), ga0: 1 + y * al0})
-claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", never & (hits >= 1), over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=IRRATIONAL,
+claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", never & (hits >= 1), over=ANY_POINT, where=DENSE, given=[given("irrational angle", IRRATIONAL)],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-E5.7", "BLM91-E5.8", facts=[KRONECKER], prose="in the coordinate a the algorithm is a turn of lines by the angle omega in a suitable basis, and each point of the hyperbola has its own a; the points of the orbit are dense among the lines"),
-          instances(40, **DRAW), example(alpha0=2, gamma0=2), example(alpha0=3, gamma0=3), example(alpha0=2, gamma0=-2)],
-      note="On rational points, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2: no return within 12 steps, and an excursion |alpha_t| > 5 within 60.")
+          instances(40), example(turn=5, u=2), example(turn=0, u=2), example(turn=-5, u=3), example(turn=-8, u=-2), example(turn=7, u=3)],
+      note="1/kappa = -8/10, .., 8/10, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2; u runs through all points of the hyperbola. No return within 12 steps, and an excursion |alpha_t| > 5 within 60: the first 60 multiples of these angles leave no gap as long as the arc of such lines.")
 TARGET = (CHEBYSHEV, let(hits, sum_of(i, 1, 120, when(2 * abs(Ut[i] - x * Ut[i - 1]) < abs(Ut[i - 1]), 1, 0))), let(far, sum_of(i, 1, 120, when(Ut[i] == 0, 1, 0))))
 claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and dense", (hits >= 1) & never & double, over={x: integer(-2, 2), pick: integer(1, 4)},
       where=[let(lam, SOME), *TARGET, let(never, far == 0), let(double, 1 + x**2 - 2 * lam * x > 0)],
@@ -110,9 +112,9 @@ claim("BLM91-C3.9.1", "points that end are uncountable and dense", (hits >= 1) &
       by=[steps("BLM91-X.1", facts=["the zeros of U_i - alpha_0 U_(i-1), i of them, become dense as i grows (interlacing with those of the Chebyshev polynomials)"],
                 prose="near a point of the corridors, with alpha_0 kept, 1/kappa takes an interval of values, and in it zeros of U_i(1/kappa) = alpha_0 U_(i-1)(1/kappa); these curves, already the lines |gamma| = 1, are uncountable"), instances(24)],
       note="hits: values of 1/kappa within 1/9 of 3/5, -1/3, 2/5 or -4/5 for which the point with first coordinate alpha_0 ends at step 31. The second part: (alpha_0, 1) ends at step 1.")
-claim("BLM91-C3.9.2", "points with unbounded orbit are uncountable and dense", hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=[standing("|kappa| > 1", abs(lam) < rational("9/10")), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
-      by=[steps("BLM91-X.1", "BLM91-X.2", facts=[KRONECKER], prose="irrational angles are dense and uncountably many, and on their hyperbolas all but countably many orbits are dense, hence unbounded"), instances(30, **DRAW)],
-      note="hits: steps t <= 60 with |alpha_t| > 5, on rational points with irrational angle.")
+claim("BLM91-C3.9.2", "points with unbounded orbit are uncountable and dense", hits >= 1, over=ANY_POINT, where=DENSE, given=[standing("irrational angle", IRRATIONAL)],
+      by=[steps("BLM91-X.1", "BLM91-X.2", facts=[KRONECKER], prose="irrational angles are dense and uncountably many, and on their hyperbolas all but countably many orbits are dense, hence unbounded"), instances(30)],
+      note="hits: steps t <= 60 with |alpha_t| > 5, for the points of T3.7.2a.")
 #: a period-3 point and a point near it on another hyperbola
 PAIR = (let(lam, rational("1/2")), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT,
         rec(alb, t, al0 + rational("1/20"), alb[t] / (1 - gab[t] ** 2)), rec(gab, t, ga0, -gab[t] * alb[t] / (1 - gab[t] ** 2)),

@@ -68,10 +68,9 @@ claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer
       by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="rational values of 1/kappa other than 0, 1/2, -1/2 have irrational angles and are dense; there every orbit is dense or ends"), instances(10), example(d=2, n_angle=1), example(d=3, n_angle=1)],
       note="hits: rational numbers k/100 with irrational angle within 1/50 of 1/kappa = cos(pi n/d).")
-claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={lam: scalar(), x: scalar()},
-      where=[rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
-      given=[standing("|kappa| > 1", abs(lam) < 1)],
+claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={d: integer(-11, 11), x: scalar()},
+      where=[let(lam, d / 12), rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
       by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="A is a turn in a suitable basis; the derivative f' = f^2 satisfies the second equation, so that f multiplies lengths d alpha/(1 - 2 lambda alpha + alpha^2) by one: neither attraction nor repulsion"),
-          instances(40, using={u: scalar(), w: scalar()}, made_by={lam: u / (1 + abs(u)), x: w}), instances(30, using={k: integer(-1, 1), w: scalar()}, made_by={lam: k * rational("1/2"), x: w})],
-      note="|kappa| > 1. On rational 1/kappa: returns within 6 steps exactly for 0 (period 2) and +-1/2 (period 3). slope is f'(alpha); critically stable means that f keeps a length.")
+          instances(40), *(example(d=d_, x=x_) for d_ in (6, 0, -6, 5) for x_ in (2, "-1/3"))],
+      note="|kappa| > 1. For 1/kappa = d/12: returns within 6 steps exactly for 0 (period 2) and +-1/2 (period 3). slope is f'(alpha); critically stable means that f keeps a length.")
