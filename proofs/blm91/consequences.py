@@ -99,6 +99,19 @@ claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2,
           instances(60), *HALVES, STILL],
       note="1/kappa and u as in X.8. The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
 
+# ---------------------------------------------------------------------- kappa = 1 and kappa = -1
+num_, alm, gam_ = symbols("count alpha_minus gamma_minus")
+SHARED = x / (1 - num_[t] * x)
+NEXT_ = (1 + SHARED) / (1 - SHARED**2)
+PLUS_ = [(1 / (1 - ga[t] ** 2), 0, 1), (NEXT_ * (ga[t] + sg[t] * SHARED) / (1 - ga[t] ** 2), 1, 1), (NEXT_ * SHARED**2 / (1 - ga[t] ** 2), 4, 1)]
+MINUS_ = [(1 / (1 - gam_[t] ** 2), 2, 1), (-NEXT_ * (gam_[t] + SHARED) / (1 - gam_[t] ** 2), 3, 1)]
+claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
+      always(t, (al[t] == 1 + SHARED) & (ga[t] == sg[t] * SHARED) & (alm[t] == -1 - SHARED) & (gam_[t] == SHARED)), over={x: scalar()},
+      where=[*scalar_orbit(1 + x, x), rec(alm, t, -1 - x, alm[t] / (1 - gam_[t] ** 2)), rec(gam_, t, x, -gam_[t] * alm[t] / (1 - gam_[t] ** 2)), rec(num_, t, 0, num_[t] + 1), rec(sg, t, 1, -sg[t])],
+      by=[induction(also=[sg[t] ** 2 == 1], cofactors=[PLUS_, [(-al[t + 1], 1, 1), *((-sg[t] * SHARED * e_, i_, 1) for e_, i_, _ in PLUS_)],
+                                                     MINUS_, [(-alm[t + 1], 3, 1), *((-SHARED * e_, i_, 1) for e_, i_, _ in MINUS_)], [(1, 4, 1)]]), instances()],
+      note="From (1 + x, x) and (-1 - x, x); count is t and s_t = (-1)^t. The distance from the equilibrium is x/(1 - t x): for x = 2/(2j + 1), j >= 1, it is 2 at step j, however small x is.")
+
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first = symbols("odd d unit none first")
 claim("BLM91-X.10", "escape counts for every angle with p <= 60",

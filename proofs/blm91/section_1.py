@@ -54,14 +54,14 @@ claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz ma
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
                     by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}), example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
-      note=MA_NOTE)
+      note=MA_NOTE + " Read as an equivalence of three: positive realness, a stochastic system, positive Toeplitz matrices. Between the two latter alone it fails as well: y_t = x_0 has c_k = 1, a stationary model with F = 1, and a singular T_1.")
 claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, (Y(i - 1) * G * T(Y(j - 1)))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
       where=[*MODEL, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ], by=[identity(n=(1, 2), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))])
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
 near_, grows_, kept = symbols("increment monotone positive")
 claim("BLM91-S5", "convergence of gain and covariance", (dist < rational("1/1000")) & (near_ < rational("1/1000")) & grows_, sizes=["n", "m"], over=STEADY_OVER,
       where=[*STEADY, *CANONICAL, RICCATI, let(near_, trace(Pi[20] - Pi[19])), let(grows_, loewner(Pi[m + 1], Pi[m]))], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest; "
+      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest (that P - Pi_t is semidefinite is tested in E1.8b); "
                 "k_t = q_t - a converges with q_t"),
           instances(n=(1, 2), m=(0, 1, 2), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
       note="On data with known spectral factor, as for the steady-state filter in Section II: at t = 20 the gain is within 1/1000 (squared) of x - a and the increment of Pi below 1/1000; at time m Pi grows.")
