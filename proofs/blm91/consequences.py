@@ -15,6 +15,7 @@ e_(-1), that is, when w^t = 1 (w is not 1 or -1 for kappa^2 > 1). Hence
 
 This is Theorem 3.7 with one formula for both signs of kappa and for kappa
 infinite (p = 4): q/p in (0, 1/4) gives kappa < -1, in (1/4, 1/2) kappa > 1.
+For kappa = 1, -1 M_t is linear in t: with alpha_0 = kappa(1 + x) the orbit is kappa(1 + x/(1 - t x)).
 
 2 cos(2 pi q/p) is a zero of a monic polynomial with integer coefficients. If it
 is rational it is an integer, one of -2, .., 2 (Niven), and p is 1, 2, 3, 4 or 6. So the

@@ -105,7 +105,7 @@ claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far
       note="As for kappa < -1. For every p the number q of Lemma 5.1 serves, with q/p > 1/4 strictly unless p = 4. p <= 60.")
 claim("BLM91-C3.8", "Corollary 3.8", forall(p, 3, m, iff(below(p), p >= 4) & iff(above(p), far(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[example(m=4), instances(m=(3, 4))],
       repair=repair("boundary case", FOUR + "; density and the existence of every period hold, as claims of their own", forall(p, 3, m, iff(below(p), p >= 5) & iff(above(p), hits(p))), sizes=["m"], where=[*WITH, *EXCEPT],
-                    by=[evaluation(m=40), instances(m=(4, 6, 9))]), note="The explicit part of the corollary, p <= 40.")
+                    by=[evaluation(m=40), instances(m=(4, 6, 9))]), note="The explicit part of the corollary, p <= 40. On kappa infinite see C3.8.3.")
 
 # ---------------------------------------------------------------------- Corollaries 3.9 and 3.10
 INTERVAL = (let(lam, SOME), function(Ut, [t], when(t == 0, 1, when(t == 1, 2 * Z, 2 * Z * Ut(t - 1) - Ut(t - 2)))), let(hits, real_roots(Ut(31) - al0 * Ut(30), lam - rational("1/9"), lam + rational("1/9"))))

@@ -18,6 +18,7 @@ from proofs.blm91.notation import *
 
 pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
     "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
+fixed = sym("multiple")
 RATE = (let(dpi, -2 * a * pi_ + (g - pi_) ** 2), let(al0, a + g - pi_))
 claim("BLM91-E3.15", "the continuous-time system from the Riccati equation",
       (coeff(y, 1) == -2 * al0 * dpi) & (al0 - (a + g - (pi_ + dpi)) == dpi), over={a: scalar(), g: scalar(), pi_: scalar()},
@@ -59,10 +60,12 @@ claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1,
       note="Had doubling subsided for kappa > 3.45, the 4-cycle that is stable there would stay so up to the onset of chaos at 3.5699... The real 4-cycle is taken at kappa = 7/2 and 71/20, in its number field. That stable cycles of "
            "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
-CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(be, t, u, 1 / (2 * lam - be[t])))
-claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11), u: integer(3, 5)},
-      where=[*CIRCLE, function(flag, [t], t == d)], given=[*LOW, standing("the orbit exists", defined(be[d]))], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1, u=3), example(d=5, n_angle=2, u=4)],
-      note="1/kappa = cos(pi n/d): period d from each of three slopes, and U_(t-1) = 0 first for t = d, so that the slopes U_i/U_(i-1), i < d, are all that end. For every slope: A^d is a multiple of the identity.")
+Am = sym("A")
+CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(Am, t, Identity(2), rows([[2 * lam, -1], [1, 0]]) * Am[t]), function(fixed, [t], Am[t] == Am[t][1, 1] * Identity(2)))
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(fixed(t), flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11)},
+      where=[*CIRCLE, function(flag, [t], t == d)], given=LOW, by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
+      note="1/kappa = cos(pi n/d), and slopes are moved by A = [[2/kappa, -1], [1, 0]]. A^t is a multiple of the identity first for t = d, and has no real eigenvector before: every slope that does not end has period d. U_(t-1) = 0 first for "
+           "t = d, so that the slopes U_i/U_(i-1), i < d, are all that end.")
 claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},
       where=[GCD, let(lam, cospi(nn, d)), let(hits, sum_of(k, -99, 99, when((abs(100 * lam - k) < 2) & (k != 0) & (abs(k) != 50), 1, 0)))], given=LOW,
       by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
