@@ -15,6 +15,7 @@ e_(-1), that is, when w^t = 1 (w is not 1 or -1 for kappa^2 > 1). Hence
 
 This is Theorem 3.7 with one formula for both signs of kappa and for kappa
 infinite (p = 4): q/p in (0, 1/4) gives kappa < -1, in (1/4, 1/2) kappa > 1.
+For kappa = 1, -1 M_t is linear in t: with alpha_0 = kappa(1 + x) the orbit is kappa(1 + x/(1 - t x)).
 
 2 cos(2 pi q/p) is a zero of a monic polynomial with integer coefficients. If it
 is rational it is an integer, one of -2, .., 2 (Niven), and p is 1, 2, 3, 4 or 6. So the
@@ -75,26 +76,42 @@ claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
       where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
       note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
            "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
-still, zero = symbols("still zero")
+still, zero, top, low = symbols("still zero numerator denominator")
+#: 1/kappa a fraction, and any point of its hyperbola
+FRACTION = {top: integer(-12, 12), low: integer(1, 12), u: scalar()}
+ON_FRACTION = (let(lam, top / low), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+HALVES = [example(numerator=i_, denominator=2, u=u_) for i_ in (1, 0, -1) for u_ in (2, "1/3")]
+STILL = example(numerator=5, denominator=4, u="-1/2")
 FLAT = (let(still, ga0 == 0), let(zero, lam == 0))
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 claim("BLM91-X.8", "rational data have the periods 1, 3, 4, 6 and no others",
       forall(t, 1, 13, iff(back(t), still | (2 * lam == 1) & many(3, t) | zero & many(4, t) | (2 * lam == -1) & many(6, t))),
-      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, BACK, MANY, *FLAT],
+      over=FRACTION, where=[*ON_FRACTION, *ORBIT, BACK, MANY, *FLAT],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="1/kappa is rational with the point. For gamma_0 not 0 a return after t steps means w^t = 1 for w + 1/w = -2/kappa, w not 1 or -1 (for kappa = 1, -1 the "
                       "closed form grows with t), so that -2/kappa is an integer by (X.6)"),
-          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
-          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0="1/2", gamma0=0)],
-      note="Orbits that end are left aside. Where none of the cases applies the orbit converges (kappa^2 <= 1) or is dense.")
+          instances(60), *HALVES, STILL],
+      note="1/kappa is any fraction with terms up to 12, and u runs through the points of the hyperbola, rational or not. Orbits that end are left aside. Where none of the cases applies the orbit converges (kappa^2 <= 1) or is dense.")
 claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2, 3 and no others",
       forall(t, 1, 7, iff(al[t] == al0, still | (4 * lam**2 == 1) & many(3, t) | zero & many(2, t))),
-      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, MANY, *FLAT],
+      over=FRACTION, where=[*ON_FRACTION, *ORBIT, MANY, *FLAT],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="alpha_t = alpha_0 says N_t = alpha_0 M_t, which is (w^t - w^(-t))(alpha_0^2 - 2 lambda alpha_0 + 1) = 0: gamma_0 = 0 or w^(2t) = 1"),
-          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
-          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2)],
-      note="The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
+          instances(60), *HALVES, STILL],
+      note="1/kappa and u as in X.8. The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
+
+# ---------------------------------------------------------------------- kappa = 1 and kappa = -1
+num_, alm, gam_ = symbols("count alpha_minus gamma_minus")
+SHARED = x / (1 - num_[t] * x)
+NEXT_ = (1 + SHARED) / (1 - SHARED**2)
+PLUS_ = [(1 / (1 - ga[t] ** 2), 0, 1), (NEXT_ * (ga[t] + sg[t] * SHARED) / (1 - ga[t] ** 2), 1, 1), (NEXT_ * SHARED**2 / (1 - ga[t] ** 2), 4, 1)]
+MINUS_ = [(1 / (1 - gam_[t] ** 2), 2, 1), (-NEXT_ * (gam_[t] + SHARED) / (1 - gam_[t] ** 2), 3, 1)]
+claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
+      always(t, (al[t] == 1 + SHARED) & (ga[t] == sg[t] * SHARED) & (alm[t] == -1 - SHARED) & (gam_[t] == SHARED)), over={x: scalar()},
+      where=[*scalar_orbit(1 + x, x), rec(alm, t, -1 - x, alm[t] / (1 - gam_[t] ** 2)), rec(gam_, t, x, -gam_[t] * alm[t] / (1 - gam_[t] ** 2)), rec(num_, t, 0, num_[t] + 1), rec(sg, t, 1, -sg[t])],
+      by=[induction(also=[sg[t] ** 2 == 1], cofactors=[PLUS_, [(-al[t + 1], 1, 1), *((-sg[t] * SHARED * e_, i_, 1) for e_, i_, _ in PLUS_)],
+                                                     MINUS_, [(-alm[t + 1], 3, 1), *((-SHARED * e_, i_, 1) for e_, i_, _ in MINUS_)], [(1, 4, 1)]]), instances()],
+      note="From (1 + x, x) and (-1 - x, x); count is t and s_t = (-1)^t. The distance from the equilibrium is x/(1 - t x): for x = 2/(2j + 1), j >= 1, it is 2 at step j, however small x is.")
 
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first = symbols("odd d unit none first")

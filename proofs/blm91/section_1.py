@@ -54,14 +54,14 @@ claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz ma
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
                     by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}), example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
-      note=MA_NOTE)
+      note=MA_NOTE + " Read as an equivalence of three: positive realness, a stochastic system, positive Toeplitz matrices. Between the two latter alone it fails as well: y_t = x_0 has c_k = 1, a stationary model with F = 1, and a singular T_1.")
 claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, (Y(i - 1) * G * T(Y(j - 1)))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
       where=[*MODEL, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ], by=[identity(n=(1, 2), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))])
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
 near_, grows_, kept = symbols("increment monotone positive")
 claim("BLM91-S5", "convergence of gain and covariance", (dist < rational("1/1000")) & (near_ < rational("1/1000")) & grows_, sizes=["n", "m"], over=STEADY_OVER,
       where=[*STEADY, *CANONICAL, RICCATI, let(near_, trace(Pi[20] - Pi[19])), let(grows_, loewner(Pi[m + 1], Pi[m]))], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest; "
+      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest (that P - Pi_t is semidefinite is tested in E1.8b); "
                 "k_t = q_t - a converges with q_t"),
           instances(n=(1, 2), m=(0, 1, 2), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
       note="On data with known spectral factor, as for the steady-state filter in Section II: at t = 20 the gain is within 1/1000 (squared) of x - a and the increment of Pi below 1/1000; at time m Pi grows.")
@@ -89,7 +89,7 @@ claim("BLM91-S6", "(1.8) for all t makes Phi_+ positive real", hit >> (schur(az)
                     by=[steps("BLM91-E2.17", "BLM91-E2.13", facts=["Sylvester's law of inertia", "Herglotz: a sequence with positive definite Toeplitz matrices is the Fourier sequence of a nonnegative measure"],
                               prose="1 - h'Pi_t h is r_t, and T_t is congruent to diag(r_0, .., r_t)"),
                         instances(30, n=1, m=(0, 1, 2)), example(n=1, m=3, a=[0], g=["1/2"]), example(n=2, m=1, a=[0, "1/2"], g=["1/4", "1/4"]), example(n=1, m=1, a=[0], g=["2/3"])]),
-      note="(1.8) is tested for t <= m; on the counterexample it holds for all t by the formula for Pi_t.")
+      note="(1.8) is tested for t <= m; on the counterexample it holds for all t: X.11 with x = -1/2 gives alpha_t = (t + 1)/(t + 2), and Pi_t = 1 - alpha_0/alpha_t = t/(2(t + 1)).")
 claim("BLM91-E1.9", "the fast algorithm gives the Kalman gain", forall(t, 0, m, fk[t] * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[*FAST, RICCATI],
       by=[identity(n=(1, 2), m=(0, 1)), instances(12, n=(1, 2), m=(1, 2))], note="(1.9) and (1.4) are run on their own.")
 ESCAPE1 = (let(al0, 2), let(ga0, 1), let(qa, al0 - ga0), rec(pit, t, 0, qa**2 * pit[t] + (ga0 + qa * pit[t]) ** 2 / (1 - pit[t])))
@@ -100,34 +100,37 @@ claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa *
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 D1 = let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z)))
 claim("BLM91-S8", "excursions, periods, and returns to the classical region",
-      forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 7), u: integer(2, 3)},
-      where=[let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
+      forall(t, 1, k, iff(back(t), t == k)) & forall(t, 1, i, iff(pit[t] == -u, t == i)) & (hits >= 1) & flag, over={k: integer(3, 7), i: integer(2, 5), u: integer(2, 3)},
+      where=[let(growth, cospi(1, i)), let(stay, 2 * (growth + u) / (1 - u**2)), let(far, 1 + u * stay), rec(pit, t, -u, ((stay**2 - far**2) * pit[t] + far**2) / (1 - pit[t])),
+             let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
              let(hits, sum_of(t, 1, 60, when(abs(alb[t]) > 5, 1, 0))), rec(alc, t, 1, alc[t] / (1 - gac[t] ** 2)), rec(gac, t, 3, -gac[t] * alc[t] / (1 - gac[t] ** 2)), let(flag, abs(alc[1]) + abs(gac[1]) < 1)],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
-                "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(8), example(k=3, u=2), example(k=4, u=2), example(k=6, u=3)],
-      note="Period k for 1/kappa = -cos(2 pi/k); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
+                "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(5), example(k=3, i=2, u=2), example(k=4, i=3, u=2), example(k=6, i=5, u=3)],
+      note="Period k for 1/kappa = -cos(2 pi/k), and period i of the Riccati equation (4.7) from -u for 1/kappa = cos(pi/i); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
 LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]
 ROOTS = (D1, let(poly, al0 * Z**2 + (1 + al0**2 - ga0**2) * Z + al0), let(bound, 2 + abs((1 + al0**2 - ga0**2) / al0)), let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(real, real_roots(poly, -bound, bound) >= 1))
-claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & (ga[1] == -(ga0 * al[1])), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT],
+claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & iff(real, far <= 0) & (ga[2] ** 2 == (al[2] - lam) ** 2 + far), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT, LAMBDA, let(far, 1 - lam**2)],
       by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative"],
-                prose="a limit is a fixed point (alpha, 0) of the hyperbola, a real zero of alpha^2 - (2/kappa) alpha + 1; where there is one, every orbit that does not end converges (S39)"), instances(60), *LISTED],
-      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: the fixed point equation has real zeros.")
+                prose="along an orbit gamma^2 = (alpha - lambda)^2 + 1 - lambda^2, lambda = 1/kappa: where D changes sign gamma_t^2 >= 1 - lambda^2 > 0 for all t, and nothing converges; where D has one sign every orbit that does not end converges (S39)"), instances(60), *LISTED],
+      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: z D has real zeros; the identity for gamma^2 is taken at t = 2.")
 claim("BLM91-S10", "sign definite is the same as real roots", iff(definite, real) & (poly == Z * D), over={al0: nonzero(), ga0: scalar()}, where=ROOTS,
       by=[steps("BLM91-E3.12", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                 prose="both say |1 + alpha^2 - gamma^2| >= 2|alpha|"), instances(60), *LISTED])
-RETURNS = (*ORBIT, LAMBDA, BACK, MANY, let(special, (lam == 0) | (4 * lam**2 == 1)), *PROJECTIVE, let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 4 * abs(Mt[t]), 1, 0))), let(flag, special | (hits >= 1)),
+TENTHS = (let(lam, k2 / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+RETURNS = (*TENTHS, *ORBIT, BACK, MANY, let(special, (lam == 0) | (4 * lam**2 == 1)), *PROJECTIVE, let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 4 * abs(Mt[t]), 1, 0))), let(flag, special | (hits >= 1)),
            let(growth, lam == 0))
-pick_ = sym("pick")
-claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1, 12, iff(back(t), (2 * lam == 1) & many(3, t) | growth & many(4, t) | (2 * lam == -1) & many(6, t))) & flag, over={al0: nonzero(), ga0: scalar()}, where=RETURNS,
-      given=[standing("sign indefinite", abs(lam) < rational("9/10"))],
+claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1, 12, iff(back(t), (2 * lam == 1) & many(3, t) | growth & many(4, t) | (2 * lam == -1) & many(6, t))) & flag, over={k2: integer(-8, 8), u: scalar()}, where=RETURNS,
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle", "a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="the roots of zD are exp(+-i(pi - theta))"),
-          instances(30, using={k: integer(-1, 1), u: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0}),
-          instances(20, using={pick_: integer(1, 3), u: scalar()}, made_by={al0: 2 * (when(pick_ == 1, rational("3/5"), when(pick_ == 2, rational("-1/3"), rational("-4/5"))) + u) / (1 - u**2), ga0: 1 + u * al0})],
-      note="On rational points, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; elsewhere |alpha_t| > 4 within 60 steps.")
-GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))))
-claim("BLM91-S12", "few initial values of a scalar Riccati equation escape", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID, by=[example(alpha0=0, gamma0=1), instances()],
-      repair=repair("boundary case", "for alpha_0 = 0, |gamma_0| = 1, where D is zero, every solution reaches the pole 1 after one step and ends; for all other parameters the statement is right", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID,
-                    given=[given("D not zero", (al0 != 0) | (ga0**2 != 1))],
-                    by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero"], prose="one initial value ends at each step; convergence, period or density as in Theorem 4.1"), instances(40), example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=2)]),
-      note="hits: of the initial values 2, .., 12 those for which pi_3 exists; at most one value ends at each step.")
+          instances(30), *(example(K2=k_, u=u_) for k_ in (5, 0, -5) for u_ in (2, -3)), example(K2=3, u=2), example(K2=-8, u=2)],
+      note="1/kappa = -8/10, .., 8/10, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; on the others |alpha_t| > 4 within 60 steps. K2 is ten times 1/kappa, u runs through the points.")
+GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))),
+        *TENTHS, MANY, let(stay, x**2 - 2 * (1 - al0 * lam) * x + ga0**2 == 0), let(flag, lam == 0), let(special, 4 * lam**2 == 1))
+claim("BLM91-S12", "few initial values of a scalar Riccati equation escape; the others converge, are periodic, or dense",
+      (hits >= 9) & forall(t, 1, 6, iff(pit(x, t) == x, stay | special & many(3, t) | flag & many(2, t))), over={k2: integer(-15, 15), u: scalar(), x: scalar()}, where=GRID, given=[given("alpha_0 not 0", al0 != 0)],
+      by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="the map is invertible for alpha_0 not 0, so that one initial value ends at each step; all others converge where D has real roots (S39, in the coordinate alpha = alpha_0/(1 - pi)), and else return or are "
+                      "dense by the phase of the roots"),
+          instances(40), *(example(K2=k_, u=2, x=x_) for k_ in (5, 0, -5) for x_ in (0, "1/2")), example(K2=10, u="-1/2", x=0), example(K2=0, u=0, x=3)],
+      note="alpha_0 not 0: the sentence goes by the roots of D, and for alpha_0 = 0 D is constant (for |gamma_0| not 1 every solution is at gamma_0^2 after one step; for |gamma_0| = 1 D is zero and all end at the pole). "
+           "hits: of the initial values 2, .., 12 those for which pi_3 exists, all but at most one for each of pi_2, pi_3. Returns to x within 6 steps: at the zeros x of (4.12), and with the periods 3 and 2. 1/kappa = K2/10, where the phase is a rational multiple of pi for 1/2, 0, -1/2 only; u runs through the points.")

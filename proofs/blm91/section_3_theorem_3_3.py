@@ -16,7 +16,7 @@ from exactkf.evidence import example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-un, wn, p, y, rest, cited, defining, Qm, fixed, flat = symbols("u_next w_next p y remainder cited defining Q_m fixed flat")
+un, wn, p, y, rest, Qm, fixed, flat = symbols("u_next w_next p y remainder Q_m fixed flat")
 q0, qs0 = symbols("q0 qs0")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 STEP = (SHIFT, FIRST, let(un, 1 / (1 - qs0[1] ** 2) * (q0 - qs0[1] * (J * qs0))), let(wn, 1 / (1 - qs0[1] ** 2) * (J * qs0 - qs0[1] * q0)))
@@ -27,16 +27,16 @@ claim("BLM91-T3.3.1a", "the equilibria are the points (q, 0)", iff(fixed, flat) 
       where=[*STEP, let(fixed, (un == q0) & (wn == qs0)), let(flat, qs0 == Zero(n, 1))],
       by=[steps(facts=["a nilpotent matrix has no eigenvalue but 0"], prose="gamma J q* = gamma^2 q and J q* - gamma q = (1 - gamma^2) q*: for gamma not 0 the first gives J q* = gamma q, so (1 - gamma^2) q* = 0; for gamma = 0 the second is J q* = q*"),
           instances(40, n=(1, 2, 3)), example(n=1, q0=[2], qs0=[0]), example(n=2, q0=[1, 2], qs0=[0, 0]), example(n=2, q0=[1, 2], qs0=[0, 1]), example(n=3, q0=[0, 0, 0], qs0=[0, 0, 1])])
-claim("BLM91-T3.3.1b", "convergence needs a sign definite D", nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)) & (cited == defining),
-      sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m))), let(cited, 3), let(defining, 2)],
+claim("BLM91-T3.3.1b", "convergence needs a sign definite D", nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)) & exists(k, 1, 17, k == 28),
+      sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
       by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
       repair=repair("cross-reference", "D is defined in (2.28); there is no (3.28)",
                     nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)), sizes=["n", "m"], over=POINT,
                     where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
                     by=[steps("BLM91-E2.28", prose="r_t D + |Q*_t|^2 = |Q_t|^2 on the circle; if q_t converges and q*_t tends to 0, then r_t tends to D_0/(1 + |q|^2), not 0 unless D is 0, and r_infinity D >= 0"),
                         instances(40, n=(1, 2, 3), m=(0, 1, 2))]),
-      note="Checked at every time m: r_t D + |Q*_t|^2 >= 0 on the circle, and the formula for r_t from which its limit is read off. The last conjunct compares the section numbers of the display cited, (3.28), and of the "
-           "display meant, (2.28).")
+      note="Checked at every time m: r_t D + |Q*_t|^2 >= 0 on the circle, and the formula for r_t from which its limit is read off. What fails is the reference: the last conjunct says that 28 is among the "
+           "numbers 1 .. 17 of the displays of Section III.")
 claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) == r[m] * D + Qs(m) * recip(Qs(m)), sizes=["n", "m"], over=POINT, where=ORBIT_N,
       by=[steps("BLM91-E2.28", prose="the last term tends to zero with q*_t, r_t and Q_t converge"), instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
       note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
@@ -66,12 +66,12 @@ claim("BLM91-T3.3.3", "periodic points of every period p >= 3 in every dimension
                       "unbounded orbits: sensitivity as in Corollary 3.10"),
           instances(8, n=(1, 2)), *SWEEP],
       note="(2.25) of order n run in the number field from two points of each hyperbola, p <= 7. The submanifolds are the corridors (and hyperbolas) in the plane of the first components, where D is not sign definite.")
-claim("BLM91-T3.3", "Theorem 3.3", nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))) & (cited == defining), sizes=["n", "m"], over=POINT,
-      where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m))), let(cited, 3), let(defining, 2)], by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
+claim("BLM91-T3.3", "Theorem 3.3", nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))) & exists(k, 1, 17, k == 28), sizes=["n", "m"], over=POINT,
+      where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))], by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
       repair=repair("cross-reference", "the pseudo-polynomial D is defined in (2.28), not in (3.28); the parts of the theorem hold, each is a claim of its own",
                     nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))), sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
                     by=[steps("BLM91-E2.28", prose="parts 1) to 3) by the claims T3.3.1a to T3.3.3"), instances(n=(1, 2, 3), m=(0, 1, 2))]),
-      note="The conjunction of the parts, of which this is the identity behind parts 1) and 2).")
+      note="The conjunction of the parts, of which this is the identity behind parts 1) and 2); the last conjunct is the reference of part 1), see T3.3.1b.")
 
 # ---------------------------------------------------------------------- remarks
 claim("BLM91-R3.1.2", "periods of the algorithm and of the Riccati equation",

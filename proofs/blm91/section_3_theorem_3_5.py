@@ -94,7 +94,8 @@ claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, sizes=["m"], o
       repair=repair("boundary case", ZERO + " are in IV", flag >> four0, sizes=["m"], over={**PAIR, al0: nonzero()}, where=ENDS, given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
                     by=[steps("BLM91-E5.1", prose="alpha_0 = U_i/U_(i-1), gamma_0 = +-1/U_(i-1): backwards from (2/kappa, +-1), which is in IV, |alpha| falls and |gamma| < 1"),
                         instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(20, m=(1, 2), **ON_CURVE)]),
-      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1.")
+      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1. The two points are not outside the setting: for alpha_0 = 0, |gamma_0| = 1 the paper speaks of "
+           "finite escape, and counts them among the points of a hyperbola that end in Theorem 3.7. Were they not to count as escaping, the alternative T3.5.a.alt would fail there.")
 WHICH = iff(flag, at) & (flag >> (ga0**2 * Ut[m - 1] ** 2 == 1))
 claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", WHICH, sizes=["m"], over=PAIR, where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])], given=[ON, BOUND, STEP_],
       by=[example(m=1, alpha0=0, gamma0=1, kappa="1/2"), instances(m=(1, 2), **AT_STEP)],
@@ -103,7 +104,7 @@ claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", 
                     by=[steps("BLM91-E5.1", "BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="A^(-i)(0, 1)' is (U_(i-1), U_i)', and gamma^2 follows from the hyperbola"),
                         instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(30, m=(1, 2, 3), **ON_CURVE),
                         instances(20, m=(2, 3), using={u: nonzero()}, made_by={kap: SHARE, al0: Ut[m - 1] / Ut[m - 2], ga0: 1 / Ut[m - 2]})]),
-      note="U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1).")
+      note="U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1). On (0, +-1) see T3.5.a.2.i.")
 claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
       (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
       where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
@@ -127,23 +128,23 @@ claim("BLM91-T3.5.b.eq", "for kappa^2 = 1 the one equilibrium is stable", exists
       repair=repair("boundary case", "it attracts every orbit that does not end, but it is not stable: with alpha_0 = kappa(1 + x), x > 0, the distance x/(1 - t x) first grows; for x = 2/(2j + 1) it is 2 at step j",
                     always(t, (al[t] == kap * (1 + x / (1 - count[t] * x))) & (ga[t] == sg[t] * x / (1 - count[t] * x)) & iff(still, rest)), over={x: scalar(), k: integer(0, 1)},
                     where=[*LINES_, let(still, (al[1] == kap * (1 + x)) & (ga[1] == x)), let(rest, x == 0)],
-                    by=[steps("BLM91-X.1", prose="M_t = kappa^t (1 - t x); the limit is kappa as t grows, and x/(1 - x) = x only for x = 0"), instances(), example(x=0, k=1), example(x=0, k=0), example(x="2/5", k=1)]),
-      note="kappa = 2k - 1. Stable: for some distance 2/(2i + 1) all orbits that start closer stay within distance 1; tried on starting points at distances 2/(2j + 1), j <= 24, none of which stays, and by the formula of "
-           "the correction no smaller one does. In the correction count is t and s is (-kappa)^t.")
+                    by=[steps("BLM91-X.11", prose="the limit is kappa as t grows, and x/(1 - x) = x only for x = 0"), instances(), example(x=0, k=1), example(x=0, k=0), example(x="2/5", k=1)]),
+      note="kappa = 2k - 1. Stable: for some distance 2/(2i + 1) all orbits that start closer stay within distance 1; tried on starting points at distances 2/(2j + 1), j <= 24, none of which stays; by X.11, proved for "
+           "every t, the start at distance 2/(2j + 1) is at distance 2 at step j for every j. In the correction count is t and s is (-kappa)^t.")
 EDGE_ = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, *NEXT)
 OFF = standing("not (0, +-1) and not the equilibrium", (x != 0) & (x != -1))
 FLOW = (three0 >> two1) & (four0 >> (grows & (three1 | four1))) & (one0 >> (one1 & grows))
 DRAW_X = instances(60, using={y: scalar()}, made_by={x: y})
 claim("BLM91-T3.5.b.orb", "orbits for kappa^2 = 1, in the manner of part a) 1)", FLOW & (two0 >> (one1 & bigger)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF], by=[example(x=-3, k=1), instances()],
       repair=repair("other", "as in part a) 1) it is kappa alpha that grows from II to I, not |alpha|: (-2, 3) goes to (1/4, 3/4)", FLOW & (two0 >> (one1 & up)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF],
-                    by=[steps("BLM91-X.1", prose="alpha_t = kappa(1 + x/(1 - t x)) tends to kappa unless 1/x is one of 1, 2, 3, .."), DRAW_X, example(x="1/3", k=1), example(x="1/2", k=0), example(x=2, k=1), example(x=-3, k=1), example(x="-1/2", k=0)]),
+                    by=[steps("BLM91-X.11", prose="alpha_t = kappa(1 + x/(1 - t x)) tends to kappa unless 1/x is one of 1, 2, 3, .."), DRAW_X, example(x="1/3", k=1), example(x="1/2", k=0), example(x=2, k=1), example(x=-3, k=1), example(x="-1/2", k=0)]),
       note="alpha_0 = kappa(1 + x), gamma_0 = x; by the mirror symmetry that covers both lines. kappa = 2k - 1. (0, +-1), x = -1, is in II and I and has no next point.")
 LAST = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
 ESC = iff(flag, at) & (flag >> four0)
 claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC, sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST, given=[STEP_], by=[example(m=1, x=-1, k=1), instances(m=(1, 2))],
       repair=repair("boundary case", ZERO + " are kappa(i + 1)/i, gamma = +-1/i, in IV", ESC & (flag >> (al0 == kap * (m + 1) / m)), sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST,
                     given=[STEP_, given("not (0, +-1)", x != -1)],
-                    by=[steps("BLM91-X.1", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)]),
+                    by=[steps("BLM91-X.1", "BLM91-X.11", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)]),
       note="alpha_0 = kappa(1 + x), gamma_0 = x, kappa = 2k - 1. The pair that ends after i steps has x = 1/i.")
 claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
       repair=repair("other", "from II to I kappa alpha grows, not |alpha|; (0, 1) and (0, -1) end though they are not in IV; for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold, each is a claim of its own",

@@ -18,6 +18,7 @@ from proofs.blm91.notation import *
 
 pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
     "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
+fixed = sym("multiple")
 RATE = (let(dpi, -2 * a * pi_ + (g - pi_) ** 2), let(al0, a + g - pi_))
 claim("BLM91-E3.15", "the continuous-time system from the Riccati equation",
       (coeff(y, 1) == -2 * al0 * dpi) & (al0 - (a + g - (pi_ + dpi)) == dpi), over={a: scalar(), g: scalar(), pi_: scalar()},
@@ -54,24 +55,25 @@ FOUR = [standing("a cycle of period 4", (f(x4) == x1) & (f(x2) != x1)), standing
 CYCLES = (function(f, [x], kap * x - kap * x * x), let(x1, y), let(x2, f(x1)), let(x3, f(x2)), let(x4, f(x3)), let(mult, kap**4 * (1 - 2 * x1) * (1 - 2 * x2) * (1 - 2 * x3) * (1 - 2 * x4)))
 FAMILY = dict(over={kap: scalar(), y: scalar()}, where=CYCLES, given=FOUR)
 claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1, **FAMILY, by=[DOUBLED],
-      repair=repair("other", "3.449.. = 1 + sqrt 6 is where the period doubles from 2 to 4, not where doubling ends: the 4-cycle is stable at 7/2, and at 71/20 it has lost its stability by a multiplier below -1, to a cycle of period 8",
-                    iff(above, kap <= rational("177/50")) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
+      repair=repair("other", "3.449.. = 1 + sqrt 6 is where the period doubles from 2 to 4, not where doubling ends: the 4-cycle is stable at 7/2, stays so to 3.544.., and at 71/20 it has lost its stability by a multiplier below -1, to a cycle of period 8",
+                    ((kap <= rational("3544/1000")) >> above) & ((kap >= rational("3545/1000")) >> ~(above)) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
       note="Had doubling subsided for kappa > 3.45, the 4-cycle that is stable there would stay so up to the onset of chaos at 3.5699... The real 4-cycle is taken at kappa = 7/2 and 71/20, in its number field. That stable cycles of "
            "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
-CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(be, t, u, 1 / (2 * lam - be[t])))
-claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11), u: integer(3, 5)},
-      where=[*CIRCLE, function(flag, [t], t == d)], given=[*LOW, standing("the orbit exists", defined(be[d]))], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1, u=3), example(d=5, n_angle=2, u=4)],
-      note="1/kappa = cos(pi n/d): period d from each of three slopes, and U_(t-1) = 0 first for t = d, so that the slopes U_i/U_(i-1), i < d, are all that end. For every slope: A^d is a multiple of the identity.")
+Am = sym("A")
+CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(Am, t, Identity(2), rows([[2 * lam, -1], [1, 0]]) * Am[t]), function(fixed, [t], Am[t] == Am[t][1, 1] * Identity(2)))
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(fixed(t), flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11)},
+      where=[*CIRCLE, function(flag, [t], t == d)], given=LOW, by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
+      note="1/kappa = cos(pi n/d), and slopes are moved by A = [[2/kappa, -1], [1, 0]]. A^t is a multiple of the identity first for t = d, and has no real eigenvector before: every slope that does not end has period d. U_(t-1) = 0 first for "
+           "t = d, so that the slopes U_i/U_(i-1), i < d, are all that end.")
 claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},
       where=[GCD, let(lam, cospi(nn, d)), let(hits, sum_of(k, -99, 99, when((abs(100 * lam - k) < 2) & (k != 0) & (abs(k) != 50), 1, 0)))], given=LOW,
       by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="rational values of 1/kappa other than 0, 1/2, -1/2 have irrational angles and are dense; there every orbit is dense or ends"), instances(10), example(d=2, n_angle=1), example(d=3, n_angle=1)],
       note="hits: rational numbers k/100 with irrational angle within 1/50 of 1/kappa = cos(pi n/d).")
-claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={lam: scalar(), x: scalar()},
-      where=[rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
-      given=[standing("|kappa| > 1", abs(lam) < 1)],
+claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={d: integer(-11, 11), x: scalar()},
+      where=[let(lam, d / 12), rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
       by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="A is a turn in a suitable basis; the derivative f' = f^2 satisfies the second equation, so that f multiplies lengths d alpha/(1 - 2 lambda alpha + alpha^2) by one: neither attraction nor repulsion"),
-          instances(40, using={u: scalar(), w: scalar()}, made_by={lam: u / (1 + abs(u)), x: w}), instances(30, using={k: integer(-1, 1), w: scalar()}, made_by={lam: k * rational("1/2"), x: w})],
-      note="|kappa| > 1. On rational 1/kappa: returns within 6 steps exactly for 0 (period 2) and +-1/2 (period 3). slope is f'(alpha); critically stable means that f keeps a length.")
+          instances(40), *(example(d=d_, x=x_) for d_ in (6, 0, -6, 5) for x_ in (2, "-1/3"))],
+      note="|kappa| > 1. For 1/kappa = d/12: returns within 6 steps exactly for 0 (period 2) and +-1/2 (period 3). slope is f'(alpha); critically stable means that f keeps a length.")
