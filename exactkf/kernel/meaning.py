@@ -252,8 +252,9 @@ def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 def _mat(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
     _, i, j, nrows, ncols, body = tree
-    return Matrix.build(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
-                        lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
+    make = Matrix.lazy if world.symbolic else Matrix.build  # an instance is outside if any entry has no value
+    return make(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
+                lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
 
 
 def _col(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:

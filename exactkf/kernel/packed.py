@@ -148,11 +148,11 @@ class Divisor:
         lead = [k for k in self.terms if k & field == top]
         return len(lead), lead[0] != top
 
-    def quotient(self, p: Poly) -> Poly | None:
-        """p over this polynomial if that is a polynomial with integer coefficients, else None."""
+    def quotient(self, p: Poly, told: bool = False) -> Poly | None:
+        """p over this polynomial if that is a polynomial with integer coefficients, else None; if `told` it is likely one."""
         if not self.lower:
             return self._quotient_by_lead(p, self.degree << self.place)
-        if not self._may_divide(p):
+        if not told and not self._may_divide(p):
             return None
         rest, out = _by_exponent(p, self.place), Poly()
         for e in range(max(rest), self.degree - 1, -1):

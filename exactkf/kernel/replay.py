@@ -39,6 +39,7 @@ from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown,
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
 from exactkf.kernel.symbolic import SymbolicField
+from exactkf.kernel.trials import Trials
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
 
@@ -64,8 +65,11 @@ def seal(id: str, kind: str, statement: Mapping[str, Any], evidence: Mapping[str
     return {**made, "digest": digest(made)}
 
 
-def replay(certificate: Any) -> list[str]:
+def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
     """Replay a certificate; return the denominators it assumes nonzero.
+
+    A search hands in `trials` that remember which cancellations were possible; as evidence ``cancelled`` they save the
+    next replay the others.
 
     Raises
     ------
@@ -84,7 +88,8 @@ def replay(certificate: Any) -> list[str]:
         raise Rejected("digest: the certificate was altered after it was written")
     try:
         with rationals(Fraction):
-            return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
+            evidence = certificate["evidence"]
+            return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError, AssertionError) as error:
@@ -170,9 +175,11 @@ def _evaluation(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
 
 # ---------------------------------------------------------------------- evidence with symbols
 def _cases(statement: Mapping[str, Any], evidence: Mapping[str, Any], given_by: Mapping[str, Any] | None = None) -> Iterator[tuple[World, SymbolicField]]:
+    told = evidence.get("cancelled")
+    trials = told if isinstance(told, Trials) else Trials(told)
     for case in _sizes(statement, evidence):
         for values in _integers(statement, case):
-            field = SymbolicField()
+            field = SymbolicField(trials)
             yield generic(statement, values, given_by, field.variable)[0], field
 
 
@@ -385,6 +392,8 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
               "step: only an equation X[t] = term can be solved for X[t]")
         del world.memory[eq[1][1], (t,)]
         solved = world.value(eq[2], {index: t})
+        if isinstance(solved, Matrix):
+            solved = solved.map(lambda x: x)  # every entry, before what is remembered changes
         world.memory = {key: v for key, v in world.memory.items() if key[0] in shapes and key[1] == (t,)}
         world.memory[eq[1][1], (t,)] = solved
     before = [r for p in parts for r in _residuals(world, p, {index: t})]
