@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, sign
-from exactkf.kernel.symbolic import Symbolic, total
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, added, divide, sign
+from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar", "symplectic_form"]
 
@@ -118,7 +118,8 @@ class Matrix:
         if self.nrows and isinstance(self.rows[0], _Row):
             return Matrix.lazy(self.nrows, other.ncols, lambda i, j: _dot(self.rows[i], [r[j] for r in other.rows]))
         columns = list(zip(*other.rows, strict=True)) if other.nrows else [()] * other.ncols
-        return Matrix([[_dot(r, c) for c in columns] for r in self.rows], other.ncols)
+        sparse = [[(k, x) for k, x in enumerate(r) if x or type(x) is not int] for r in self.rows]
+        return Matrix([[added([x * y for k, x in r if (y := c[k]) or type(y) is not int]) for c in columns] for r in sparse], other.ncols)
 
     def __rmul__(self, other: Any) -> Matrix:
         return self.map(lambda x: other * x)
@@ -199,13 +200,7 @@ class Matrix:
 
 
 def _dot(xs: Any, ys: Any) -> Any:
-    terms = [x * y for x, y in zip(xs, ys, strict=True) if not (isinstance(x, int) and x == 0 or isinstance(y, int) and y == 0)]
-    if len(terms) > 2 and all(isinstance(term, Symbolic) for term in terms):
-        return total(terms)
-    acc: Any = 0
-    for term in terms:
-        acc = acc + term
-    return acc
+    return added([x * y for x, y in zip(xs, ys, strict=True) if (x or type(x) is not int) and (y or type(y) is not int)])
 
 
 class _Minors:

@@ -66,8 +66,8 @@ class World:
         if isinstance(tree, int):
             return tree
         op = tree[0]
-        if op == "sym" and not local and (found := self.values.get(tree[1])) is not None:
-            return found
+        if op == "sym":
+            return local[tree[1]] if local and tree[1] in local else self.name(tree, {})
         special = _SPECIAL.get(op)
         if special is not None:
             return special(self, tree, local or {})
@@ -78,7 +78,8 @@ class World:
             return _PLAIN[op](*args)
         try:
             if len(tree) == 3:
-                return _PLAIN[op](self.value(tree[1], local), self.value(tree[2], local))
+                _, x, y = tree
+                return _PLAIN[op](x if isinstance(x, int) else self.value(x, local), y if isinstance(y, int) else self.value(y, local))
             return _PLAIN[op](*[self.value(arg, local) for arg in tree[1:]])
         except ZeroDivisionError as error:
             raise Undefined("division by zero") from error

@@ -68,12 +68,12 @@ def mul(p: Poly, q: Poly) -> Poly:
         p, q = q, p
     if _crowded(p, q):
         raise Unknown("degree too large for symbolic evaluation")
-    if len(p) == 1:
-        (i, x), = p.items()
-        return {i + j: x * y for j, y in q.items()}
-    out: Poly = {}
+    if not p:
+        return {}
+    (first, lead), *rest = p.items()
+    out = {first + j: lead * y for j, y in q.items()}
     get = out.get
-    for i, x in p.items():
+    for i, x in rest:
         for j, y in q.items():
             k = i + j
             out[k] = get(k, 0) + x * y

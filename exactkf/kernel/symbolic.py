@@ -22,7 +22,7 @@ from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown,
 from exactkf.kernel.packed import BITS, Divisor, Poly, add, content, exponents, mul
 from exactkf.kernel.trials import Trials
 
-__all__ = ["Symbolic", "SymbolicField", "total"]
+__all__ = ["Symbolic", "SymbolicField"]
 
 
 class SymbolicField:
@@ -195,6 +195,29 @@ class Symbolic:
 
     __radd__ = __add__
 
+    def plus(self, others: Sequence[Any]) -> Any:
+        """Sum of this and others over one common denominator: what they have in common is cancelled once.
+
+        NotImplemented if one of them is no element of the field.
+        """
+        given = [self, *map(self._coerce, others)]
+        if any(x is None for x in given):
+            return NotImplemented
+        terms = [x for x in given if x is not None and x.num]
+        if len(terms) < 3:
+            return sum(terms[1:], terms[0]) if terms else self
+        q, den = lcm(*(x.q for x in terms)), dict[int, int]()
+        for x in terms:
+            for index, e in x.den:
+                den[index] = max(e, den.get(index, 0))
+        num: Poly = {}
+        for x in sorted(terms, key=lambda x: len(x.num)):
+            num = add(x._lift(den), num, q // x.q)
+        # an irreducible factor of its highest power in one denominator alone does not divide the sum
+        divisors, highest = self.field.divisors, [{*x.den} for x in terms]
+        among = [index for index, e in den.items() if not divisors[index].univariate or sum((index, e) in h for h in highest) > 1]
+        return Symbolic(self.field, num, q, ())._over(den, among)
+
     def __neg__(self) -> Symbolic:
         return Symbolic(self.field, {k: -v for k, v in self.num.items()}, self.q, self.den)
 
@@ -261,22 +284,3 @@ class Symbolic:
         raise Unknown("order of quantities with variables")
 
     __gt__ = __le__ = __ge__ = __lt__
-
-
-def total(terms: Sequence[Symbolic]) -> Symbolic:
-    """A sum, over one common denominator, with common factors cancelled once."""
-    terms = [x for x in terms if x.num] or [*terms[:1]]
-    if len(terms) < 3:
-        return sum(terms[1:], terms[0])
-    q = lcm(*(x.q for x in terms))
-    dens = [dict(x.den) for x in terms]
-    den: dict[int, int] = {}
-    for powers in dens:
-        for index, e in powers.items():
-            den[index] = max(e, den.get(index, 0))
-    num: Poly = {}
-    for x in sorted(terms, key=lambda x: len(x.num)):
-        num = add(x._lift(den), num, q // x.q) if den else add(x.num, num, q // x.q)
-    divisors = terms[0].field.divisors
-    often = [index for index, e in den.items() if not divisors[index].univariate or sum(d.get(index) == e for d in dens) > 1]
-    return Symbolic(terms[0].field, num, q, ())._over(den, often)
