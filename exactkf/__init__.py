@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Exact, certificate-producing verification of the mathematics of Kalman filter dynamics.
 
-`prove_lemma` proves a lemma of your own for every matrix size or refutes it,
-`verify_statement` decides a statement by the evidence you name, `verify_claim`
+`analyze` decides what the gain of a filter does, `prove_lemma` proves a lemma
+of your own for every matrix size or refutes it, `verify_statement` decides a statement by the evidence you name, `verify_claim`
 one of the papers; `exactkf.language` says statements, `exactkf.evidence` what to look
 for, `exactkf.theory` holds the mathematics as functions.
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 from exactkf._errors import BadInput, CertificateError, ExactkfError, Unsupported
 
-__all__ = ["BadInput", "CertificateError", "ExactkfError", "Unsupported", "__version__", "prove_lemma", "verify_claim", "verify_statement"]
+__all__ = ["BadInput", "CertificateError", "ExactkfError", "Unsupported", "__version__", "analyze", "prove_lemma", "verify_claim", "verify_statement"]
 
 __version__ = "0.1.0"
 
@@ -21,6 +21,10 @@ def __getattr__(name: str) -> Any:  # the checker imports this package and must 
         from exactkf import engine
 
         return getattr(engine, name)
+    if name == "analyze":
+        from exactkf.dynamics.analyze import analyze
+
+        return analyze
     if name == "prove_lemma":
         from exactkf.lemma import prove_lemma
 

@@ -20,12 +20,13 @@ Main definitions
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq
+from flint import fmpq, fmpz
 
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
@@ -270,10 +271,30 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
             terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))))
+            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _over_primes(certificate["evidence"]))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
         found.evidence.append(f"{kind}: the terms given do not prove it")
+
+
+def _over_primes(evidence: Any) -> str:
+    """The ring in which the multiples are taken, where that is not the integers."""
+    below = {Fraction(c).denominator for c in _coefficients(evidence)}
+    primes = sorted({int(p) for d in below for p, _ in fmpz(d).factor()})
+    return f", over Z[{', '.join(f'1/{p}' for p in primes)}]" if primes else ""
+
+
+def _coefficients(tree: Any, listed: bool = False) -> Iterator[str]:
+    """Coefficients of the multiples of assumptions in the evidence of a certificate."""
+    if isinstance(tree, dict):
+        for key, value in tree.items():
+            yield from _coefficients(value, key in ("terms", "blocks"))
+    elif isinstance(tree, list):
+        if listed and tree and isinstance(tree[0], str):
+            yield tree[0]
+            tree = [x for x in tree[2:3] if isinstance(x, dict)]  # an equation of numbers with its own proof
+        for value in tree:
+            yield from _coefficients(value, listed)
 
 
 _FOR_EVERY_SIZE = {

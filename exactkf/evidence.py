@@ -121,17 +121,36 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
     return Evidence("positivity", {"sizes": _ranges(sizes), "terms": rows})
 
 
-def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = ()) -> Evidence:
-    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner) and invertibility.
+def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
+          factors: Sequence[tuple[Any, Sequence[Any]]] = ()) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank and similarity.
 
-    For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of
-    terms: for an order, terms that are semidefinite by their form and add up to its matrix under the
-    hypotheses; for an invertibility, the inverse; for an equation nothing, such terms for the matrix K of a
-    hypothesis Kx = 0, or inverses that the statement does not write down. Where the list is empty the engine tries the matrix itself and those of the
-    hypotheses. ``roots`` names symmetric square roots of semidefinite terms that the lists use.
+    For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
+    Where the list is empty the engine tries the matrix itself, those of the hypotheses, and inverses of nonsingular variables.
+
+    ================================  ==========================================================================================
+    leaf                              terms
+    ================================  ==========================================================================================
+    psd, pd, loewner, >=, >           semidefinite by their form; they add up to the matrix under the hypotheses
+    invertible(X)                     its inverse; or none, or semidefinite ones, as for the equation v = 0 under Xv = 0
+    rank(X) == its rows or columns    none, or semidefinite ones, in the same way
+    equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
+                                      or inverses that the statement does not write down
+    similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
+    ================================  ==========================================================================================
+
+    Parameters
+    ----------
+    roots : mapping of name to term
+        Names for symmetric square roots of semidefinite terms that the lists use.
+    lemmas : sequence of formulas
+        Shown first, and assumed for what follows.
+    factors : sequence of (matrix, its factors)
+        For determinants: that of the matrix is the product of theirs.
     """
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
-                              "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas)})
+                              "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
+                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors)})
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

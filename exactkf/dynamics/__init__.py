@@ -1,7 +1,29 @@
 # SPDX-License-Identifier: MIT
-"""What a filter does: orbits decided exactly, with a certificate."""
+"""What a filter does: orbits decided exactly, with a certificate.
 
+Main definitions
+----------------
+``analyze``              the decision about a filter in any form
+``Filter``               an exact filter, from polynomials, coordinates, covariances or a realization
+``decide``               a state (a, g) of any order
+``decide_order_one``     a point (alpha, gamma)
+``decide_riccati_one``   the Riccati equation of order one
+``decide_many``          many points of order one, in several processes
+``limit_digits``         digits of a limit
+``state_ahead``          the exact state far ahead
+``digits_ahead``         its digits
+``Answer``, ``Fact``     what all of them return
+"""
+
+from exactkf.dynamics.ahead import digits_ahead, state_ahead
+from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.answer import BEHAVIOURS, Answer, Fact
+from exactkf.dynamics.every_order import decide, limit_digits
+from exactkf.dynamics.filter import Filter
+from exactkf.dynamics.numbers import number, numbers
 from exactkf.dynamics.order_one import decide_many, decide_order_one, decide_riccati_one
 
-__all__ = ["BEHAVIOURS", "Answer", "Fact", "decide_many", "decide_order_one", "decide_riccati_one"]
+__all__ = [
+    "BEHAVIOURS", "Answer", "Fact", "Filter", "analyze", "decide", "decide_many", "decide_order_one", "decide_riccati_one", "digits_ahead",
+    "limit_digits", "number", "numbers", "state_ahead",
+]

@@ -178,7 +178,8 @@ class Filter:
         if isinstance(n, bool) or not isinstance(n, int) or (order is not None and n < 1):
             raise bad("order", "is no order", order, "pass a positive integer")
         if n < 1 or len(c) <= 2 * n:
-            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c), f"pass at least {max(2 * n, 2)} after the 1")
+            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c),
+                      f"pass at least {max(2 * n, 2)} after the 1")
         hankel = tuple(tuple(c[i + j + 1] for j in range(n)) for i in range(n))
         try:
             reversed_a = solved(hankel, tuple((-c[n + 1 + i],) for i in range(n)), "the Hankel matrix of the covariances")
@@ -188,7 +189,8 @@ class Filter:
         g = tuple(c[k] + sum((a[i] * c[k - 1 - i] for i in range(k - 1)), 0 * c[k]) for k in range(1, n + 1))
         made = cls._checked(a, g, field)
         if made.covariances(len(c) - 1) != tuple(c[1:]):
-            raise bad("covariances", f"is not the covariance sequence of a filter of order {n}", _plain(c), "pass a larger order or the first 2n covariances only")
+            raise bad("covariances", f"is not the covariance sequence of a filter of order {n}", _plain(c),
+                      "pass a larger order or the first 2n covariances only")
         return made
 
     @classmethod

@@ -30,6 +30,9 @@ from exactkf.kernel.recursion import Induction, inductions
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
 
 
+_DEGREE_WITH_LEMMAS = 12
+
+
 @dataclass(frozen=True)
 class Membership:
     """Evidence of a ``membership``: for each block of the conclusion its terms [c, left, relation, right, scalars]."""
@@ -71,7 +74,8 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
     return found.terms if isinstance(found, Membership) else None
 
 
-def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0) -> list[dict] | None:
+def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0,
+               factors: Any = ()) -> list[dict] | None:
     """For every leaf of the lemmas and the conclusion the terms of a proof, or None.
 
     Parameters
@@ -82,11 +86,17 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         Names for symmetric square roots that the terms use.
     lemmas : sequence of formulas
         Shown first, used after.
+    degree : int
+        As in `search_membership`; where lemmas lead the way it is larger.
+    factors : sequence of (matrix, its factors)
+        For determinants.
     """
     out = []
+    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas else degree
     for k, (case, formula) in enumerate(leaves(statement, lemmas)):
-        for terms in [sums[k]] if k < len(sums) and sums[k] else _own_terms(case, formula):
-            found = _complete(case, formula, terms, roots, degree, seconds)
+        asked = [sums[k]] if k < len(sums) and sums[k] else []
+        for terms in asked or _own_terms(case, formula):
+            found = _complete(case, formula, terms, {"roots": roots, "factors": factors}, bool(asked), degree, seconds)
             if found is not None:
                 break
         else:
@@ -129,7 +139,8 @@ def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> li
         sums = [[made.at(t, case) for t in terms] for terms in given.get("sums", ())]
         roots = [[name, made.at(t, case)] for name, t in given.get("roots", ())]
         own = [made.at(t, case) for t in given.get("lemmas", ())]
-        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds)
+        factors = [[made.at(t, case), [made.at(x, case) for x in parts]] for t, parts in given.get("factors", ())]
+        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds, factors=factors)
         if found is None:
             return None
         proofs.append({"parts": found, "lemmas": own})
@@ -152,10 +163,13 @@ def _shapes(statement: dict) -> Iterator[dict]:
 def _own_terms(case: dict, formula: Any) -> list[list]:
     """Terms to try: the matrix of the conclusion as it stands, with definitions left in, and those of the hypotheses."""
     op, args = formula[0], formula[1:]
+    inverses = [["inv", x] for x in _nonsingular(case)]
     if op in ("=", "symmetric", "symplectic"):
-        return [[]]
+        return [[], inverses] if inverses else [[]]
+    if op in ("similar", "cospectral"):
+        return [*([x[1], x] for x in inverses), *([x, x[1]] for x in inverses)]
     if op == "invertible":
-        return [[["inv", args[0]]]]
+        return [[["inv", args[0]]], []]
     given = [[f[1]] for _, f, _kind in case["given"] if f[0] in ("psd", "pd")]
     if op in ("psd", "pd"):
         return [[args[0]], *given]
@@ -174,19 +188,46 @@ def _without(big: Any, small: Any) -> Any:
     return ["-", big, small]
 
 
-def _complete(case: dict, formula: Any, terms: list, roots: Any, degree: int, seconds: float) -> dict | None:
+def _nonsingular(case: dict) -> list:
+    """Variables and terms that type or hypothesis make nonsingular."""
+    typed = [["sym", name] for name, kind in case["over"] if kind[0] in ("nonsingular", "pd")]
+    return typed + [f[1] for _, f, _kind in case["given"] if f[0] in ("invertible", "pd") and f[1] not in typed]
+
+
+def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
-    equation = formula[0] in ("=", "symmetric", "symplectic")
-    nulls = [label for label, f, _ in reversed(case["given"]) if f[0] == "="] if equation and terms else []
-    for null in [*nulls, ""]:
+    more = {key: [list(x) for x in value] for key, value in more.items() if value}
+    for way in _ways(case, formula, terms if asked else []):
         try:
-            leaf = Leaf(case, formula, terms, roots, null)
+            leaf = Leaf(case, formula, terms, **more, **way)
             blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
         except (Unknown, Undefined):
             continue
         if None not in blocks:
-            return {"sum": terms, "blocks": blocks} | ({"roots": [list(r) for r in roots]} if roots else {}) | ({"null": null} if null else {})
+            return {"sum": terms, "blocks": blocks, **more, **way}
     return None
+
+
+def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
+    """Where null vectors of semidefinite terms may come from; and invertibility, or rank, by null vectors."""
+    op = formula[0]
+    rank = op == "=" and isinstance(formula[1], list) and formula[1][0] == "rank"
+    labels = [label for label, f, _ in reversed(case["given"]) if f[0] == "="]
+    if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms):  # an inverse to be brought in, most likely
+        yield {}
+    if op in ("=", "symmetric", "symplectic") and not rank:
+        if terms:
+            yield from ({"null": label} for label in labels)
+            yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
+        yield {}
+        return
+    if not rank:
+        yield {}
+    if rank or op == "invertible":
+        yield {"vector": True}
+        if terms:
+            yield {"vector": True, "null": "null vector"}
+            yield from ({"vector": True, "null": ["sym", f"v.{k}"]} for k in range(3))
 
 
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:

@@ -2,8 +2,9 @@
 """Elements of a real number field Q(theta).
 
 theta is given by a square-free polynomial and an interval that isolates one
-of its roots. Zero is decided by a gcd, every other sign by interval
-arithmetic on ever smaller intervals.
+of its roots. Zero is decided by a gcd (at sight where the polynomial is known
+to be irreducible), every other sign by interval arithmetic on ever smaller
+intervals. Numbers of two different fields do not mix.
 """
 
 from __future__ import annotations
@@ -11,21 +12,25 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown
 from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
 
 __all__ = ["Algebraic", "AlgebraicField"]
 
 
 class AlgebraicField:
-    """Q(theta): ``modulus`` lists coefficients from x^0 up, ``lo < theta < hi`` isolates one root."""
+    """Q(theta): ``modulus`` lists coefficients from x^0 up, ``lo < theta < hi`` isolates one root.
 
-    def __init__(self, modulus: list[Fraction], lo: Fraction, hi: Fraction) -> None:
-        if len(modulus) < 2 or modulus[-1] == 0 or len(gcd_poly(modulus, [k * c for k, c in enumerate(modulus)][1:])) > 1:
+    ``irreducible`` says that the caller knows the modulus to be irreducible and the roots to be further
+    apart than hi - lo, as `exactkf.kernel.cosines` does; a certificate cannot say it.
+    """
+
+    def __init__(self, modulus: list[Fraction], lo: Fraction, hi: Fraction, *, irreducible: bool = False) -> None:
+        if not irreducible and (len(modulus) < 2 or modulus[-1] == 0 or len(gcd_poly(modulus, [k * c for k, c in enumerate(modulus)][1:])) > 1):
             raise Undefined("the polynomial of a number field must be square-free of positive degree")
-        if not lo < hi or _eval(modulus, lo) * _eval(modulus, hi) >= 0 or count_real(modulus, lo, hi) != 1:
+        if not lo < hi or _eval(modulus, lo) * _eval(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
-        self.modulus, self.lo, self.hi = modulus, lo, hi
+        self.modulus, self.lo, self.hi, self.irreducible = modulus, lo, hi, irreducible
 
     def element(self, coefficients: list[Fraction]) -> Algebraic:
         return Algebraic(self, _remainder(coefficients, self.modulus))
@@ -72,6 +77,8 @@ class Algebraic:
 
     def _coerce(self, x: Any) -> Algebraic | None:
         if isinstance(x, Algebraic):
+            if x.field is not self.field:
+                raise Unknown("numbers of two different fields in one term")
             return x
         if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
             return Algebraic(self.field, [Fraction(int(x.numerator), int(x.denominator))] if x else [])
@@ -96,12 +103,14 @@ class Algebraic:
         return -self + other
 
     def __mul__(self, other: Any) -> Any:
+        if isinstance(other, (int, Fraction)):
+            return Algebraic(self.field, [v * other for v in self.c] if other else [])
         y = self._coerce(other)
         if y is None:
             return NotImplemented
         out = [Fraction(0)] * max(0, len(self.c) + len(y.c) - 1)
         for i, a in enumerate(self.c):
-            for j, b in enumerate(y.c):
+            for j, b in enumerate(y.c if a else ()):
                 out[i + j] += a * b
         return self.field.element(out)
 
@@ -111,7 +120,7 @@ class Algebraic:
         """By the extended Euclidean algorithm in Q[x]; a common factor not vanishing at theta is divided out."""
         if self.sign() == 0:
             raise Undefined("division by zero")
-        common = gcd_poly(self.c, self.field.modulus)
+        common = [] if self.field.irreducible else gcd_poly(self.c, self.field.modulus)
         if len(common) > 1:
             self.field.modulus = divmod_poly(self.field.modulus, common)[0]
         a, b = self.field.modulus, _remainder(self.c, self.field.modulus)
@@ -138,7 +147,7 @@ class Algebraic:
         """Sign of the real number: zero is decided by a gcd, the rest by interval arithmetic."""
         if not self.c:
             return 0
-        common = gcd_poly(self.c, self.field.modulus)
+        common = [] if self.field.irreducible else gcd_poly(self.c, self.field.modulus)
         if len(common) > 1 and _eval(common, self.field.lo) * _eval(common, self.field.hi) < 0:
             return 0
         while True:
@@ -157,7 +166,9 @@ class Algebraic:
 
     def __eq__(self, other: object) -> bool:
         y = self._coerce(other)
-        return NotImplemented if y is None else (self - y).sign() == 0
+        if y is None:
+            return NotImplemented
+        return self.c == y.c if self.field.irreducible else (self - y).sign() == 0
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -50,6 +50,7 @@ def _brings_nothing(reader: Reader, tree: Any) -> bool:
     inverses, quotients, units = reader.granted
     probe = copy(reader)
     probe.inverses, probe.quotients, probe.units = list(inverses), list(quotients), set(units)
+    probe.memory = {}
     probe.sizes, probe.transposed = dict(reader.sizes), dict(reader.transposed)
     try:
         probe.read(tree)

@@ -22,6 +22,7 @@ from math import isqrt
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
+from exactkf.kernel.cosines import cosine
 from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar, symplectic_form
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, rational, sign
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
@@ -500,7 +501,7 @@ _SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
 _PLAIN: dict[str, Callable] = {
     "z": lambda: Laurent({1: 1}),
     "+": _plus, "-": lambda x, y: x - y, "neg": lambda x: -x, "*": _times, "/": _over, "^": _power,
-    "sqrt": _sqrt, "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
+    "sqrt": _sqrt, "cospi": cosine, "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
     "diag": _diag, "I": lambda n: Matrix.identity(_count(n)),
     "O": lambda r, c: Matrix.build(_count(r), _count(c), lambda i, j: 0),
     "T": lambda m: _matrix(m).transpose(), "inv": lambda m: _square(m).inverse(), "det": lambda m: _square(m).determinant(),

@@ -16,7 +16,13 @@
 5. the inverse of an invertible semidefinite matrix is definite;
 6. a semidefinite matrix is the square of one;
 7. a null vector of a sum of semidefinite matrices is one of each of them, and
-   a null vector of X'PX one of PX.
+   a null vector of X'PX one of PX; x'Px = 0 gives Px = 0;
+8. a matrix has full column rank, and a square one is nonsingular, if Xv = 0
+   only for v = 0;
+9. AT = TB with a nonsingular T makes A and B similar, and then they have one
+   characteristic polynomial;
+10. the determinant of a product of square matrices is the product of theirs, that
+   of a transpose the same, of a block triangular matrix that of its diagonal blocks.
 
 A conclusion is taken apart by `leaves`: conjunctions, implications and
 equivalences become equations, statements of order and of invertibility, each
@@ -35,10 +41,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from exactkf.kernel.definite import are_transposed, definiteness, exists
+from exactkf.kernel.definite import are_transposed, definiteness, exists, nonsingular
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.words import Blocks, Relation, add
+from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
 __all__ = ["Leaf", "goal_of", "leaves"]
 
@@ -61,8 +67,8 @@ def _cases(statement: dict, rest: list) -> Iterator[dict]:
             for n, one in enumerate(formula[1:]):
                 yield from _cases(statement, [*rest[:k], [f"{label}.{n}", one, kind], *rest[k + 1:]])
             return
-    for label, formula, _ in rest:
-        statement = _assume(statement, label, formula)
+    for label, formula, kind in rest:
+        statement = {**_assume({**statement, "lemma": kind == "lemma"}, label, formula), "lemma": False}
     yield statement
 
 
@@ -108,7 +114,11 @@ class Leaf:
     roots : sequence of (name, tree)
         Symmetric matrices whose squares are the given semidefinite terms.
     null : str
-        Label of that hypothesis.
+        Label of that hypothesis, or the tree of a matrix x: then x'(sum of the terms)x = 0 is to be shown.
+    vector : bool
+        An invertibility or a full rank is shown by: Xv = 0 only for v = 0. The terms are then those of an equation.
+    factors : sequence of (tree, trees)
+        A matrix and factors of it: its determinant is the product of theirs.
 
     Attributes
     ----------
@@ -123,14 +133,19 @@ class Leaf:
         With what is not shown.
     """
 
-    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: str = "") -> None:
+    def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
+                 factors: Any = ()) -> None:
+        said = formula
+        if vector:
+            statement, formula = _through_vector(statement, formula)
         self.reader = reader = Reader(statement)
         op, found, wanted, self.first = formula[0], [], 0, 0
+        self.shown: dict[str, Relation] = {}
         for tree in statement["own"]:
             _register_inverses(reader, tree)
         reader.granted = list(reader.inverses), list(reader.quotients), set(reader.units)
         self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
-        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in formula[1:]):
+        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in said[1:]):
             raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
@@ -138,6 +153,8 @@ class Leaf:
                 raise Unknown("invertibility of scalars or of matrices that are not square")
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
+        elif op in ("similar", "cospectral"):
+            found = [reader.read(x) for x in formula[1:]]
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
@@ -152,6 +169,8 @@ class Leaf:
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
             found = [reader._plus(reader._times(found[0], reader.read(terms[0])), Blocks.unit(found[0].rows), -1)]
+        elif op in ("similar", "cospectral"):
+            found = self._similar(found, terms)
         elif wanted:
             levels = [definiteness(reader, tree) for tree in terms]
             if 0 in levels or wanted > max(levels, default=1):
@@ -160,12 +179,42 @@ class Leaf:
                 term = reader.read(tree)
                 found[0] = reader._plus(found[0], term, -1)
         elif terms and null:
-            found = [self._null(null, terms), *found]
-            self.first = 1
+            found = [self._null(null, terms) if isinstance(null, str) else self._null_of_form(null, terms), *found]
+            self.first = len(found[0].cells())
         else:
             for tree in terms:
                 reader.read(tree)
+        if factors:
+            found = [*self._factored(factors), *found]
         self.goals = [cell for b in found for cell in b.cells()]
+        self.always = {**relations(reader), **self.extra}
+
+    def _similar(self, sides: list, terms: Any) -> list[Blocks]:
+        """AT = TB with a nonsingular T; its inverse is given, or T is nonsingular by its form."""
+        reader = self.reader
+        if len(terms) not in (1, 2) or (len(terms) == 1 and not nonsingular(reader, terms[0])):
+            raise Unknown("a nonsingular T with AT = TB is needed")
+        t = reader.read(terms[0])
+        if not isinstance(t, Blocks) or reader.total(t.rows) != reader.total(t.cols):
+            raise Unknown("a square T with AT = TB is needed")
+        found = [reader._plus(reader._times(sides[0], t), reader._times(t, sides[1]), -1)]
+        return [*found, *(reader._plus(reader._times(t, reader.read(s)), Blocks.unit(t.rows), -1) for s in terms[1:])]
+
+    def _factored(self, factors: Any) -> list[Blocks]:
+        """Matrices less the products of their factors; determinants are then products."""
+        reader, out = self.reader, []
+        for n, (tree, parts) in enumerate(factors):
+            if not all(exists(reader, x, self.known) for x in (tree, *parts)):
+                raise Unknown("an inverse that need not exist")
+            whole, product = reader.read(tree), reader.read(parts[0])
+            right = reader.det(product)
+            for part in parts[1:]:
+                factor = reader.read(part)
+                product, right = reader._times(product, factor), multiply(right, reader.det(factor))
+            out.append(reader._plus(whole, product, -1))
+            self.shown[f"det {n}"] = Relation(add(reader.det(whole), right, -1), None, None)
+        self.first += sum(len(b.cells()) for b in out)
+        return out
 
     def _root(self, name: str, tree: Any) -> None:
         reader = self.reader
@@ -186,21 +235,61 @@ class Leaf:
             raise Unknown("no hypothesis Kx = 0")
         *factors, x = equation[1][1:]
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
-        self.vanishing: dict[str, Relation] = {}
+        for tree in terms:
+            rest = reader._plus(rest, reader.read(tree), -1)
+        self._vanish(x, terms)
+        return rest
+
+    def _null_of_form(self, x: Any, terms: Any) -> Blocks:
+        """x'(sum of the terms)x, which is to vanish; then each term vanishes at x."""
+        reader = self.reader
+        if not exists(reader, x, self.known):
+            raise Unknown("an inverse that need not exist")
+        value = reader.read(x)
+        form = reader.read(terms[0])
+        for tree in terms[1:]:
+            form = reader._plus(form, reader.read(tree), 1)
+        self._vanish(x, terms)
+        return reader._times(reader._times(reader.transpose(value), form), value)
+
+    def _vanish(self, x: Any, terms: Any) -> None:
+        """Semidefinite terms, and their halves, vanish at x."""
+        reader = self.reader
         for n, tree in enumerate(terms):
             if not definiteness(reader, tree):
                 raise Unknown("a term is not semidefinite by its form")
-            rest = reader._plus(rest, reader.read(tree), -1)
             for m, part in enumerate(_halves(reader, tree)):
                 zero = reader._times(reader.read(part), reader.read(x))
                 for k, (p, rows, cols) in enumerate(zero.cells()):
-                    self.vanishing[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
-                    self.vanishing[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
-        return rest
+                    self.shown[f"null {n}/{m}/{k}"] = Relation(p, rows, cols)
+                    self.shown[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
 
     def assumed(self, goal: int) -> dict[str, Relation]:
         """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
-        return {**relations(self.reader), **self.extra, **(self.vanishing if goal >= self.first > 0 else {})}
+        return {**self.always, **self.shown} if goal >= self.first > 0 else self.always
+
+
+def _through_vector(statement: Mapping[str, Any], formula: Any) -> tuple[dict[str, Any], Any]:
+    """Xv = 0 as a hypothesis and v = 0 as the conclusion, for a square X or one of full column rank; X' for full row rank."""
+    reader = Reader(statement)
+    rank = formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank"
+    if not rank and formula[0] != "invertible":
+        raise Unknown("a vector is for an invertibility or a full rank")
+    tree = formula[1][1] if rank else formula[1]
+    x = reader.read(tree)
+    if not isinstance(x, Blocks):
+        raise Unknown("the rank of a scalar")
+    wanted = reader.size(formula[2]) if rank else reader.total(x.rows)
+    if rank and wanted != reader.total(x.cols):
+        tree, x = ["T", tree], reader.transpose(x)
+    if wanted != reader.total(x.cols):
+        raise Unknown("the rank is not the number of rows or of columns, or the matrix is not square")
+    names = [f"v.{k}" for k in range(len(x.cols))]
+    parts = [["sym", name] for name in names]
+    v = parts[0] if len(parts) == 1 else ["block", *([p] for p in parts)]
+    over = [*statement["over"], *([name, ["matrix", size_tree(s), 1]] for name, s in zip(names, x.cols, strict=True))]
+    given = [*statement["given"], ["null vector", ["=", ["*", tree, v], 0], "standing"]]
+    return {**statement, "over": over, "given": given}, ["=", v, 0]
 
 
 def _is_zero(tree: Any) -> bool:

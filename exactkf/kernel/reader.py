@@ -52,6 +52,9 @@ class Reader:
 
     def __init__(self, statement: Mapping[str, Any]) -> None:
         self.statement = statement
+        names = [*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])]
+        if len(set(names)) < len(names):
+            raise Unknown("two things of one name")
         self.kinds = {name: kind for name, kind in statement["over"]}
         self.lets = {d[1]: d for d in statement["where"]}
         self.sizes: dict[str, tuple[Size, Size]] = {}  # letter -> (rows, columns)
@@ -59,6 +62,8 @@ class Reader:
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
+        self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
+        self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
         symmetric = {f[1][1] for _, f in hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
@@ -104,10 +109,15 @@ class Reader:
         local = local or {}
         if isinstance(tree, int):
             return {((), ()): tree} if tree else {}
+        if not local and id(tree) in self.memory:
+            return self.memory[id(tree)][1]
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")
-        return method(tree, local)
+        value = method(tree, local)
+        if not local:
+            self.memory[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
+        return value
 
     def _read_rational(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return {((), ()): number(Fraction(tree[1], tree[2]))} if tree[1] else {}
@@ -127,7 +137,7 @@ class Reader:
         raise Unknown(f"name {name!r} in a statement for every size")
 
     def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        definition = self.lets.get(tree[1])
+        definition = self.lets.get(tree[1]) if tree[1] not in local else None
         if definition is None or definition[0] != "let" or not definition[2]:
             raise Unknown(f"{tree[1]!r} with an index in a statement for every size")
         return self.read(definition[3], dict(zip(definition[2], [self.read(a, local) for a in tree[2:]], strict=True)))
@@ -298,6 +308,42 @@ class Reader:
             self.units.add(name)
         return {(((name, 1),), ()): 1}
 
+    def _read_det(self, tree: Any, local: Mapping[str, Any]) -> Poly:
+        x = self.read(tree[1], local)
+        return self.det(x) if isinstance(x, Blocks) else x
+
+    def det(self, x: Blocks) -> Poly:
+        """Determinant: of a block triangular matrix, of a product of square letters; of another matrix, and of a letter, a scalar."""
+        if x.rows != x.cols:
+            if self.total(x.rows) != self.total(x.cols):
+                raise Undefined(f"a {shape(x)} matrix is not square")
+            return self._det_name(x)
+        n = len(x.rows)
+        if n > 1 and any(not any(x.grid[i][j] for i in range(n) for j in range(n) if (i - j) * side > 0) for side in (1, -1)):
+            out = dict(ONE)
+            for i in range(n):
+                out = multiply(out, self.det(Blocks((x.rows[i],), (x.cols[i],), [[x.grid[i][i]]])))
+            return out
+        p = x.grid[0][0]
+        if n == 1 and len(p) == 1 and all(self.sizes[a] == (x.rows[0], x.rows[0]) for (_, word) in p for a in word):
+            ((scalars, word), c), = p.items()
+            if c == 1 and not scalars and len(word) != 1:
+                out = dict(ONE)
+                for a in word:
+                    out = multiply(out, self.det(Blocks(x.rows, x.cols, [[{((), (a,)): 1}]])))
+                return out
+        for term, inverse in self.inverses:
+            if x in (inverse, self.transpose(inverse)):
+                return self._quotient(self.det(term))
+        return self._det_name(x)
+
+    def _det_name(self, x: Blocks) -> Poly:
+        name = min("; ".join(", ".join(text(p, "1") for p in row) for row in y.grid) for y in (x, self.transpose(x)))
+        known = self.dets.setdefault(f"det({name})", x)
+        if known not in (x, self.transpose(x)):
+            raise Unknown(f"two meanings of det({name})")
+        return {(((f"det({name})", 1),), ()): 1}
+
     def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
         size = self.size(tree[1])
         return Blocks((size,), (size,), [[dict(ONE)]])
@@ -352,7 +398,7 @@ def _is_number(x: Any) -> bool:
 
 _METHODS = {
     "rat": "rational", "sym": "name", "at": "call", "+": "sum", "-": "difference", "neg": "minus", "*": "product", "/": "quotient",
-    "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block",
+    "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block", "det": "det",
 }
 
 
@@ -391,13 +437,17 @@ def _in_halves(reader: Reader, m: Any) -> Blocks:
     return m
 
 
+def _op(tree: Any) -> str:
+    return tree[0] if isinstance(tree, (list, tuple)) and tree else ""
+
+
 def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
     """What the two-sidedness of inverses of square matrices adds to a hypothesis."""
     if formula[0] == "symplectic":
         m = _in_halves(reader, reader.read(formula[1]))
         j = _form(m.rows)
         return [reader._times(reader._times(m, j), reader.transpose(m)).plus(j, -1)]
-    if formula[0] == "=" and isinstance(formula[1], list) and formula[1][0] == "*" and len(formula[1]) == 3 and isinstance(formula[2], list) and formula[2][0] == "I":
+    if formula[0] == "=" and [_op(x) for x in formula[1:]] == ["*", "I"] and len(formula[1]) == 3:
         x, y = (reader.read(f) for f in formula[1][1:])
         if isinstance(x, Blocks) and isinstance(y, Blocks) and x.rows == x.cols == y.rows == y.cols:
             return [reader._plus(y.times(x), reader.read(formula[2]), -1)]
@@ -411,7 +461,7 @@ def relations(reader: Reader) -> dict[str, Relation]:
         try:
             if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
                 formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
-            if formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
+            if formula[0] == "=" and len(formula) == 3 and _op(formula[1]) == "rank":
                 found = _one_sided(reader, formula[1][1], formula[2])
             else:
                 found = residual_blocks(reader, formula) + _other_side(reader, formula)

@@ -28,7 +28,7 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
-from exactkf.kernel.words import Blocks
+from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["FAMILIES", "Induction", "inductions"]
 
@@ -84,8 +84,9 @@ class Induction:
     """
 
     def __init__(self, statement: Mapping[str, Any], also: Any = (), shapes: Mapping[str, Any] | None = None) -> None:
-        if _T in statement["sizes"]:
-            raise Unknown("a size called t")
+        names = [*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])]
+        if _T in statement["sizes"] or len(set(names)) < len(names):
+            raise Unknown("a size called t, or two things of one name")
         says, low, high = statement["says"], 0, None
         self.index, body = "", says
         if says[0] == "always":
@@ -116,10 +117,10 @@ class Induction:
 
     def _step(self) -> dict[str, Any]:
         letters: dict[str, Any] = {}
-        before = [self.tree(p, {self.index: _plus({_T: 1}, {"": k}, -1)}, letters)
+        before = [(self.tree(p, {self.index: _plus({_T: 1}, {"": k}, -1)}, letters), "standing" if p is self.body else "lemma")
                   for k in range(self.first - self.low + 1) for p in [self.body, *self.also]]
         after = self._at_index({_T: 1, "": 1}, letters)
-        return self._made(after, [[f"hypothesis of induction {k}", p, "standing"] for k, p in enumerate(before)], letters, None)
+        return self._made(after, [[f"hypothesis of induction {k}", p, kind] for k, (p, kind) in enumerate(before)], letters, None)
 
     def _at_index(self, form: Form, letters: dict[str, Any]) -> Any:
         """The conclusion at an index; the lemmas there are kept."""
@@ -210,16 +211,18 @@ class Induction:
             return found
         if _T in found:
             raise Unknown(f"index {tree[1]!r} is used other than as an index")
-        return _tree(tuple((n.removeprefix("size "), c) for n, c in sorted(found.items())))
+        return size_tree(tuple((n.removeprefix("size "), c) for n, c in sorted(found.items())))
 
     def _at(self, tree: Any, env: Mapping[str, Any], letters: dict[str, Any], depth: int) -> Any:
         name, args = tree[1], tree[2:]
+        if name in env:
+            raise Unknown(f"{name!r} is a parameter and takes no index")
         if name in self.functions:
             _, _, params, body = self.functions[name]
             if len(params) != len(args):
                 raise Undefined(f"{name} takes {len(params)} arguments")
             return self.tree(body, {p: self._argument(a, env, letters, depth) for p, a in zip(params, args, strict=True)}, letters, depth + 1)
-        if len(args) != 1 or name in env or not (name in self.recursions or name in self.families):
+        if len(args) != 1 or not (name in self.recursions or name in self.families):
             raise Unknown(f"{name!r} with an index in a statement for every size")
         form = _linear(self.statement, args[0], env)
         return self._value(name, form, letters, depth) if name in self.recursions else self._member(name, form, letters)
@@ -279,7 +282,7 @@ class Induction:
             letters: dict[str, Any] = {}
             first, where = self.tree(self.recursions[name][4][0], {}, letters), self._where(letters)
             value = Reader(self._frame(letters, where)).read(first)
-            self.shapes[name] = [[_tree(s) for s in value.rows], [_tree(s) for s in value.cols]] if isinstance(value, Blocks) else None
+            self.shapes[name] = [[size_tree(s) for s in value.rows], [size_tree(s) for s in value.cols]] if isinstance(value, Blocks) else None
         return self.shapes[name]
 
     def _keep_shapes(self, made: Any) -> None:
@@ -334,9 +337,3 @@ def _text(form: Form) -> str:
     if form.get("") or not parts:
         parts.append(str(form.get("", 0)))
     return "+".join(parts).replace("+-", "-")
-
-
-def _tree(size: tuple) -> Any:
-    """A size, as the reader has it, as a term."""
-    parts = [c if not n else ["sym", n] if c == 1 else ["*", c, ["sym", n]] for n, c in size]
-    return parts[0] if len(parts) == 1 else ["+", *parts] if parts else 0

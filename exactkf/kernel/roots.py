@@ -20,7 +20,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix, inertia
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 
-__all__ = ["circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly"]
+__all__ = ["chebyshev", "circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly"]
 
 
 def _trim(p: list) -> list:
@@ -104,7 +104,7 @@ def _strip(p: list, root: int) -> tuple[list, int]:
     return p, times
 
 
-def _chebyshev(palindrome: list) -> list:
+def chebyshev(palindrome: list) -> list:
     """G with z^m G(z + 1/z) = g(z) for a palindromic g of degree 2m."""
     m = (len(palindrome) - 1) // 2
     previous, current = [2], [0, 1]  # z^k + z^-k as polynomials in x
@@ -148,7 +148,7 @@ def count_circle(p: list) -> tuple[int, int, int]:
     on = ones + minus_ones
     pairs = 0
     if len(g) > 1:
-        for factor, k in _squarefree(_chebyshev(g)):
+        for factor, k in _squarefree(chebyshev(g)):
             pairs += 2 * k * count_real(factor, -2, 2)
     half = (len(g) - 1 - pairs) // 2
     return inside + mine + half, on + pairs, outside + half
@@ -161,7 +161,7 @@ def circle_sign(d: Laurent) -> str:
     if not d.c:
         return "0"
     m = d.degree
-    g = _chebyshev([d.get(k - m) for k in range(2 * m + 1)])
+    g = chebyshev([d.get(k - m) for k in range(2 * m + 1)])
     odd = any(k % 2 and count_real(f, -2, 2) - (_at(f, 2) == 0) > 0 for f, k in (_squarefree(g) if len(g) > 1 else []))
     if odd:
         return "+-"

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["ONE", "Blocks", "Poly", "Relation", "Size", "Word", "add", "multiply", "number", "shape", "text", "times_scalars"]
+__all__ = ["ONE", "Blocks", "Poly", "Relation", "Size", "Word", "add", "multiply", "number", "shape", "size_tree", "text", "times_scalars"]
 
 Word = tuple[str, ...]
 Scalars = tuple[tuple[str, int], ...]
@@ -125,6 +125,12 @@ def shape(b: Blocks) -> str:
 
 def _size_text(size: Size) -> str:
     return "+".join(str(c) if not n else n if c == 1 else f"{c}{n}" for n, c in size) or "0"
+
+
+def size_tree(size: Size) -> Any:
+    """A size, as the reader has it, as a term."""
+    parts = [c if not n else ["sym", n] if c == 1 else ["*", c, ["sym", n]] for n, c in size]
+    return parts[0] if len(parts) == 1 else ["+", *parts] if parts else 0
 
 
 def text(p: Poly, unit: str = "I") -> str:

@@ -32,6 +32,7 @@ class LaTeX(Notation):
         "-": Form(Bind.SUM, "#1 - #2", (Bind.SUM, Bind.BIG)),
         "/": Form(Bind.FRACTION, r"\frac{#1}{#2}"),
         "sqrt": Form(Bind.FRACTION, r"\sqrt{#1}"),
+        "cospi": Form(Bind.ATOM, r"\cos\left(\frac{#1}{#2}\,\pi\right)"),
         "abs": Form(Bind.ATOM, r"\left|#1\right|"),
         "T": Form(Bind.POWER, "#1'", (Bind.ATOM,)),
         "inv": Form(Bind.POWER, "#1^{-1}", (Bind.ATOM,)),

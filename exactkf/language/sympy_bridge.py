@@ -34,7 +34,8 @@ _Z = sympy.Symbol("z")
 _TO: dict[str, Callable[..., Any]] = {
     "+": lambda *xs: reduce(lambda a, b: a + b, xs), "-": lambda x, y: x - y, "neg": lambda x: -x,
     "*": lambda *xs: reduce(lambda a, b: a * b, xs), "/": lambda x, y: x / y, "^": lambda x, k: x**k,
-    "sqrt": sympy.sqrt, "abs": sympy.Abs, "T": lambda m: m.T, "inv": lambda m: m.inverse(), "det": sympy.Determinant,
+    "sqrt": sympy.sqrt, "cospi": lambda q, p: sympy.cos(sympy.pi * q / p),
+    "abs": sympy.Abs, "T": lambda m: m.T, "inv": lambda m: m.inverse(), "det": sympy.Determinant,
     "tr": sympy.Trace, "I": sympy.Identity, "O": sympy.ZeroMatrix,
     "=": lambda x, y: sympy.Eq(x, y, evaluate=False), "!=": lambda x, y: sympy.Ne(x, y, evaluate=False),
     "<": lambda x, y: sympy.Lt(x, y, evaluate=False), "<=": lambda x, y: sympy.Le(x, y, evaluate=False),

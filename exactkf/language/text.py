@@ -22,6 +22,7 @@ class Text(Notation):
         "z": Form(Bind.ATOM, "z"),
         "-": Form(Bind.SUM, "#1 - #2", (Bind.SUM, Bind.BIG)),
         "sqrt": Form(Bind.ATOM, "sqrt(#1)"),
+        "cospi": Form(Bind.ATOM, "cos(pi*#1/#2)", (Bind.POWER, Bind.POWER)),
         "abs": Form(Bind.ATOM, "|#1|"),
         "T": Form(Bind.POWER, "#1'", (Bind.ATOM,)),
         "inv": Form(Bind.POWER, "#1^-1", (Bind.ATOM,)),

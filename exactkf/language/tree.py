@@ -23,6 +23,7 @@ Notation
 ``M[i, j]``         entry of a matrix, counted from 1 (``v[i]`` for a column)
 ``M ** -1``         power; `inv` prints the same
 ``T(M)``            transpose
+``cospi(q, p)``     cos(pi q/p) for integers q, p: a closed algebraic constant
 ``a == b``          equation; `eq` takes a chain a = b = c
 ``p >> q``          implication; `iff` is equivalence, ``& | ~`` and, or, not
 ``A >= B``          order of scalars; `loewner` is the order of symmetric matrices
@@ -39,7 +40,7 @@ from exactkf._errors import BadInput
 
 __all__ = [
     "OPERATIONS", "Expr", "Identity", "T", "Z", "Zero", "always", "block", "bottom", "charpoly", "circle_roots",
-    "coeff", "column", "coprime", "cospectral", "defined", "degree", "det", "diag", "eq", "exists", "forall",
+    "coeff", "column", "coprime", "cospectral", "cospi", "defined", "degree", "det", "diag", "eq", "exists", "forall",
     "hstack", "iff", "inside_roots", "inv", "invertible", "kernel_basis", "laurent", "loewner", "matrix_of", "nonneg_on_circle",
     "outside_roots", "pd", "pos_on_circle", "prints", "prod", "psd", "rank", "rational", "real_roots", "recip", "rev", "rows",
     "schur", "similar", "size_of", "sqrt", "substitute", "sum_of", "sym", "symbols", "symmetric", "symplectic", "top",
@@ -49,7 +50,7 @@ __all__ = [
 # operation -> (least, most) number of arguments; the meaning of each stands in exactkf.kernel.meaning
 OPERATIONS: dict[str, tuple[int, int | None]] = {
     "rat": (2, 2), "sym": (1, 1), "z": (0, 0),
-    "+": (2, None), "-": (2, 2), "neg": (1, 1), "*": (2, None), "/": (2, 2), "^": (2, 2), "sqrt": (1, 1), "abs": (1, 1),
+    "+": (2, None), "-": (2, 2), "neg": (1, 1), "*": (2, None), "/": (2, 2), "^": (2, 2), "sqrt": (1, 1), "cospi": (2, 2), "abs": (1, 1),
     "at": (2, None), "entry": (2, 3), "sum": (4, 4), "prod": (4, 4), "if": (3, 3),
     "mat": (5, 5), "col": (3, 3), "block": (1, None), "rows": (1, None), "diag": (1, None), "I": (1, 1), "O": (2, 2),
     "T": (1, 1), "inv": (1, 1), "det": (1, 1), "tr": (1, 1), "rank": (1, 1), "charpoly": (1, 1), "kernel": (1, 1),
@@ -265,6 +266,7 @@ kernel_basis = _function("kernel", "Matrix whose columns are a basis of the null
 sqrt = _function("sqrt", "Square root; defined where it exists in the field of the instance.")
 coeff = _function("coeff", "coeff(p, k): coefficient of z^k of a (pseudo-)polynomial.")
 degree = _function("deg", "Degree of a polynomial in z; -1 for zero.")
+cospi = _function("cospi", "cospi(q, p) = cos(pi q/p) for integers q and p > 0, an algebraic number in a field of its own.")
 rev = _function("rev", "rev(p, n) = z^n p(1/z).")
 recip = _function("recip", "p(1/z).")
 substitute = _function("subst", "substitute(p, x) = p(x) for a scalar or a square matrix x.")

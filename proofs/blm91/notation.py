@@ -13,7 +13,7 @@ Q = P - F P F', S = g - F P h, R = 1 - h' P h. The identities need no
 nonnegativity, so they are checked for every symmetric P.
 """
 
-from exactkf.evidence import example
+from exactkf.evidence import example, instances
 from exactkf.language import (
     Identity,
     T,
@@ -21,6 +21,8 @@ from exactkf.language import (
     Zero,
     block,
     coeff,
+    defined,
+    exists,
     function,
     given,
     hstack,
@@ -28,12 +30,16 @@ from exactkf.language import (
     matrix_of,
     nonzero,
     pos_on_circle,
+    positive,
+    rational,
     rec,
     recip,
     scalar,
     schur,
+    standing,
     sum_of,
     symbols,
+    trace,
     vector,
     vstack,
     when,
@@ -141,3 +147,59 @@ ORBIT = scalar_orbit(al0, ga0)
 INSIDE = dict(using={u: scalar(), s1: nonzero()}, made_by={
     pp: u / (1 + abs(u)), al0: pp * ((s1 + s1 / abs(s1)) ** 2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2),
     ga0: (s1 + s1 / abs(s1)) * (pp**2 - 1) / ((s1 + s1 / abs(s1)) ** 2 - pp**2)})
+
+# ---------------------------------------------------------------------- iterates on a hyperbola, n = 1
+kap, lam, Mt, Nt, Ut, sg = symbols("kappa lambda M N U s")
+#: 1/kappa from the point
+LAMBDA = let(lam, (1 + al0**2 - ga0**2) / (2 * al0))
+#: alpha_t = N_t/M_t and gamma_t = s_t gamma_0/M_t, a linear recursion
+PROJECTIVE = (rec(Mt, t, 1, 2 * lam * Mt[t] - Nt[t]), rec(Nt, t, al0, Mt[t]), rec(sg, t, 1, -sg[t]))
+#: U_0 = 1, U_1 = 2/kappa: sin((t + 1) theta)/sin(theta) for 1/kappa = cos(theta)
+CHEBYSHEV = rec(Ut, t, [1, 2 * lam], 2 * lam * Ut[t] - Ut[t - 1])
+#: the other points of the hyperbola, on lines through (0, 1)
+ALPHA_OF = 2 * (lam + u) / (1 - u**2)
+GAMMA_OF = 1 + u * ALPHA_OF
+#: a point drawn inside a region, and a sign
+SHARE = u / (1 + abs(u))
+SIGN = s1 / abs(s1)
+
+
+def leaves(i, ga=ga):
+    """The orbit ends with step i: the point at i - 1 exists and the next one does not."""
+    return defined(ga[i - 1]) & ~defined(ga[i])
+
+# ---------------------------------------------------------------------- positive real data whose spectral factor is known
+x = symbols("x")[0]
+dist, r20, dd = symbols("dist r_last d")
+SX, XX = sum_of(i, 1, n, abs(x[i])), 1 + sum_of(i, 1, n, x[i] ** 2)
+#: c_1 .. c_n of a moving average with weights 1, x_1 .. x_n
+WEIGHTS = matrix_of(i, j, n, 1, (x[i] + sum_of(k, 1, n - i, x[k] * x[k + i])) / XX)
+#: last squared distance to (x, 0) and last r_t, at t = 20
+STEADY = (*stripped(g + a, g), *POLYNOMIALS, *DATA, INVARIANT, let(sg, polynomial_of(x)), let(dd, coeff(D, 0) / coeff(sg * recip(sg), 0)),
+          let(dist, trace(T(q[20] - x) * (q[20] - x)) + trace(T(qs[20]) * qs[20])), let(r20, r[20]))
+STEADY_GIVEN = [standing("few states", n <= 2), standing("a(z) Schur", schur(az)), given("spectral factor", D == dd * sg * recip(sg)),
+                standing("factor well inside", SX <= rational("1/2")), standing("data well inside", dd >= rational("1/4"))]
+STEADY_DRAW = dict(using={w: vector(n)}, made_by={
+    x: w / (2 * (1 + SW)), a: (WEIGHTS - J * WEIGHTS) / (1 - WEIGHTS[1]), g: (J * WEIGHTS - WEIGHTS[1] * WEIGHTS) / (1 - WEIGHTS[1] ** 2)})
+STEADY_BY = [instances(n=(1, 2), **STEADY_DRAW), example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])]
+STEADY_OVER = {a: vector(n), g: vector(n), x: vector(n)}
+
+# ---------------------------------------------------------------------- regions of Fig. 2, n = 1
+one_, two_, three_, four_ = symbols("I_t II_t III_t IV_t")
+#: is the point at time t in region I (|alpha| + |gamma| <= 1), II (|gamma| >= 1 + |alpha|), III, IV (|alpha| >= 1 + |gamma|, |gamma| > 1 or <= 1)
+REGIONS = (function(one_, [t], abs(al[t]) + abs(ga[t]) <= 1), function(two_, [t], abs(ga[t]) >= 1 + abs(al[t])),
+           function(three_, [t], (abs(al[t]) >= 1 + abs(ga[t])) & (abs(ga[t]) > 1)), function(four_, [t], (abs(al[t]) >= 1 + abs(ga[t])) & (abs(ga[t]) <= 1)))
+s2 = symbols("s2")[0]
+#: points of the interior of each region, drawn by u (and v > 0, and a sign)
+IN_I = dict(using={u: scalar(), s1: nonzero()}, made_by={ga0: u / (1 + abs(u)), al0: s1 / (1 + abs(s1)) * (1 - abs(ga0))})
+IN_II = dict(using={u: nonzero(), s1: nonzero()}, made_by={al0: u, ga0: s1 + SIGN * (1 + abs(u))})
+IN_III = dict(using={u: positive(), s1: nonzero(), s2: nonzero()}, made_by={ga0: s2 / abs(s2) * (1 + u), al0: s1 + SIGN * (1 + abs(ga0))})
+IN_IV = dict(using={u: nonzero(), s1: nonzero()}, made_by={ga0: SHARE, al0: s1 + SIGN * (1 + abs(ga0))})
+#: kappa from the point
+INSIDE_KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
+
+# ---------------------------------------------------------------------- integers
+gcd, many = symbols("gcd divides")
+#: greatest common divisor of positive integers; k divides t
+GCD = function(gcd, [i, j], when(i == j, i, when(i > j, gcd(i - j, j), gcd(i, j - i))))
+MANY = function(many, [k, t], exists(i, 1, t, k * i == t))

@@ -19,9 +19,10 @@ The paper argues with a prime p' between [p/4] and 2[p/4] (Bertrand), and with p
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, identity, instances, steps
 from exactkf.language import *
+from proofs.blm91.notation import GCD, gcd
 
 p, q, d, j, k, r, s, x, pi, kappa, A, v, alpha1 = symbols("p q d j k r s x pi kappa A v alpha1")
-coprime_, divides, prime, good, bad, inside, lo, hi, last, down, m = symbols("coprime divides prime good bad inside lo hi last down m")
+coprime_, divides, prime, good, bad, inside, lo, hi, last, down = symbols("coprime divides prime good bad inside lo hi last down")
 
 #: d divides x; q and p have no common divisor but 1; x is prime
 DIVIDES = function(divides, [d, x], exists(k, 1, x, k * d == x))
@@ -57,13 +58,15 @@ claim("BLM91-L5.1.2", "no such q for p = 1, 2, 6",
       repair=repair("factor", "(5.9) has lost a factor pi on its left: with 1/4 <= q pi/p the number q = 1 serves for p = 6; with 1/4 <= q/p, that is pi/4 <= q pi/p, there is none",
                     NONE, where=[*COPRIME], by=[evaluation()]),
       note="Such q is read as: coprime to p, 1 <= q < p, with (5.9) as printed; pi enters by rational bounds. The lemma itself refers to (5.6).")
+count = sym("count")
+COUNT = function(count, [p], sum_of(q, 1, p - 1, when((p <= 4 * q) & (2 * q < p), when(gcd(p, q) == 1, 1, 0), 0)))
 claim("BLM91-L5.1", "coprime fractions, both parts",
       iff(exists(q, 1, p - 1, coprime_(p, q) & PRINTED), ~((p == 1) | (p == 2) | (p == 6))), over={p: integer(1, 40), **PI}, where=[*COPRIME], given=PI_BOUNDS,
       by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
       repair=repair("factor", "the lower bound of (5.9) is pi/4, not 1/4, and (5.9) is meant where (5.6) is cited",
-                    forall(p, 1, m, iff(exists(q, 1, p - 1, MEANT & coprime_(p, q)), ~((p == 1) | (p == 2) | (p == 6)))), sizes=["m"], where=[*COPRIME],
-                    by=[evaluation(m=150), instances(m=(6, 12, 20))]),
-      note="With (5.9) as printed in place of (5.6). The correction is evaluated for all p <= 150; for every p the first part is proved beside it.")
+                    WITNESS & (count(1) == 0) & (count(2) == 0) & (count(6) == 0), over={j: scalar()}, where=[*FAMILIES, GCD, COUNT], by=[identity(), instances()]),
+      note="With (5.9) as printed in place of (5.6). The correction holds for every p: p = 2j + 1, 4j, 8j + 2, 8j + 6, j >= 1, are all p >= 3 but 6, the first four equations of the module's text make q coprime to p, the "
+           "others give 0 < p - 2q and 0 <= 4q - p; count(p) is the number of q that serve.")
 
 # ---------------------------------------------------------------------- the paper's proof, p = 4r + s
 BETWEEN = (let(lo, r + 1), let(hi, 2 * r - 1), function(inside, [x], (r < x) & (x < 2 * r)))

@@ -21,11 +21,12 @@ the update of P is a multiple of eps.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Zero,
+    always,
     defined,
     eq,
     forall,
@@ -37,12 +38,13 @@ from exactkf.language import (
     loewner,
     matrix,
     matrix_of,
+    nonsingular,
     pd,
-    positive,
     positive_definite,
     positive_semidefinite,
     psd,
     rec,
+    signal_of,
     standing,
     sum_of,
     sym,
@@ -86,9 +88,20 @@ RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]
 V_POSITIVE = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
 
+#: data without end, for statements about every k
+ENDLESS = {Phi: signal_of(matrix(n, n), 0), M: signal_of(matrix(p, n), 0), H: signal_of(positive_semidefinite(n), 0),
+           V: signal_of(positive_semidefinite(p), 0)}
+FOREVER = {"n": (1, 2), "p": (1, 2), "horizon": 2}
+V_POSITIVE_EVER = {**ENDLESS, V: signal_of(positive_definite(p), 0)}
+GAIN_K = gain(P[k], M[k], V[k])
+#: the next covariance as a sum of nonnegative terms
+JOSEPH_K = [Phi[k]*(I - GAIN_K*M[k])*P[k]*T(I - GAIN_K*M[k])*T(Phi[k]), Phi[k]*GAIN_K*V[k]*T(GAIN_K)*T(Phi[k]), H[k]]
+
 # --- existence -------------------------------------------------------------------------------------------------------
 
 S = sym("S")
+INNOVATION_K = M[k]*P[k]*T(M[k]) + V[k]
+step_k = varying_step(P[k], k)
 INNOVATION = function(S, [k], M(k)*P[k]*T(M(k)) + V(k))
 EXISTS = forall(k, 1, N, invertible(S(k - 1))) & forall(k, 0, N, defined(P[k]))
 
@@ -97,21 +110,19 @@ claim("D71-S18", "a solution up to P_N exists",
       by=[example(n=1, p=1, N=1, P0=[[0]], PhiW=[[1]], MW=[[1]], GW=[[1]], WW=[[0]]), instances(**RUN)],
       repair=repair(
           "missing hypothesis", "V_k >= 0 allows P_0 = 0 and V_0 = 0, where MPM' + V is zero; V_k > 0 is needed",
-          EXISTS, sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=[*WHERE, INNOVATION],
-          given=[V_POSITIVE],
-          by=[steps("D71-E3.1", facts=["The sum of a nonnegative and a positive definite matrix is positive definite."],
-                    prose="P_k >= 0 by the symmetric form, so MPM' + V >= V > 0 at every instant."),
-              instances(**RUN)]),
+          always(k, psd(P[k]) & pd(INNOVATION_K)),
+          sizes=["n", "p"], over={**V_POSITIVE_EVER, P0: positive_semidefinite(n)}, where=[COVARIANCE],
+          by=[induction(base=order([P0], [M[k]*P0*T(M[k]), V[k]]), step=order(JOSEPH_K, [M[k + 1]*step_k*T(M[k + 1]), V[k + 1]])),
+              instances(8, **FOREVER)]),
       note="H_k = G_k G_k' and V_k = W_k W_k' run over all nonnegative definite matrices. "
            "That the solution is unique while every MPM' + V is invertible is how a recursion is read.")
 
 # --- symmetry and definiteness ---------------------------------------------------------------------------------------
 
 claim("D71-T3.1", "symmetry is kept",
-      forall(k, 1, N, T(P[k]) == P[k]),
-      sizes=["n", "p", "N"], over={**slices(N), P0: symmetric_matrix(n)}, where=WHERE,
-      by=[identity(n=range(1, 4), p=range(1, 3), N=(1,)), instances(**RUN)],
-      note="The proof with symbols is of one step from any symmetric matrix; the instances run further.")
+      always(k, T(P[k]) == P[k]),
+      sizes=["n", "p"], over={**ENDLESS, P0: symmetric_matrix(n)}, where=[COVARIANCE],
+      by=[instances(8, **FOREVER)])
 
 claim("D71-E3.1", "the covariance equation in symmetric form",
       step() == Phi*(joseph(K))*T(Phi) + H,
@@ -121,12 +132,11 @@ claim("D71-E3.1", "the covariance equation in symmetric form",
       by=[identity(n=range(1, 4), p=(1,)), instances(n=range(1, 4), p=range(1, 4))])
 
 claim("D71-T3.2", "nonnegative definiteness is kept",
-      forall(k, 0, N, psd(P[k])),
-      sizes=["n", "p", "N"], over={**slices(N), P0: positive_semidefinite(n)}, where=WHERE,
-      by=[steps("D71-E3.1", facts=["A sum of nonnegative definite matrices and a congruence of one are nonnegative "
-                                   "definite."],
-                prose="The symmetric form is such a sum, so each step keeps P >= 0; repeat."),
-          instances(**RUN)])
+      always(k, psd(P[k])),
+      sizes=["n", "p"], over={**ENDLESS, P0: positive_semidefinite(n)}, where=[COVARIANCE],
+      by=[induction(base=order([P0]), step=order(JOSEPH_K)),
+          instances(8, **FOREVER)],
+      note="V_k >= 0 may be singular as long as MPM' + V is not.")
 
 # --- completely driven processes -------------------------------------------------------------------------------------
 
@@ -137,6 +147,9 @@ w = T(Phi)*z
 
 FACT = "A nonnegative definite A with x'Ax = 0 has Ax = 0."
 
+TERMS = [T(z)*Phi*(I - K*M)*P*T(I - K*M)*T(Phi)*z, T(z)*Phi*K*V*T(K)*T(Phi)*z, T(z)*H*z]
+SUM_ZERO = (TERMS[0] + TERMS[1] + TERMS[2])*Identity(1) == Zero(1, 1)
+
 claim("D71-E3.2", "a null vector of the next covariance, one step back",
       (H*z == Zn) & (T(K)*T(Phi)*z == Zp) & (P*T(Phi)*z == Zn),
       sizes=["n", "p"],
@@ -144,9 +157,8 @@ claim("D71-E3.2", "a null vector of the next covariance, one step back",
             H: positive_semidefinite(n), z: vector(n)},
       where=[let(K, gain()), let(P1, Phi*(joseph(K))*T(Phi) + H)],
       given=[given("z'P_m z = 0", T(z)*P1*z == 0)],
-      by=[steps("D71-E3.1", facts=[FACT, "A sum of nonnegative numbers vanishes only if each does."],
-                prose="Each of the three terms of the symmetric form is nonnegative on z, so each is zero; V > 0 then "
-                      "gives K'Phi'z = 0."),
+      by=[order([], TERMS, [inv(V)], TERMS, TERMS,
+                lemmas=[SUM_ZERO, V*T(K)*T(Phi)*z == Zp, T(K)*T(Phi)*z == Zp, P*T(I - K*M)*T(Phi)*z == Zn]),
           instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n)},
                     made_by={P: annihilating(w, Y, Y1), H: annihilating(z, Y1, Y)})],
       note="P_m is written in the symmetric form, so that the hypothesis is the displayed sum of three terms.")
@@ -221,16 +233,12 @@ claim("D71-S21", "once positive definite, always positive definite",
       sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
       given=[IN_TIME, V_POSITIVE_AFTER, given("P_m > 0", pd(P[m]))],
       by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
-      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
-                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE],
-                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("P_m > 0", pd(P[m]))],
-                    by=[steps("D71-E3.1", "D71-E1.28d", facts=["Inverses, and congruences by invertible matrices, of "
-                                                               "positive definite matrices are positive definite."],
-                              prose="The update of P_k > 0 is (P_k^{-1} + M'V^{-1}M)^{-1} > 0, and Phi_k keeps it "
-                                    "positive."),
-                        SINGULAR_PHI, EXACT_MEASUREMENT, instances(**AFTER_SIZES)]),
+      repair=repair("missing hypothesis", NEEDS_PHI, always(k, pd(P[k])),
+                    sizes=["n", "p"], over={**V_POSITIVE_EVER, Phi: signal_of(nonsingular(n), 0), P0: positive_definite(n)}, where=[COVARIANCE],
+                    by=[induction(base=order([P0]), step=order([Phi[k]*inv(inv(P[k]) + T(M[k])*inv(V[k])*M[k])*T(Phi[k]), H[k]])),
+                        instances(8, **FOREVER)]),
       note="A nonsingular Phi is assumed from section C on, and in Chapter I for sampled continuous-time processes, "
-           "but not here.")
+           "but not here. The repair counts time from t_m.")
 
 claim("D71-T3.3", "a completely driven process makes the covariance positive definite",
       forall(k, m, N, pd(P[k])),
@@ -253,23 +261,31 @@ claim("D71-T3.3", "a completely driven process makes the covariance positive def
 
 Pa, Pb, Pa0, Pb0, D0, e = symbols("Pa Pb Pa0 Pb0 D0 e")
 
+KB = gain(Pb[k], M[k], V[k])
+DIFF, WB = Pa[k] - Pb[k], M[k]*Pb[k]*T(M[k]) + V[k]
+GAIN_D = DIFF*T(M[k])*inv(M[k]*Pa[k]*T(M[k]) + V[k])
+OUTER = Phi[k]*(I - KB*M[k])
+JOSEPH_B = [OUTER*Pb[k]*T(I - KB*M[k])*T(Phi[k]), Phi[k]*KB*V[k]*T(KB)*T(Phi[k]), H[k]]
+JOSEPH_D = [OUTER*(I - GAIN_D*M[k])*DIFF*T(I - GAIN_D*M[k])*T(I - KB*M[k])*T(Phi[k]), OUTER*GAIN_D*WB*T(GAIN_D)*T(I - KB*M[k])*T(Phi[k])]
+
 claim("D71-T3.4", "the order of two solutions is kept",
-      forall(k, 0, N, loewner(Pa[k], Pb[k])),
-      sizes=["n", "p", "N"], over={**slices(N), Pa0: positive_semidefinite(n), Pb0: positive_semidefinite(n)},
-      where=[*VARYING, rec(Pa, k, Pa0, varying_step(Pa[k], k)), rec(Pb, k, Pb0, varying_step(Pb[k], k))],
-      given=[standing("V_k > 0", forall(k, 0, N - 1, pd(V(k)))), given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
-      by=[steps("D71-E3.4", facts=["0 < A <= B implies B^{-1} <= A^{-1}.", "The nonnegative definite matrices are a "
-                                                                           "closed cone."],
-                prose="Shifted by eps I the update is the inverse of a decreasing function of P, so the shifted steps "
-                      "are ordered; let eps go to 0 and repeat."),
-          instances(**RUN, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})])
+      always(k, psd(Pb[k]) & loewner(Pa[k], Pb[k])),
+      sizes=["n", "p"], over={**V_POSITIVE_EVER, Pa0: positive_semidefinite(n), Pb0: positive_semidefinite(n)},
+      where=[rec(Pa, k, Pa0, varying_step(Pa[k], k)), rec(Pb, k, Pb0, varying_step(Pb[k], k))],
+      given=[given("P_a(t_0) >= P_b(t_0)", loewner(Pa0, Pb0))],
+      by=[induction(base=order([Pb0], [Pa0 - Pb0]), step=order(JOSEPH_B, JOSEPH_D)),
+          instances(8, **FOREVER, made_by={Pa0: Pb0 + D0}, using={D0: positive_semidefinite(n)})],
+      note="P_b >= 0 is Theorem 3.2 and carried along. The difference of two updates is (I - K_b M)[D - DM'(MP_aM' + V)^{-1}MD](I - K_b M)' with "
+           "D = P_a - P_b, and the bracket is the update of D for a measurement error of covariance MP_bM' + V.")
+
+X = sym("X")
 
 claim("D71-E3.4", "one step from a shifted covariance",
-      (step(P + e*I) == Phi*inv(inv(P + e*I) + gram())*T(Phi) + H)
-      & (step(P + e*I) - step(P) == e*Phi*inv(I + (P + e*I)*gram())*inv(I + gram()*P)*T(Phi)),
+      (step(P + X) == Phi*inv(inv(P + X) + gram())*T(Phi) + H)
+      & (step(P + X) - step(P) == Phi*inv(I + (P + X)*gram())*X*inv(I + gram()*P)*T(Phi)),
       sizes=["n", "p"],
-      over={e: positive(), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
+      over={X: positive_definite(n), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
             H: positive_semidefinite(n)},
-      by=[identity(n=range(1, 3), p=range(1, 3)), instances(n=range(1, 4), p=range(1, 4))],
-      note="The second equation is the limit: the shifted step differs from the unshifted one by e times a matrix "
-           "that stays bounded as e goes to 0.")
+      by=[instances(8, n=(1, 2), p=(1, 2))],
+      note="X is the shift e I of the print, or any positive definite matrix. The second equation is the limit: the shifted step differs from the "
+           "unshifted one by e times a matrix that stays bounded as e goes to 0.")

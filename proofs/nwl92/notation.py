@@ -23,6 +23,7 @@ from exactkf.language import (
     Zero,
     block,
     given,
+    hstack,
     integer,
     inv,
     invertible,
@@ -179,30 +180,23 @@ GRAM = given("H has full column rank", invertible(T(H) * H))
 IMPLIED_GRAM = standing("H has full column rank", invertible(T(H) * H))
 
 
-def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
+def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any, gram: Expr | None = None) -> tuple[list, list]:
     """From ZGZ = Z with R >= 0 and invertible H'H to U'H = I and RU + HT = 0, with what each step needs.
 
-    With M = I - HU' and v = (WR - I)M', the three blocks of ZGZ = Z give RWH = 0 and U'H = I, then MRWRU = 0 and
-    v'Rv = 0, so that Rv = 0, that is MRW R = MR, and MRU = 0.
+    The columns [a; b] of I - GZ lie in the kernel of Z: Ra + Hb = 0 and H'a = 0. So a'Ra = -a'Hb = 0, hence Ra = 0
+    and Hb = 0, that is b = 0.
     """
-    M, gram = Identity(p) - H * T(U), T(H) * H
-    v = (W * R - Identity(p)) * T(M)
+    gram = T(H) * H if gram is None else gram
+    a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
     steps = [
-        (R * W * R + R * U * T(H) + H * T(U) * R + H * Tb * T(H) == R, []),
-        (R * W * H + H * T(U) * H == H, []),
-        (T(H) * W * H == Zero(n, n), []),
-        (T(H) * W * R * W * H * Identity(n) == Zero(n, n), []),
-        (R * W * H == Zero(p, n), [T(H) * W * R * W * H]),
-        (inv(gram) * T(H) * (H * T(U) * H - H) == Zero(n, n), []),
+        (R * a + H * b == Zero(p, p + n), []),
+        (T(H) * a == Zero(n, p + n), []),
+        (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
+        (R * a == Zero(p, p + n), [T(a) * R * a]),
+        (H * b == Zero(p, p + n), []),
+        (inv(gram) * T(H) * (H * b) == Zero(n, p + n), []),
         (T(U) * H == Identity(n), [inv(gram)]),
-        (M * R * W * R * U == Zero(p, n), []),
-        (R * W * R * W * R * T(M) == R * W * R * T(M), []),
-        (M * R * W * R * T(M) == M * R * T(M), []),
-        (T(v) * R * v * Identity(p) == Zero(p, p), []),
-        (R * v == Zero(p, p), [T(v) * R * v]),
-        (M * R * U == Zero(p, n), []),
-        (R * W * R * U == Zero(p, n), []),
-        (R * U + H * Tb == Zero(p, n), []),
+        (R * U + H * Tb == Zero(p, n), [inv(gram)]),
     ]
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 

@@ -148,6 +148,7 @@ P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
 BAYES = (let(H, vstack(Identity(n), C)), let(R, diag(P, N)))
 I_n, Q, UB = Identity(n), sym("Q"), sym("UB")
 FIRST_N, LAST_P = L * upper(n, p), L * lower(n, p)
+NOISE_BLOCK = block([[R, Zero(p, n)], [Zero(n, p), Zero(n, n)]])
 GAIN_LS = "gain of least squares"
 claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2.2), with the same error covariance",
       (T(UB) * R * UB == P - K * C * P) & (m + K * (z - C * m) == T(UB) * vstack(m, z))
@@ -286,7 +287,7 @@ claim("NWL92-S4", "Z is invertible exactly if H has full column rank and [R H] f
 
 claim("NWL92-L2.1", "two rank conditions make Z invertible",
       invertible(Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK], given=[FULL_COLUMN_RANK, FULL_ROW_RANK],
-      by=[steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
+      by=[order([R]), steps("NWL92-E2.12", "NWL92-E2.13", "NWL92-E2.14", "NWL92-E2.15",
                 facts=["x'Rx = 0 implies Rx = 0 for R >= 0"],
                 prose=("A left null vector (x', y') of Z satisfies (2.12) and (2.13); then x'Rx = 0, hence x'R = 0 and "
                        "x'[R H] = 0, so x = 0 as [R H] has full row rank; then y'H' = 0, so y = 0 as H has full column "
@@ -376,17 +377,17 @@ claim("NWL92-S6", "the estimate (2.16) is unbiased",
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
 
 claim("NWL92-E2.17", "error covariance of (2.16)",
-      GAIN * R * T(GAIN) == T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n),
+      GAIN * R * T(GAIN) == T(lower(p, n)) * Zi * NOISE_BLOCK * Zi * lower(p, n),
       sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])
 
 claim("NWL92-E2.18", "splitting diag(R, 0)",
-      diag(R, Zero(n, n)) == block([[R, Zero(p, n)], [T(H), Zero(n, n)]]) - block([[Zero(p, p), Zero(p, n)],
+      NOISE_BLOCK == block([[R, Zero(p, n)], [T(H), Zero(n, n)]]) - block([[Zero(p, p), Zero(p, n)],
                                                                                    [T(H), Zero(n, n)]]),
       sizes=["p", "n"], over=ANY, by=[identity(p=(1, 2, 3), n=(1, 2)), instances(**SIZES)])
 
 claim("NWL92-E2.19", "the error covariance is minus a block of the inverse of Z",
-      eq(GAIN * R * T(GAIN), T(lower(p, n)) * Zi * diag(R, Zero(n, n)) * Zi * lower(p, n),
+      eq(GAIN * R * T(GAIN), T(lower(p, n)) * Zi * NOISE_BLOCK * Zi * lower(p, n),
          -T(lower(p, n)) * Zi * lower(p, n)),
       sizes=["p", "n"], over=ANY, where=REGULAR, given=[INVERTIBLE],
       by=[identity(p=(2, 3), n=(1, 2)), instances(p=(1, 2, 3), n=(1, 2))])

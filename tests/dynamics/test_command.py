@@ -30,7 +30,8 @@ def test_an_answer_is_printed_and_written(tmp_path):
 
 
 @pytest.mark.parametrize("args, head", [
-    (("--alpha", "0", "--gamma", "sqrt(2)"), "order 1: the orbit converges"), (("--alpha", "-2", "--gamma", "sqrt(3)"), "order 1: the orbit is periodic with period 6"),
+    (("--alpha", "0", "--gamma", "sqrt(2)"), "order 1: the orbit converges"),
+    (("--alpha", "-2", "--gamma", "sqrt(3)"), "order 1: the orbit is periodic with period 6"),
     (("--alpha", "1", "--gamma", "6/5"), "order 1: the orbit never repeats"), (("--alpha", "2", "--gamma", "0"), "order 1: the orbit"),
     (("--b", "1,3/4", "--a", "1,1/4"), "order 1: the orbit converges"), (("--covariances", "1,1/2,1/4"), "order 1: the orbit"),
 ])
@@ -48,8 +49,10 @@ def test_a_file_says_the_same_as_options(tmp_path):
 
 @pytest.mark.parametrize("args, says", [
     ((), "argument FILE is missing"), (("--alpha", "2"), "does not describe a filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
-    (("--alpha", "1,,2", "--gamma", "1"), "'--alpha' has an empty entry"), (("none.toml",), "cannot be read"), (("none.toml", "--alpha", "1"), "comes beside FILE"),
-    (("--alpha", "2", "--gamma", "1/2", "--picture", "p.png"), "is not KIND=FILE"), (("--alpha", "2", "--gamma", "1/2", "--picture", "plane=p.gif"), "neither .png nor .svg"),
+    (("--alpha", "1,,2", "--gamma", "1"), "'--alpha' has an empty entry"),
+    (("none.toml",), "cannot be read"), (("none.toml", "--alpha", "1"), "comes beside FILE"),
+    (("--alpha", "2", "--gamma", "1/2", "--picture", "p.png"), "is not KIND=FILE"),
+    (("--alpha", "2", "--gamma", "1/2", "--picture", "plane=p.gif"), "neither .png nor .svg"),
     (("--alpha", "2", "--gamma", "1/2", "--picture", "alpha=p.png"), "of order 1"), (("--alpha", "2", "--gamma", "1/2", "--json", "/"), "is a folder"),
     (("--alpha", "2", "--gamma", "1/2", "--digits", "0"), "--digits"), (("--a", "1,2", "--g", "0,1/2", "--pi0", "1"), "'pi0' comes with a filter of order 2"),
     (("--alpha", "root(x^2-2,-2,2)", "--gamma", "0"), "holds 2 real roots"),

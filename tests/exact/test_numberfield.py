@@ -196,7 +196,7 @@ def test_mixed_arithmetic_on_both_sides():
         with pytest.raises(TypeError):
             r + bad
         with pytest.raises(TypeError):
-            r < bad
+            _ = r < bad
     with pytest.raises(BadInput):
         r.rational_value()
     for divide in (lambda: r / 0, lambda: 1 / (r - r), lambda: (r - r) ** -1):

@@ -16,6 +16,8 @@ from exactkf.language import (
     T,
     Zero,
     block,
+    cospectral,
+    det,
     function,
     iff,
     inv,
@@ -31,6 +33,7 @@ from exactkf.language import (
     psd,
     rank,
     scalar,
+    similar,
     standing,
     symbols,
     symmetric_matrix,
@@ -39,7 +42,8 @@ from exactkf.language import (
 
 n, p, P, Q, A, M, V, K, H = symbols("n p P Q A M V K H")
 I = Identity
-FILTER = {"sizes": ["n", "p"], "over": {"P": positive_semidefinite(n), "H": positive_semidefinite(n), "A": matrix(n, n), "M": matrix(p, n), "V": positive_definite(p)},
+FILTER = {"sizes": ["n", "p"], "over": {"P": positive_semidefinite(n), "H": positive_semidefinite(n), "A": matrix(n, n), "M": matrix(p, n),
+                                              "V": positive_definite(p)},
           "where": [let(K, P * T(M) * inv(M * P * T(M) + V))]}
 JOSEPH = A * ((I(n) - K * M) * P * T(I(n) - K * M) + K * V * T(K)) * T(A) + H
 STEP = A * (P - K * M * P) * T(A) + H
@@ -90,7 +94,38 @@ LEAVES |= {
                             "given": [standing("complement", psd(P - T(B) * inv(A) * B))], "says": psd(block([[A, B], [T(B), P]]))},
                            [[LOWER * block([[A, Zero(n, m)], [Zero(m, n), P - T(B) * inv(A) * B]]) * T(LOWER)]], {}),
 }
+R = symbols("R")[0]
+RECTANGULAR = {"sizes": ["n", "m"], "over": {"A": matrix(n, m), "B": matrix(m, n)}}
+SCHUR = {"sizes": ["n", "m"], "over": {"A": nonsingular(n), "B": matrix(n, m), "L": matrix(m, n), "P": matrix(m, m)}}
+WHOLE, REST = block([[A, B], [L, P]]), P - L * inv(A) * B
+LEAVES |= {
+    "null vectors of a form": ({**VECTOR, "given": [standing("null", T(x) * (P + Q) * x == 0)], "says": P * x == 0}, [[P, Q]], {}),
+    "I + PQ by null vectors": ({**SQUARES, "says": invertible(I(n) + P * Q)}, [[Q, Q * P * Q]], {}),
+    "a saddle point matrix": ({"sizes": ["n", "p"], "over": {"R": positive_semidefinite(p), "H": matrix(p, n)},
+                               "given": [standing("columns", rank(H) == n), standing("rows", rank(block([[R, H]])) == p)],
+                               "says": invertible(block([[R, H], [T(H), Zero(n, n)]]))}, [[R]], {}),
+    "rank of a product": ({**RECTANGULAR, "over": {**RECTANGULAR["over"], "P": nonsingular(m)}, "given": [standing("rank", rank(B) == n)],
+                           "says": rank(P * B) == n}, (), {}),
+    "rank of a transpose": ({**RECTANGULAR, "given": [standing("rank", rank(A) == n)], "says": rank(T(A)) == n}, (), {}),
+    "similar products": ({**PAIR, "over": {"A": nonsingular(n), "B": matrix(n, n)}, "says": similar(A * B, B * A)}, (), {}),
+    "a congruence of both": ({"sizes": ["n"], "over": {"A": nonsingular(n), "P": positive_definite(n), "Q": positive_definite(n)},
+                              "says": cospectral(A * P * T(A) * inv(A * Q * T(A)), P * inv(Q))}, (), {}),
+    "determinant of a conjugate": ({**PAIR, "over": {"A": nonsingular(n), "B": matrix(n, n)}, "says": det(A * B * inv(A)) == det(B)}, (), {}),
+}
+DETERMINANTS = {
+    "det(I + AB)": ({**RECTANGULAR, "says": det(I(n) + A * B) == det(I(m) + B * A)},
+                    [(block([[I(n), -A], [B, I(m)]]), [block([[I(n) + A * B, -A], [Zero(m, n), I(m)]]), block([[I(n), Zero(n, m)], [B, I(m)]])]),
+                     (block([[I(n), -A], [B, I(m)]]), [block([[I(n), Zero(n, m)], [B, I(m)]]), block([[I(n), -A], [Zero(m, n), I(m) + B * A]])])]),
+    "Schur": ({**SCHUR, "says": det(WHOLE) == det(A) * det(REST)},
+              [(WHOLE, [block([[I(n), Zero(n, m)], [L * inv(A), I(m)]]), block([[A, B], [Zero(m, n), REST]])])]),
+}
 NOT_LEAVES = {
+    "rank from the other rank": ({**RECTANGULAR, "given": [standing("rank", rank(A) == n)], "says": rank(A) == m}, (), {}),
+    "not square": ({**RECTANGULAR, "given": [standing("rank", rank(A) == n)], "says": invertible(A)}, (), {}),
+    "a form that is indefinite": ({**VECTOR, "given": [standing("null", T(x) * (P - Q) * x == 0)], "says": P * x == 0}, [[P, -Q]], {}),
+    "similar by a singular matrix": ({**PAIR, "says": similar(A * B, B * A)}, [[A]], {}),
+    "a sum of determinants": ({**PAIR, "says": det(A + B) == det(A) + det(B)}, (), {}),
+    "twice a matrix": ({**PAIR, "says": det(2 * A) == 2 * det(A)}, (), {}),
     "a number of unknown sign": ({**WITH_SCALAR, "over": {**WITH_SCALAR["over"], "c": scalar()}, "says": psd(c * P)}, [[c * P]], {}),
     "a number that may vanish": ({**WITH_SCALAR, "over": {"P": positive_definite(n), "c": nonneg()}, "says": pd(c * P)}, [[c * P]], {}),
     "a division by what may vanish": ({**WITH_SCALAR, "says": pd(I(n) * c)}, [[I(n) / c * c * c]], {}),
@@ -171,6 +206,20 @@ def test_wrong_leaves_are_not(name):
     for one in proof:
         with pytest.raises(Rejected):
             replay(seal("T", "order", data, {"parts": [one]}))
+
+
+@pytest.mark.parametrize("name", DETERMINANTS)
+def test_determinants_by_factors(name):
+    """Factors that are multiplied out prove it; others, or none, do not."""
+    parts, factors = DETERMINANTS[name]
+    data = Statement(**parts).to_json()
+    hints = json.loads(json.dumps(order(factors=factors).hints["factors"]))
+    found = find_order(data, factors=hints)
+    assert found is not None and find_order(data) is None
+    replay(seal("T", "order", data, {"parts": found}))
+    found[0]["factors"][0][1].reverse()
+    with pytest.raises(Rejected):
+        replay(seal("T", "order", data, {"parts": found}))
 
 
 def test_a_lemma_is_shown_first():

@@ -19,6 +19,7 @@ from exactkf.language import (
     Identity,
     Statement,
     T,
+    Zero,
     always,
     block,
     forall,
@@ -96,6 +97,10 @@ FALSE = {
         {"sizes": ["d"], "over": {"A": matrix(d, d), "x": vector(d)}, "where": [rec(X, t, I(d), X[t])],
          "says": always(t, (A * x == 0 * x) >> (X[t] * x == 0 * x))},
         {"also": [inv(A) * A * X[t] == X[t]]}),
+    "an inverse in a premise carried along": (
+        {"sizes": ["d"], "over": {"A": matrix(d, d), "x": vector(d)}, "where": [rec(X, t, Zero(d, d), I(d))],
+         "says": always(t, (A * x == 0 * x) >> (X[t] * x == 0 * x))},
+        {"also": [(inv(A) * A == I(d)) >> (X[t] == X[t])], "step": order([], [inv(A)])}),
     "a shape that changes": ({"sizes": ["d"], "over": {"A": matrix(d, d)},
                               "where": [rec(X, t, I(d), block([[X[t], A], [A, A]]))], "says": always(t, T(X[t]) == X[t])}, {}),
     "a difference": ({**FILTER, "says": always(t, loewner(P[t + 1], P[t]))}, {}),
@@ -165,6 +170,14 @@ def test_a_size_called_t_is_not_the_index():
     """The letter X[t] of a size t and that of the index t would be one."""
     says = {"sizes": ["t"], "over": {"A": matrix(t, t)}, "where": [rec(X, k, I(t), A * X[k])], "says": always(k, X[k] == X[k])}
     assert find_induction(Statement(**says).to_json()) is None
+
+
+def test_two_things_of_one_name_are_refused():
+    """A variable and a recursion X: on instances X is the variable, so a proof about the recursion says nothing."""
+    statement = Statement(sizes=["d"], over={"A": matrix(d, d)}, where=[rec(X, t, I(d), X[t])], says=always(t, X[t] == I(d))).to_json()
+    assert find_induction(statement) is not None
+    both = {**statement, "over": [["X", ["signal_of", 0, ["matrix", ["sym", "d"], ["sym", "d"]]]], *statement["over"]]}
+    assert find_induction(both) is None
 
 
 def test_sequences_of_matrices_on_instances():

@@ -579,10 +579,17 @@ def _chain(test: Callable[[Any, Any], bool]) -> Callable:
     return lambda *xs: all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
 
 
+def _cosine(q: Any, p: Any) -> Any:
+    q, p = _number(q), _number(p)
+    if q != int(q) or p != int(p) or p <= 0:
+        raise NoValueError("a cosine without integers")
+    return mp.cos(mp.pi * q / p)
+
+
 _PLAIN: dict[str, Callable] = {
     "rat": lambda p, q: mpf(p) / q, "z": lambda: Poly({1: mpf(1)}),
     "neg": _minus, "-": lambda x, y: _plus(x, _minus(y)),
-    "/": _over, "^": _power, "sqrt": _root, "abs": lambda x: abs(_number(x)), "diag": _diagonal,
+    "/": _over, "^": _power, "sqrt": _root, "cospi": _cosine, "abs": lambda x: abs(_number(x)), "diag": _diagonal,
     "I": _unit, "O": lambda m, n: Table([[0] * _count(n) for _ in range(_count(m))], n),
     "T": lambda x: _table(x).turned(),
     "inv": _inverse, "det": _det, "rank": _rank,

@@ -20,6 +20,7 @@ from exactkf.language import (
     coeff,
     coprime,
     cospectral,
+    cospi,
     defined,
     degree,
     det,
@@ -106,6 +107,8 @@ TRUE = {
     "nonnegative": nonneg_on_circle(Z + 2 + Z**-1) & ~pos_on_circle(Z + 2 + Z**-1),
     "negative": ~nonneg_on_circle(Z + 1 + Z**-1),
     "root": sqrt(rational("9/4")) == rational("3/2"),
+    "cosine": (8 * cospi(1, 7) ** 3 - 4 * cospi(1, 7) ** 2 - 4 * cospi(1, 7) + 1 == 0) & (cospi(3, 7) > 0) & (cospi(4, 7) < 0),
+    "rational cosine": cospi(-8, 6) == -HALF,
     "absolute value": abs(-HALF) == HALF,
     "printed": prints(rational("1/3"), "0.333"),
     "not printed": ~prints(rational("1/3"), "0.334"),
@@ -118,6 +121,7 @@ UNDEFINED = {
     "inverse": inv(ONES) == ONES,
     "sizes": SHEAR == Zero(1, 2),
     "entry": x[2] == 3,
+    "cosine": cospi(HALF, 3) == 0,
 }
 
 

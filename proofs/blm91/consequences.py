@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""What follows for n = 1 and is not said in the paper: iterates in closed form, exact periods, rational data.
+
+On the hyperbola 1 + alpha^2 - gamma^2 = 2 lambda alpha, lambda = 1/kappa, the
+algorithm is linear in disguise. Let M_(t+1) = 2 lambda M_t - M_(t-1) with M_0 = 1, M_(-1) = alpha_0. Then
+
+    alpha_t = M_(t-1)/M_t,      gamma_t = (-1)^t gamma_0/M_t.
+
+The orbit ends with the first t for which M_t = 0. With lambda = -(w + 1/w)/2 the numbers e_t
+= (-1)^t M_t are combinations of w^t and w^(-t). So for gamma_0 not 0 the
+orbit is back at its start after t steps exactly when e_t = e_0 and e_(t-1) =
+e_(-1), that is, when w^t = 1 (w is not 1 or -1 for kappa^2 > 1). Hence
+
+    all orbits that do not end have period p  <=>  kappa = -sec(2 pi q/p), (q, p) = 1.
+
+This is Theorem 3.7 with one formula for both signs of kappa and for kappa
+infinite (p = 4): q/p in (0, 1/4) gives kappa < -1, in (1/4, 1/2) kappa > 1.
+
+2 cos(2 pi q/p) is a zero of a monic polynomial with integer coefficients. If it
+is rational it is an integer, one of -2, .., 2 (Niven), and p is 1, 2, 3, 4 or 6. So the
+periods of the algorithm for rational (alpha_0, gamma_0) are 1, 3, 4 and 6, with
+1/kappa = 1/2, 0, -1/2 for the last three; those of the Riccati equation are 1, 2 and 3. On
+every other rational point of the corridors the orbit ends or is dense.
+"""
+
+from exactkf.claims import claim
+from exactkf.evidence import evaluation, example, induction, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+H = 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]
+FIRST_ = 1 / ((2 * lam - al[t]) * (2 * lam - Nt[t] / Mt[t]))
+SECOND_ = -1 / ((1 - ga[t] ** 2) * (2 * lam - al[t]))
+SCALE_ = -sg[t] * ga0 / Mt[t]
+claim("BLM91-X.1", "iterates in closed form",
+      always(t, (al[t] == Nt[t] / Mt[t]) & (ga[t] == sg[t] * ga0 / Mt[t])), over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, *PROJECTIVE],
+      by=[induction(also=[H], cofactors=[[(FIRST_, 0, 1), (SECOND_, 2, 1)], [(-al[t + 1], 1, 1), (SCALE_ * FIRST_, 0, 1), (SCALE_ * SECOND_, 2, 1)],
+                                         [(1 / (1 - ga[t] ** 2), 2, 1)]]), instances()],
+      note="M_(t+1) = 2 lambda M_t - N_t, N_(t+1) = M_t from (1, alpha_0), so that N_t = M_(t-1), and s_t = (-1)^t.")
+w, W, p, q, y, gcd, Tn, Sn, back, many = symbols("w W p q y gcd T S back divides")
+claim("BLM91-X.2", "the closed form by powers of w",
+      always(t, (sg[t] * Mt[t] * (w - 1 / w) == w * W[t] - 1 / (w * W[t]) + al0 * (W[t] - 1 / W[t]))
+             & (sg[t] * Nt[t] * (w - 1 / w) == 1 / W[t] - W[t] - al0 * (W[t] / w - w / W[t]))), over={al0: nonzero(), w: nonzero()},
+      where=[let(lam, -(w + 1 / w) / 2), *PROJECTIVE, rec(W, t, 1, w * W[t])], by=[induction(cofactors=[[(w + 1 / w, 0, 1), (1, 1, 1)], [(-1, 0, 1)]]), instances()],
+      note="W_t = w^t. An identity of rational functions of w, so that it holds for w on the unit circle too: there 1/kappa = -cos(arg w).")
+
+# ---------------------------------------------------------------------- exact periods
+LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
+#: 1/kappa = -cos(2 pi q/p), and a point of the hyperbola
+TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+claim("BLM91-X.3", "the period for kappa = -sec(2 pi q/p), by the closed form",
+      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"], over={q: integer(1, 29)},
+      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
+      note="Every angle in lowest terms with p <= 60, that is both signs of kappa and kappa infinite (p = 4, q = 1), from one point of each hyperbola; "
+           "by (X.2) the point does not matter.")
+claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itself",
+      (1 + al0**2 - ga0**2 == 2 * lam * al0) & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)),
+      sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
+      note="(3.10) run step by step in the number field, from two points of each hyperbola.")
+claim("BLM91-X.5", "orbits that do not end have period p exactly when kappa = -sec(2 pi q/p)",
+      forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)), over={p: integer(3, 8), q: integer(1, 3), u: scalar()},
+      where=[*TURN, *ORBIT], given=LOWEST,
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"],
+                prose="gamma_0 is not 0 on these hyperbolas, since gamma^2 = (alpha - lambda)^2 + 1 - lambda^2; so the orbit is back after t steps exactly "
+                      "when s_t M_t = 1 and s_t N_t = alpha_0, that is, when w^t = 1 by (X.2), where w + 1/w = -2/kappa"),
+          instances(12), *(example(p=p_, q=1, u=u_) for p_, u_ in ((3, 2), (4, 2), (5, 2), (6, 2), (7, 3), (8, 2)))])
+
+# ---------------------------------------------------------------------- rational data
+claim("BLM91-X.6", "twice the cosine of a multiple angle, by a recursion with integer coefficients",
+      always(t, (Tn[t] == W[t] + 1 / W[t]) & (Sn[t] == w * W[t] + 1 / (w * W[t]))), over={w: nonzero()},
+      where=[rec(Tn, t, 2, Sn[t]), rec(Sn, t, w + 1 / w, (w + 1 / w) * Sn[t] - Tn[t]), rec(W, t, 1, w * W[t])], by=[induction(), instances()],
+      note="T_0 = 2, T_1 = x, T_(t+1) = x T_t - T_(t-1) for x = w + 1/w: T_t is a monic polynomial in x with integer coefficients for t >= 1.")
+claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
+      iff(exists(k, -2, 2, 2 * lam == k), (p == 3) | (p == 4) | (p == 6)), sizes=["p"], over={q: integer(1, 29)},
+      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
+      note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
+           "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
+still, zero = symbols("still zero")
+FLAT = (let(still, ga0 == 0), let(zero, lam == 0))
+BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
+claim("BLM91-X.8", "rational data have the periods 1, 3, 4, 6 and no others",
+      forall(t, 1, 13, iff(back(t), still | (2 * lam == 1) & many(3, t) | zero & many(4, t) | (2 * lam == -1) & many(6, t))),
+      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, BACK, MANY, *FLAT],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+                prose="1/kappa is rational with the point. For gamma_0 not 0 a return after t steps means w^t = 1 for w + 1/w = -2/kappa, w not 1 or -1 (for kappa = 1, -1 the "
+                      "closed form grows with t), so that -2/kappa is an integer by (X.6)"),
+          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
+          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0="1/2", gamma0=0)],
+      note="Orbits that end are left aside. Where none of the cases applies the orbit converges (kappa^2 <= 1) or is dense.")
+claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2, 3 and no others",
+      forall(t, 1, 7, iff(al[t] == al0, still | (4 * lam**2 == 1) & many(3, t) | zero & many(2, t))),
+      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, MANY, *FLAT],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+                prose="alpha_t = alpha_0 says N_t = alpha_0 M_t, which is (w^t - w^(-t))(alpha_0^2 - 2 lambda alpha_0 + 1) = 0: gamma_0 = 0 or w^(2t) = 1"),
+          instances(60, using={y: integer(-1, 1), u: scalar()}, made_by={al0: (y + 2 * u) / (1 - u**2), ga0: 1 + u * al0}), instances(40), example(alpha0=2, gamma0=0),
+          example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2)],
+      note="The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
+
+# ---------------------------------------------------------------------- escape counts
+odd, d, unit, none, first = symbols("odd d unit none first")
+claim("BLM91-X.10", "escape counts for every angle with p <= 60",
+      forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), sizes=["p"], over={q: integer(1, 29)},
+      where=[GCD, let(odd, ~exists(k, 1, p, 2 * k == p)), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
+             function(first, [j], j == 0)], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
+      note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
+           "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""Section I: the model, the Riccati equation, the fast algorithm, and the results announced.
+
+A stationary model x_(t+1) = F x_t + v_t, y_t = h'x_t + w_t with E y_t^2 = 1 enters the Kalman filter through F, h and g = E{x_(t+1) y_t} alone: the
+covariance Pi_t of the estimate obeys
+
+    Pi_(t+1) = F Pi_t F' + k_t (1 - h'Pi_t h) k_t',      k_t = (g - F Pi_t h)/(1 - h'Pi_t h),      Pi_0 = 0,
+
+in which the covariance of the state, and with it that of the noise, does not occur. 1 - h'Pi_t h is r_t, the variance of the innovation; the condition that it
+stays positive is that all Toeplitz matrices of the covariances are positive definite, a little less than a positive spectral density.
+
+For n = 1 what is announced is proved in Sections III and V: convergence where the pseudo-polynomial D has one sign, periodic or dense orbits elsewhere.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
+from proofs.blm91.section_2_filtering import FAST, FILTER, fk, kk, xh, yt
+
+Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
+    "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
+SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
+RICCATI = rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * T(g - F * Pi[t] * h))
+BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
+SAID = "Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model."
+
+# ---------------------------------------------------------------------- model and filter
+claim("BLM91-E1.1", "the model is stationary, with E y^2 = 1 and E x_(t+1) y_t = g",
+      forall(t, 0, m, (X[t] * G * T(X[t]) == P) & (X[t + 1] * G * T(Y(t)) == g) & (Y(t) * G * T(Y(t)) == Identity(1))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
+      by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2))], note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties.")
+claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, RICCATI],
+      by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
+OTHER = let(G2, T(X[0]) * P2 * X[0] + sum_of(k, 0, m + 1, T(vstack(V(k), W(k))) * block([[P2 - F * P2 * T(F), g - F * P2 * h], [T(g - F * P2 * h), 1 - T(h) * P2 * h]]) * vstack(V(k), W(k))))
+claim("BLM91-S1", "the gain is the same for all realizations", forall(t, 0, m, kk(t) == k2(t)), sizes=["n", "m"], over={**SYSTEM, P2: symmetric_matrix(n)},
+      where=[*FILTER, OTHER, function(k2, [t], 1 / r[t] * X[t + 1] * G2 * T(yt(t)))], by=BY, note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output.")
+claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, kk(t) * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM,
+      where=[*FILTER, RICCATI], by=BY, note="kk is the coefficient of the innovation in the projection, multiplied out by the scalar 1 - h'Pi_t h.")
+COV = function(cov, [t], xh(t) * G * T(xh(t)))
+claim("BLM91-E1.4", "the Riccati equation of the estimate", (cov(0) == Zero(n, n)) & forall(t, 0, m, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * inv(1 - T(h) * cov(t) * h) * T(g - F * cov(t) * h)),
+      sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV], by=BY, note="cov(t) is the covariance of the projection of x_t on y_0 .. y_(t-1).")
+claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t] == cov(t)), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV, RICCATI], by=BY, note=SAID)
+
+# ---------------------------------------------------------------------- covariances and spectral density
+claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (Y(t + i) * G * T(Y(t)) == Y(i) * G * T(Y(0))) & (Y(0) * G * T(Y(0)) == Identity(1)))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
+      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
+claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
+      by=[identity(n=range(0, 5)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
+claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
+      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
+claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
+      by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
+      repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
+                    by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
+                        instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}), example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
+      note=MA_NOTE)
+claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, (Y(i - 1) * G * T(Y(j - 1)))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
+      where=[*MODEL, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ], by=[identity(n=(1, 2), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))])
+CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
+near_, grows_, kept = symbols("increment monotone positive")
+claim("BLM91-S5", "convergence of gain and covariance", (dist < rational("1/1000")) & (near_ < rational("1/1000")) & grows_, sizes=["n", "m"], over=STEADY_OVER,
+      where=[*STEADY, *CANONICAL, RICCATI, let(near_, trace(Pi[20] - Pi[19])), let(grows_, loewner(Pi[m + 1], Pi[m]))], given=STEADY_GIVEN,
+      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest; "
+                "k_t = q_t - a converges with q_t"),
+          instances(n=(1, 2), m=(0, 1, 2), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
+      note="On data with known spectral factor, as for the steady-state filter in Section II: at t = 20 the gain is within 1/1000 (squared) of x - a and the increment of Pi below 1/1000; at time m Pi grows.")
+DATA_PI = (*CANONICAL, RICCATI, *stripped(g + a, g), *DATA)
+claim("BLM91-E1.8a", "1 - h'Pi h is not negative for positive real data", (1 - (T(h) * Pi[m] * h)[1, 1] == r[m]) & kept, sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*DATA_PI, let(kept, r[m] > 0)], given=REAL,
+      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"], prose="1 - h'Pi_t h is r_t, and |gamma_t| < 1 keeps r_t positive"), instances(n=(1, 2, 3), m=(0, 1, 2), **CLASSICAL), *EDGE],
+      note="Even > 0; m is the time t.")
+R_ = sym("R")
+GAIN = (let(Q, P - F * P * T(F)), let(R_, 1 - T(h) * P * h), let(g, F * P * h + S))
+claim("BLM91-E1.8b", "where 1 - h'Pi h = 0 the numerator of the gain vanishes", hit >> (flag & (g == stay)), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), P: positive_semidefinite(n), S: vector(n)},
+      where=[*GAIN, RICCATI, let(hit, (T(h) * Pi[m] * h)[1, 1] == 1), let(stay, F * Pi[m] * h), let(flag, psd(P - Pi[m]))], given=[given("white noise", psd(block([[Q, S], [T(S), R_]])))],
+      by=[steps("BLM91-S2", facts=["a semidefinite matrix with a zero on the diagonal has a zero row there"], prose="(g - F Pi h, 1 - h'Pi h) is a column of the covariance of (x_(t+1), y_t) minus its prediction"),
+          example(n=1, m=1, F=[[1]], h=[1], P=[[1]], S=[0]), example(n=1, m=1, F=[[-1]], h=[1], P=[[1]], S=[0]), example(n=2, m=2, F=[[0, -1], [1, 0]], h=[1, 0], P=[[1, 0], [0, 1]], S=[0, 0]),
+          example(n=1, m=1, F=[[2]], h=[1], P=[[1]], S=[-1]),
+          instances(6, n=1, m=(0, 1), using={Mk: matrix(n, n), u: vector(n), x: positive()}, made_by={F: Mk / (1 + trace(Mk * T(Mk))), **PSD_MODEL})],
+      note="For every stationary model, degenerate ones included; for strictly positive real data 1 - h'Pi_t h is never 0. m is the time t.")
+TOP = (*CANONICAL, RICCATI, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ, let(az, charpoly(F)), let(hit, forall(t, 0, m, 1 - (T(h) * Pi[t] * h)[1, 1] > 0)), let(flag, pd(Toep(m + 1))), let(Tm, det(Toep(m + 1))),
+       let(num, az * recip(az) + (charpoly(F - g * T(h)) - az) * recip(az) + recip(charpoly(F - g * T(h)) - az) * az))
+AG = {a: vector(n), g: vector(n)}
+claim("BLM91-S6", "(1.8) for all t makes Phi_+ positive real", hit >> (schur(az) & pos_on_circle(num)), sizes=["n", "m"], over=AG, where=TOP, by=[example(n=1, m=6, a=[0], g=["1/2"]), instances(n=1, m=(0, 1))],
+      repair=repair("boundary case", "F = 0, g = 1/2, h = 1 has Pi_t = t/(2(t + 1)), so that 1 - Pi_t > 0 for all t, but the spectral density is 0 at z = -1; what (1.8) for all t says is that all Toeplitz matrices are positive definite "
+                    "(or become singular once and for all), hence that the density is nonnegative",
+                    iff(growth, flag) & (far == Tm), sizes=["n", "m"], over=AG, where=[*TOP, let(far, prod(k, 0, m + 1, 1 - (T(h) * Pi[k] * h)[1, 1])), let(growth, forall(t, 0, m + 1, 1 - (T(h) * Pi[t] * h)[1, 1] > 0))],
+                    given=[standing("solution exists", defined(Pi[m + 1]))],
+                    by=[steps("BLM91-E2.17", "BLM91-E2.13", facts=["Sylvester's law of inertia", "Herglotz: a sequence with positive definite Toeplitz matrices is the Fourier sequence of a nonnegative measure"],
+                              prose="1 - h'Pi_t h is r_t, and T_t is congruent to diag(r_0, .., r_t)"),
+                        instances(30, n=1, m=(0, 1, 2)), example(n=1, m=3, a=[0], g=["1/2"]), example(n=2, m=1, a=[0, "1/2"], g=["1/4", "1/4"]), example(n=1, m=1, a=[0], g=["2/3"])]),
+      note="(1.8) is tested for t <= m; on the counterexample it holds for all t by the formula for Pi_t.")
+claim("BLM91-E1.9", "the fast algorithm gives the Kalman gain", forall(t, 0, m, fk[t] * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[*FAST, RICCATI],
+      by=[identity(n=(1, 2), m=(0, 1)), instances(12, n=(1, 2), m=(1, 2))], note="(1.9) and (1.4) are run on their own.")
+ESCAPE1 = (let(al0, 2), let(ga0, 1), let(qa, al0 - ga0), rec(pit, t, 0, qa**2 * pit[t] + (ga0 + qa * pit[t]) ** 2 / (1 - pit[t])))
+claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa * pit[1] == 2) & ~defined(pit[2]), where=ESCAPE1, by=[evaluation()],
+      note="F = -1, h = 1, g = 1: 1 - h'Pi_1 h = 0 and g - F Pi_1 h = 2.")
+
+# ---------------------------------------------------------------------- announced for n = 1
+BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
+D1 = let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z)))
+claim("BLM91-S8", "excursions, periods, and returns to the classical region",
+      forall(t, 1, k, iff(back(t), t == k)) & (hits >= 1) & flag, over={k: integer(3, 7), u: integer(2, 3)},
+      where=[let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
+             let(hits, sum_of(t, 1, 60, when(abs(alb[t]) > 5, 1, 0))), rec(alc, t, 1, alc[t] / (1 - gac[t] ** 2)), rec(gac, t, 3, -gac[t] * alc[t] / (1 - gac[t] ** 2)), let(flag, abs(alc[1]) + abs(gac[1]) < 1)],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
+                "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(8), example(k=3, u=2), example(k=4, u=2), example(k=6, u=3)],
+      note="Period k for 1/kappa = -cos(2 pi/k); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
+LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]
+ROOTS = (D1, let(poly, al0 * Z**2 + (1 + al0**2 - ga0**2) * Z + al0), let(bound, 2 + abs((1 + al0**2 - ga0**2) / al0)), let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(real, real_roots(poly, -bound, bound) >= 1))
+claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & (ga[1] == -(ga0 * al[1])), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT],
+      by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative"],
+                prose="a limit is a fixed point (alpha, 0) of the hyperbola, a real zero of alpha^2 - (2/kappa) alpha + 1; where there is one, every orbit that does not end converges (S39)"), instances(60), *LISTED],
+      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: the fixed point equation has real zeros.")
+claim("BLM91-S10", "sign definite is the same as real roots", iff(definite, real) & (poly == Z * D), over={al0: nonzero(), ga0: scalar()}, where=ROOTS,
+      by=[steps("BLM91-E3.12", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                prose="both say |1 + alpha^2 - gamma^2| >= 2|alpha|"), instances(60), *LISTED])
+RETURNS = (*ORBIT, LAMBDA, BACK, MANY, let(special, (lam == 0) | (4 * lam**2 == 1)), *PROJECTIVE, let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 4 * abs(Mt[t]), 1, 0))), let(flag, special | (hits >= 1)),
+           let(growth, lam == 0))
+pick_ = sym("pick")
+claim("BLM91-S11", "periodic or unbounded, by the phase of a root", forall(t, 1, 12, iff(back(t), (2 * lam == 1) & many(3, t) | growth & many(4, t) | (2 * lam == -1) & many(6, t))) & flag, over={al0: nonzero(), ga0: scalar()}, where=RETURNS,
+      given=[standing("sign indefinite", abs(lam) < rational("9/10"))],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle", "a rational zero of a monic polynomial with integer coefficients is an integer"],
+                prose="the roots of zD are exp(+-i(pi - theta))"),
+          instances(30, using={k: integer(-1, 1), u: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0}),
+          instances(20, using={pick_: integer(1, 3), u: scalar()}, made_by={al0: 2 * (when(pick_ == 1, rational("3/5"), when(pick_ == 2, rational("-1/3"), rational("-4/5"))) + u) / (1 - u**2), ga0: 1 + u * al0})],
+      note="On rational points, where the phase is a rational multiple of pi exactly for 1/kappa = 1/2, 0, -1/2; elsewhere |alpha_t| > 4 within 60 steps.")
+GRID = (function(pit, [i, t], when(t == 0, i, ((al0**2 - ga0**2) * pit(i, t - 1) + ga0**2) / (1 - pit(i, t - 1)))), let(hits, sum_of(i, 2, 12, when(defined(pit(i, 3)), 1, 0))))
+claim("BLM91-S12", "few initial values of a scalar Riccati equation escape", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID, by=[example(alpha0=0, gamma0=1), instances()],
+      repair=repair("boundary case", "for alpha_0 = 0, |gamma_0| = 1, where D is zero, every solution reaches the pole 1 after one step and ends; for all other parameters the statement is right", hits >= 8, over={al0: scalar(), ga0: scalar()}, where=GRID,
+                    given=[given("D not zero", (al0 != 0) | (ga0**2 != 1))],
+                    by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["a countable set has measure zero"], prose="one initial value ends at each step; convergence, period or density as in Theorem 4.1"), instances(40), example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=2)]),
+      note="hits: of the initial values 2, .., 12 those for which pi_3 exists; at most one value ends at each step.")

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""Section III, Theorem 3.3 and the remarks around it: equilibria, convergence, periodic points in any dimension.
+
+(q, q*) is fixed by the stripped algorithm exactly when q* = 0: gamma J q* = gamma^2 q and J q* - gamma q = (1 - gamma^2) q*
+give (1 - gamma^2) q* = 0 if gamma is not zero, and J q* = q* with a nilpotent J if it is. Near (q, 0) the map is, up to second order, the
+identity on q and J - q h' on q*, whose characteristic polynomial is Q(z).
+
+r_t D + |Q*_t|^2 is |Q_t|^2 on the circle, so never negative; where q*_t tends to zero D has one sign, and Q_infinity Q_infinity* = r_infinity D.
+
+If q and q* have only first components, the algorithm is the scalar one: each order contains the plane of n = 1 with
+its periodic points of every period p >= 3.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+un, wn, p, y, rest, cited, defining, Qm, fixed, flat = symbols("u_next w_next p y remainder cited defining Q_m fixed flat")
+q0, qs0 = symbols("q0 qs0")
+E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
+STEP = (SHIFT, FIRST, let(un, 1 / (1 - qs0[1] ** 2) * (q0 - qs0[1] * (J * qs0))), let(wn, 1 / (1 - qs0[1] ** 2) * (J * qs0 - qs0[1] * q0)))
+POINT = {q0: vector(n), qs0: vector(n)}
+ORBIT_N = (*stripped(q0, qs0), *POLYNOMIALS, INVARIANT)
+
+claim("BLM91-T3.3.1a", "the equilibria are the points (q, 0)", iff(fixed, flat) & (wn * (1 - qs0[1] ** 2) == J * qs0 - qs0[1] * q0), sizes=["n"], over=POINT,
+      where=[*STEP, let(fixed, (un == q0) & (wn == qs0)), let(flat, qs0 == Zero(n, 1))],
+      by=[steps(facts=["a nilpotent matrix has no eigenvalue but 0"], prose="gamma J q* = gamma^2 q and J q* - gamma q = (1 - gamma^2) q*: for gamma not 0 the first gives J q* = gamma q, so (1 - gamma^2) q* = 0; for gamma = 0 the second is J q* = q*"),
+          instances(40, n=(1, 2, 3)), example(n=1, q0=[2], qs0=[0]), example(n=2, q0=[1, 2], qs0=[0, 0]), example(n=2, q0=[1, 2], qs0=[0, 1]), example(n=3, q0=[0, 0, 0], qs0=[0, 0, 1])])
+claim("BLM91-T3.3.1b", "convergence needs a sign definite D", nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)) & (cited == defining),
+      sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m))), let(cited, 3), let(defining, 2)],
+      by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
+      repair=repair("cross-reference", "D is defined in (2.28); there is no (3.28)",
+                    nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)), sizes=["n", "m"], over=POINT,
+                    where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
+                    by=[steps("BLM91-E2.28", prose="r_t D + |Q*_t|^2 = |Q_t|^2 on the circle; if q_t converges and q*_t tends to 0, then r_t tends to D_0/(1 + |q|^2), not 0 unless D is 0, and r_infinity D >= 0"),
+                        instances(40, n=(1, 2, 3), m=(0, 1, 2))]),
+      note="Checked at every time m: r_t D + |Q*_t|^2 >= 0 on the circle, and the formula for r_t from which its limit is read off. The last conjunct compares the section numbers of the display cited, (3.28), and of the "
+           "display meant, (2.28).")
+claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) == r[m] * D + Qs(m) * recip(Qs(m)), sizes=["n", "m"], over=POINT, where=ORBIT_N,
+      by=[steps("BLM91-E2.28", prose="the last term tends to zero with q*_t, r_t and Q_t converge"), instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
+      note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
+S23 = "r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t tend to zero one after the other, and every limit point of Q_t/r_t is the Schur spectral factor of D"
+CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"]
+claim("BLM91-T3.3.2a", "positive real data converge", (dist < rational("1/1000")) & (abs(r20 - dd) < rational("1/1000")), sizes=["n"], over=STEADY_OVER, where=STEADY, given=STEADY_GIVEN,
+      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=CLASSIC, prose=S23), *STEADY_BY],
+      note="As for the steady-state filter in Section II: on data with known spectral factor (n <= 2, rate bounded by the standing hypotheses) the state at t = 20 is within 1/1000 (squared) of the equilibrium (x, 0), which is "
+           "stable because the polynomial with coefficients x is a Schur polynomial.")
+claim("BLM91-T3.3.2b", "Q_t is a Schur polynomial", schur(Qm) & pos_on_circle(rest), sizes=["n", "m"], over={a: vector(n), g: vector(n)},
+      where=[*stripped(g + a, g), *POLYNOMIALS, *DATA, let(Qm, Qp(m)), let(rest, Qp(m) * recip(Qp(m)) - Qs(m) * recip(Qs(m)))], given=REAL,
+      by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"], prose="|Q*_t| < |Q_t| on the circle while r_t > 0; Q_0 - Q*_0 = a(z) is Schur, Q_(t+1) = Q_t - gamma_t z Q*_t, and |gamma_t| < 1 by Schwarz's lemma"),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
+      note="m is the time t; the second part is r_t D > 0 on the circle, the state at time t.")
+claim("BLM91-T3.3.2c", "the limit is the stable spectral factor", (rest == dd * sg * recip(sg)) & schur(sg) & (dist < rational("1/1000")), sizes=["n"], over=STEADY_OVER,
+      where=[*STEADY, let(rest, D)], given=STEADY_GIVEN,
+      by=[steps("BLM91-E2.28", facts=CLASSIC, prose=S23 + "; Schur because Q_t is for every t and D has no zero on the circle"), *STEADY_BY],
+      note="x holds the coefficients of Q_infinity/r_infinity, d is r_infinity; see T3.3.2a for what is tested.")
+PERIODIC = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), let(q0, al0 * E1), let(qs0, ga0 * E1), *stripped(q0, qs0))
+back = sym("back")
+BACK_N = function(back, [t], (q[t] == q0) & (qs[t] == qs0))
+SWEEP = [example(n=2, p=3, u=2), example(n=1, p=4, u=2), example(n=2, p=5, u=3), example(n=2, p=6, u=2)]
+claim("BLM91-T3.3.3", "periodic points of every period p >= 3 in every dimension", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), sizes=["n"], over={p: integer(3, 7), u: integer(2, 3)},
+      where=[*PERIODIC, BACK_N],
+      by=[steps("BLM91-S55", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="the plane of points with first components only is invariant; in it every point of the hyperbola kappa = -sec(2 pi/p), |kappa| > 1, that does not end has period p, and arbitrarily close to it there are dense, "
+                      "unbounded orbits: sensitivity as in Corollary 3.10"),
+          instances(8, n=(1, 2)), *SWEEP],
+      note="(2.25) of order n run in the number field from two points of each hyperbola, p <= 7. The submanifolds are the corridors (and hyperbolas) in the plane of the first components, where D is not sign definite.")
+claim("BLM91-T3.3", "Theorem 3.3", nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))) & (cited == defining), sizes=["n", "m"], over=POINT,
+      where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m))), let(cited, 3), let(defining, 2)], by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
+      repair=repair("cross-reference", "the pseudo-polynomial D is defined in (2.28), not in (3.28); the parts of the theorem hold, each is a claim of its own",
+                    nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))), sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
+                    by=[steps("BLM91-E2.28", prose="parts 1) to 3) by the claims T3.3.1a to T3.3.3"), instances(n=(1, 2, 3), m=(0, 1, 2))]),
+      note="The conjunction of the parts, of which this is the identity behind parts 1) and 2).")
+
+# ---------------------------------------------------------------------- remarks
+claim("BLM91-R3.1.2", "periods of the algorithm and of the Riccati equation",
+      forall(t, 1, p, iff(back(t), t == p)) & forall(t, 1, y, iff(flat(t), t == y)), over={p: integer(3, 9), y: integer(2, 8), u: integer(2, 3)},
+      where=[let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, function(back, [t], (al[t] == al0) & (ga[t] == ga0)),
+             let(fixed, cospi(1, y)), rec(un, t, u, 1 / (2 * fixed - un[t])), function(flat, [t], un[t] == u)],
+      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-S71", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="q = 1 serves for every p; sensitivity as in Corollary 3.10, with a rational and an irrational angle close to each other"), instances(16), example(p=3, y=2, u=2), example(p=6, y=3, u=2), example(p=5, y=4, u=3)],
+      note="Period p of (3.10) for 1/kappa = -cos(2 pi/p), and period y of the Riccati equation, in the coordinate alpha, for 1/kappa = cos(pi/y); the orbits are run in the number fields.")
+claim("BLM91-R3.5.1", "the stable directions of an equilibrium",
+      forall(i, 1, n, (laurent(un[i], 0) == q0[i]) & (laurent(un[i], 1) == x[i]) & (laurent(wn[i], 1) == ((J - q0 * T(h)) * qs0)[i])) & (charpoly(J - q0 * T(h)) == polynomial_of(q0)), sizes=["n"],
+      over={q0: vector(n), qs0: vector(n), x: vector(n)},
+      where=[SHIFT, FIRST, let(y, qs0 / Z), let(un, 1 / (1 - y[1] ** 2) * (q0 + x / Z - y[1] * (J * y))), let(wn, 1 / (1 - y[1] ** 2) * (J * y - y[1] * (q0 + x / Z)))],
+      by=[steps(facts=["stable manifold theorem"], prose="the linear part at (q, 0) is the identity on q and J - q h' on q*; the contracting directions are as many as the eigenvalues of J - q h' in the open disc, the zeros of Q(z) there"), instances(n=(1, 2, 3))],
+      note="The map at (q + eps x, eps q*), eps = 1/z, to first order. The stable manifold is that of directions contracted at an exponential rate: zeros on the circle, as at (1, 0) for n = 1, do not count.")
+not_checked("BLM91-Q1", "an invariant open subset, by simulations", "a report on simulations for n > 1; it does not say which subset, so that there is nothing to decide")

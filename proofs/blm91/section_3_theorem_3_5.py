@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Section III, Theorem 3.5: the sign definite regions for n = 1, exactly.
+
+Let 0 < kappa^2 < 1 and kappa = 2p/(1 + p^2), 0 < |p| < 1, so that p = alpha_+ and 1/p = alpha_-. On the hyperbola
+gamma^2 = (alpha - p)(alpha - 1/p) and (alpha_t - p)/(p alpha_t - 1) = p^(2t) (alpha_0 - p)/(p alpha_0 - 1).
+
+One step of the algorithm divides by 1 - gamma^2, and shows where it leads:
+
+    IV  |alpha'| = |alpha|/(1 - gamma^2) grows, |alpha'| - |gamma'| = |alpha|/(1 + |gamma|) >= 1: to IV or III
+    III |gamma'| - |alpha'| = |alpha|/(|gamma| + 1) >= 1: to II
+    II  |alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1: to I, with the other sign of alpha
+    I   |alpha'| + |gamma'| = |alpha|/(1 - |gamma|) <= 1: to I, |alpha| grows to |p|
+
+From II to I kappa alpha goes up from a negative to a positive number; its modulus grows only when gamma^2 < 2.
+
+Orbits end where |gamma| = 1: at alpha = 2/kappa and at alpha = 0. The first point has the backward orbit alpha^(i) = U_i/U_(i-1),
+gamma^(i) = +-1/U_(i-1) in IV. The second, (0, +-1), is on every hyperbola, between I and II, and is the exception to the theorem.
+
+For kappa = 1, -1 put alpha = kappa(1 + x): then alpha_t = kappa(1 + x/(1 - t x)). Orbits with x > 0 first go away, to any distance
+however small x is; so (kappa, 0) attracts every orbit that does not end, and is not stable.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+p, y, fixed, at, near, away, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
+    "p y fixed at nearer further IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends alpha_before count alpha_j gamma_j")
+beside, under = symbols("beside below")
+PLANE = {al0: nonzero(), ga0: scalar()}
+ROOT = given("p on the hyperbola", p * (1 + al0**2 - ga0**2) == (1 + p**2) * al0)
+SMALLER = standing("0 < |p| < 1", abs(p) < 1)
+LINE = {al0: (p * y**2 - 1 / p) / (y**2 - 1), ga0: y * (p - 1 / p) / (y**2 - 1)}
+DRAW = dict(using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE})
+NEXT = (let(four0, four_(0)), let(three0, three_(0)), let(two0, two_(0)), let(one0, one_(0)), let(four1, four_(1)), let(three1, three_(1)), let(two1, two_(1)), let(one1, one_(1)),
+        let(bigger, abs(al[1]) > abs(al0)), let(up, kap * al[1] > kap * al0), let(grows, al[1] / al0 > 1), let(kept, kap * al[1] > 0))
+REGION = (INSIDE_KAPPA, *ORBIT, *REGIONS, *NEXT)
+SMALL_KAPPA = standing("0 < kappa^2 < 1", (kap != 0) & (kap**2 < 1))
+SIGNED = "The index of a point is the sign of kappa, which does not change."
+
+# ---------------------------------------------------------------------- a) equilibria and limits
+claim("BLM91-T3.5.a", "the two equilibria of a hyperbola",
+      iff(fixed, at) & (p == (1 - sqrt(1 - kap**2)) / kap) & (1 / p == (1 + sqrt(1 - kap**2)) / kap), over={al0: scalar(), ga0: scalar(), p: nonzero()},
+      where=[let(kap, 2 * p / (1 + p**2)), *ORBIT, let(fixed, (al[1] == al0) & (ga[1] == ga0)), let(at, (ga0 == 0) & ((al0 == p) | (al0 == 1 / p)))], given=[ROOT, SMALLER],
+      by=[steps("BLM91-E5.1", prose="alpha = alpha/(1 - gamma^2) and gamma = -gamma alpha/(1 - gamma^2) leave gamma = 0 (alpha = 0 = gamma is not on the hyperbola), and then (alpha - p)(alpha - 1/p) = 0"),
+          instances(40, **DRAW), example(alpha0="1/3", gamma0=0, p="1/3"), example(alpha0=3, gamma0=0, p="1/3"), example(alpha0="-1/2", gamma0=0, p="-1/2")],
+      note="p = alpha_+, 1/p = alpha_-; the square root of 1 - kappa^2 is rational on the instances.")
+claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
+      ((p * al0 < 1) >> near) & (beside >> away) & ((al[1] - p) * (p * al0 - 1) == p**2 * (al0 - p) * (p * al[1] - 1)) & (ga0**2 == (al0 - p) * (al0 - 1 / p)),
+      over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, let(near, abs(al[1] - p) <= abs(al0 - p)), let(away, abs(al[1] - 1 / p) >= abs(al0 - 1 / p)), let(beside, (1 < p * al0) & (p * al0 < 1 + p**2))], given=[ROOT, SMALLER],
+      by=[steps("BLM91-E5.1", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step, and gamma^2 follows alpha"),
+          instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
+      note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
+MOVE = (al[m] - p) * (p * al0 - 1) == p ** (2 * m) * (al0 - p) * (p * al[m] - 1)
+claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends", MOVE & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
+      over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
+      by=[identity(given_by=LINE, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"), instances(40, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINE)],
+      note="While the orbit exists, alpha_m - p is p^(2m) times a bounded factor (alpha_0 not 1/p), |p| < 1, and gamma_m follows. m is the time.")
+
+# ---------------------------------------------------------------------- a) 1) from region to region
+claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached", grows & (four1 | three1) & kept, over={al0: nonzero(), ga0: nonzero()}, where=REGION, given=[given("in IV", four0), SMALL_KAPPA],
+      by=[steps("BLM91-E5.1", facts=["a quotient by a positive number keeps the order"], prose="1 - gamma^2 is in (0, 1), |alpha'| - |gamma'| = |alpha|/(1 + |gamma|) >= 1; alpha_t cannot grow to a limit in IV, which would be an equilibrium with "
+                "modulus above |alpha_-|, so that III is reached"),
+          instances(40, **IN_IV), example(alpha0=2, gamma0="1/2"), example(alpha0="1/2", gamma0="3/2"), example(alpha0=1, gamma0="1/2"), example(alpha0="3/2", gamma0="1/2"), example(alpha0=-1, gamma0="3/2")],
+      note="gamma_0 not 0: not the equilibrium. One step from any point of IV with a next point. " + SIGNED)
+claim("BLM91-T3.5.a.1.ii", "from III to II", two1 & ~(kept), over=PLANE, where=REGION, given=[given("in III", three0), SMALL_KAPPA],
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="|gamma'| - |alpha'| = |alpha|/(|gamma| + 1) >= 1"), instances(40, **IN_III), example(alpha0="1/2", gamma0="1/4"), example(alpha0=3, gamma0=2)],
+      note="kappa alpha becomes negative. " + SIGNED)
+TWO = dict(over=PLANE, where=REGION, given=[given("in II", two0), SMALL_KAPPA])
+claim("BLM91-T3.5.a.1.iii", "from II to I", one1 & bigger, **TWO, by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
+      repair=repair("other", "kappa alpha grows, from a negative to a positive number, not its modulus: |alpha_1| = |alpha_0|/(gamma_0^2 - 1) is larger than |alpha_0| only for gamma_0^2 < 2; (1, 3) goes to (-1/8, 3/8)",
+                    one1 & up & kept, **TWO,
+                    by=[steps(facts=["a quotient by a positive number keeps the order"], prose="|alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1, and alpha' has the sign opposite to alpha"),
+                        instances(40, **IN_II), example(alpha0=1, gamma0=3), example(alpha0="1/4", gamma0="11/8"), example(alpha0=3, gamma0=1), example(alpha0=2, gamma0="1/4"), example(alpha0="1/2", gamma0="1/4")]),
+      note=SIGNED)
+claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|", one1 & grows & under & ((al[1] - p) * (p * al0 - 1) == p**2 * (al0 - p) * (p * al[1] - 1)),
+      over={al0: nonzero(), ga0: nonzero(), p: nonzero()}, where=[*REGION, let(under, abs(al[1]) < abs(p))], given=[given("in I", one0), ROOT, standing("0 < |p| < 1", abs(p) < 1)],
+      by=[steps("BLM91-E5.1", facts=["a quotient by a positive number keeps the order"], prose="1 - gamma^2 is in (0, 1), |alpha'| + |gamma'| = |alpha|/(1 - |gamma|) <= 1, and the last equation is the convergence"),
+          instances(40, using={u: nonzero(), s1: nonzero()}, made_by={p: SHARE, al0: p * ((s1 + SIGN) ** 2 - 1) / ((s1 + SIGN) ** 2 - p**2), ga0: (s1 + SIGN) * (p**2 - 1) / ((s1 + SIGN) ** 2 - p**2)}),
+          instances(40, **DRAW), example(alpha0=3, gamma0="1/2", p="1/3")],
+      note="gamma_0 not 0: not the equilibrium. p = alpha_+. " + SIGNED)
+
+# ---------------------------------------------------------------------- a) 2) points that end
+PAIR = {al0: scalar(), ga0: scalar(), kap: nonzero()}
+ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
+BOUND = given("0 < kappa^2 < 1", kap**2 < 1)
+ENDS = (*ORBIT, *REGIONS, let(four0, four_(0)), let(lam, 1 / kap), CHEBYSHEV, let(flag, leaves(m)))
+STEP_ = standing("a step", m >= 1)
+AT_STEP = dict(using={u: nonzero(), k: integer(0, 1)}, made_by={kap: SHARE, al0: Ut[m] / Ut[m - 1], ga0: (2 * k - 1) / Ut[m - 1]})
+ON_CURVE = dict(using={u: nonzero(), y: scalar()}, made_by={kap: SHARE, al0: 2 * (1 / kap + y) / (1 - y**2), ga0: 1 + y * al0})
+ZERO = "(0, 1) and (0, -1) lie on every hyperbola, between I and II, and the algorithm ends there at once; other points that end"
+claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, sizes=["m"], over=PAIR, where=ENDS, given=[ON, BOUND, STEP_], by=[example(m=1, alpha0=0, gamma0=1, kappa="1/2"), instances(m=(1, 2), **AT_STEP)],
+      repair=repair("boundary case", ZERO + " are in IV", flag >> four0, sizes=["m"], over={**PAIR, al0: nonzero()}, where=ENDS, given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
+                    by=[steps("BLM91-E5.1", prose="alpha_0 = U_i/U_(i-1), gamma_0 = +-1/U_(i-1): backwards from (2/kappa, +-1), which is in IV, |alpha| falls and |gamma| < 1"),
+                        instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(20, m=(1, 2), **ON_CURVE)]),
+      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1.")
+WHICH = iff(flag, at) & (flag >> (ga0**2 * Ut[m - 1] ** 2 == 1))
+claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", WHICH, sizes=["m"], over=PAIR, where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])], given=[ON, BOUND, STEP_],
+      by=[example(m=1, alpha0=0, gamma0=1, kappa="1/2"), instances(m=(1, 2), **AT_STEP)],
+      repair=repair("boundary case", ZERO + " form the pairs (U_i, +-1)/U_(i-1). The formula is (5.3); there is no (5.13)", WHICH, sizes=["m"], over={**PAIR, al0: nonzero()},
+                    where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])], given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
+                    by=[steps("BLM91-E5.1", "BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="A^(-i)(0, 1)' is (U_(i-1), U_i)', and gamma^2 follows from the hyperbola"),
+                        instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(30, m=(1, 2, 3), **ON_CURVE),
+                        instances(20, m=(2, 3), using={u: nonzero()}, made_by={kap: SHARE, al0: Ut[m - 1] / Ut[m - 2], ga0: 1 / Ut[m - 2]})]),
+      note="U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1).")
+claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
+      (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
+      where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
+      given=[standing("0 < |p| < 1", abs(p) < 1), STEP_],
+      by=[steps("BLM91-E5.1'", prose="U_(t-1) = (p^(-t) - p^t)/(1/p - p); both differences have factors p^m, and the quotients have one sign and fall in modulus"), instances(40, m=(1, 2, 3, 4, 5), using={u: nonzero()}, made_by={p: SHARE})],
+      note="p = alpha_+, 1/p = alpha_-; the points are (alpha_j, +-gamma_j) for j = m.")
+
+# ---------------------------------------------------------------------- b) kappa^2 = 1
+UNIT = let(kap, 2 * k - 1)
+onit, online = symbols("on_hyperbola on_lines")
+claim("BLM91-T3.5.b", "for kappa^2 = 1 the hyperbola is two lines", iff(onit, online) & (1 + al0**2 - ga0**2 - 2 * kap * al0 == (al0 - kap - ga0) * (al0 - kap + ga0)), over={al0: scalar(), ga0: scalar(), k: integer(0, 1)},
+      where=[UNIT, let(onit, 1 + al0**2 - ga0**2 == 2 / kap * al0), let(online, abs(ga0) == abs(al0 - kap))],
+      by=[steps("BLM91-E3.12", prose="kappa^2 = 1; on the lines D vanishes at z = -kappa and has one sign"), instances(), instances(made_by={ga0: al0 - kap}), example(alpha0=2, gamma0=1, k=1), example(alpha0=-3, gamma0=2, k=0)],
+      note="kappa = 2k - 1. Both lines pass through (kappa, 0); that they separate the regions is S34.")
+NEARBY = (UNIT, function(alj, [j, t], when(t == 0, kap * (1 + 2 / (2 * j + 1)), alj(j, t - 1) / (1 - gaj(j, t - 1) ** 2))),
+          function(gaj, [j, t], when(t == 0, 2 / (2 * j + 1), -gaj(j, t - 1) * alj(j, t - 1) / (1 - gaj(j, t - 1) ** 2))))
+LINES_ = (UNIT, *scalar_orbit(kap * (1 + x), x), rec(count, t, 0, count[t] + 1), rec(sg, t, 1, -kap * sg[t]))
+still, rest = symbols("still at_rest")
+claim("BLM91-T3.5.b.eq", "for kappa^2 = 1 the one equilibrium is stable", exists(i, 1, 12, forall(j, i, 24, forall(t, 0, j, abs(alj(j, t) - kap) <= 1))), over={k: integer(0, 1)}, where=NEARBY,
+      by=[example(k=1), instances()],
+      repair=repair("boundary case", "it attracts every orbit that does not end, but it is not stable: with alpha_0 = kappa(1 + x), x > 0, the distance x/(1 - t x) first grows; for x = 2/(2j + 1) it is 2 at step j",
+                    always(t, (al[t] == kap * (1 + x / (1 - count[t] * x))) & (ga[t] == sg[t] * x / (1 - count[t] * x)) & iff(still, rest)), over={x: scalar(), k: integer(0, 1)},
+                    where=[*LINES_, let(still, (al[1] == kap * (1 + x)) & (ga[1] == x)), let(rest, x == 0)],
+                    by=[steps("BLM91-X.1", prose="M_t = kappa^t (1 - t x); the limit is kappa as t grows, and x/(1 - x) = x only for x = 0"), instances(), example(x=0, k=1), example(x=0, k=0), example(x="2/5", k=1)]),
+      note="kappa = 2k - 1. Stable: for some distance 2/(2i + 1) all orbits that start closer stay within distance 1; tried on starting points at distances 2/(2j + 1), j <= 24, none of which stays, and by the formula of "
+           "the correction no smaller one does. In the correction count is t and s is (-kappa)^t.")
+EDGE_ = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, *NEXT)
+OFF = standing("not (0, +-1) and not the equilibrium", (x != 0) & (x != -1))
+FLOW = (three0 >> two1) & (four0 >> (grows & (three1 | four1))) & (one0 >> (one1 & grows))
+DRAW_X = instances(60, using={y: scalar()}, made_by={x: y})
+claim("BLM91-T3.5.b.orb", "orbits for kappa^2 = 1, in the manner of part a) 1)", FLOW & (two0 >> (one1 & bigger)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF], by=[example(x=-3, k=1), instances()],
+      repair=repair("other", "as in part a) 1) it is kappa alpha that grows from II to I, not |alpha|: (-2, 3) goes to (1/4, 3/4)", FLOW & (two0 >> (one1 & up)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF],
+                    by=[steps("BLM91-X.1", prose="alpha_t = kappa(1 + x/(1 - t x)) tends to kappa unless 1/x is one of 1, 2, 3, .."), DRAW_X, example(x="1/3", k=1), example(x="1/2", k=0), example(x=2, k=1), example(x=-3, k=1), example(x="-1/2", k=0)]),
+      note="alpha_0 = kappa(1 + x), gamma_0 = x; by the mirror symmetry that covers both lines. kappa = 2k - 1. (0, +-1), x = -1, is in II and I and has no next point.")
+LAST = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
+ESC = iff(flag, at) & (flag >> four0)
+claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC, sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST, given=[STEP_], by=[example(m=1, x=-1, k=1), instances(m=(1, 2))],
+      repair=repair("boundary case", ZERO + " are kappa(i + 1)/i, gamma = +-1/i, in IV", ESC & (flag >> (al0 == kap * (m + 1) / m)), sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST,
+                    given=[STEP_, given("not (0, +-1)", x != -1)],
+                    by=[steps("BLM91-X.1", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)]),
+      note="alpha_0 = kappa(1 + x), gamma_0 = x, kappa = 2k - 1. The pair that ends after i steps has x = 1/i.")
+claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
+      repair=repair("other", "from II to I kappa alpha grows, not |alpha|; (0, 1) and (0, -1) end though they are not in IV; for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold, each is a claim of its own",
+                    (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],
+                    by=[steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
+      note="The conjunction of the parts, represented by the steps between regions.")
+AWAY = p ** (2 * m) / (al[m] - p) == 1 / (al0 - p) - sum_of(j, 1, m, p ** (2 * j - 1))
+claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", AWAY, sizes=["m"], over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
+      by=[identity(given_by=LINE, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"), instances(40, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINE),
+          example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0=4, gamma0=3, p=1)],
+      note="The sign definite regions are kappa^2 <= 1: p is real there, |p| <= 1, and the equation shows that alpha_m - p tends to 0 (for |p| = 1 because the sum grows); alpha_0 = 0 leads to (0, 0) by S36. The equilibrium 1/p itself stays where it is.")

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Section III, Theorem 3.7 and its corollaries: the corridors for n = 1.
+
+kappa^2 > 1, kappa = 1/cos(theta), omega = (pi - theta)/2. In closed form alpha_t = M_(t-1)/M_t, gamma_t = (-1)^t gamma_0/M_t with
+M_(t+1) = (2/kappa) M_t - M_(t-1), M_0 = 1, M_(-1) = alpha_0: the point is back after t steps exactly when t omega is a multiple of pi. With
+omega = pi q/p in lowest terms all points have period p, but those that end; otherwise every orbit that does not end is dense.
+
+The points that end have alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), U_(i-1) = sin(i theta)/sin(theta). For theta = pi n/d they are finitely many, i = 1, .., d - 1.
+They end at step i, but for the last two, (0, 1) and (0, -1), where |gamma| = 1 already.
+
+1/kappa = -cos(2 pi q/p) is never 0 for kappa < -1 or kappa > 1: period 4 is that of kappa infinite alone.
+
+In any neighbourhood of a point of the corridors 1/kappa takes an interval of values: rational and irrational angles, and zeros of U_i(1/kappa) = alpha_0
+U_(i-1)(1/kappa), lie in it. So periodic, dense (hence unbounded) and ending orbits are all dense there, the two latter uncountably many, and none of the
+orbits stays with its neighbours.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import evaluation, example, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, never, alb, gab = symbols("p q y gcd odd d back time alpha_i gamma_i count found hits far never alpha_near gamma_near")
+LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
+BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
+EXISTS = standing("the orbit exists", defined(ga[p]))
+#: half of arctan sqrt(kappa^2 - 1), or of its supplement, is pi q/p
+BY_OMEGA = (GCD, let(lam, when(4 * q > p, cospi(p - 2 * q, p), -cospi(2 * q, p))), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
+KRONECKER = "Kronecker: multiples of an irrational part of a full turn are dense on the circle"
+
+# ---------------------------------------------------------------------- the theorem
+claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), over={p: integer(3, 7), q: integer(1, 3), u: integer(2, 4)}, where=BY_OMEGA,
+      given=[*LOWEST, EXISTS],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"], prose="|kappa| > 1 and omega = pi q/p give 1/kappa = cos(pi - 2 omega) = -cos(2 pi q/p), and X.5 is the statement"),
+          instances(8), *(example(p=p_, q=q_, u=2) for p_, q_ in ((3, 1), (4, 1), (5, 2), (6, 1), (7, 3)))],
+      note="omega = pi q/p < pi/4 is kappa < -1, where arctan sqrt(kappa^2 - 1) = 2 omega; omega > pi/4 is kappa > 1, where it is pi - 2 omega. u runs through points of the hyperbola; all angles with p <= 60 are decided in X.3.")
+TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
+         function(gt, [i, t], when(t == 0, 1 / Ut[i - 1], -gt(i, t - 1) * st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
+         let(odd, ~exists(k, 1, p, 2 * k == p)), let(d, when(odd, p, p - p / 2)), function(time, [i, t], defined(st(i, t - 1)) & ~defined(st(i, t))),
+         function(count, [t], 2 * sum_of(i, 1, d - 1, when(time(i, t), 1, 0))))
+COUNTED = (GCD, let(lam, -cospi(2 * q, p)), *TIMES)
+RIGHT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0)))
+ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
+WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
+ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
+LISTED = "The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
+claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
+      by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
+      repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
+                    by=[evaluation(p=range(3, 10, 2)), instances(12, p=range(3, 9, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9.")
+claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
+      by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
+      repair=repair("boundary case", WHY, RIGHT & (ALL == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=COUNTED, given=[*LOWEST, EVEN],
+                    by=[evaluation(p=range(4, 15, 2)), instances(12, p=range(4, 9, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14. p = 4, kappa infinite, is right as printed.")
+claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
+      where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
+      by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
+          instances(), example(y=2), example(y=-3)],
+      note="y = alpha + gamma runs over all nonzero numbers. The two points y = 1, -1 end in one step; all others have period 4.")
+DENSE = (*ORBIT, LAMBDA, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
+IRRATIONAL = [standing("|kappa| > 1", abs(lam) < rational("9/10")), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))]
+pick, double = symbols("pick double")
+SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("2/5"), rational("-4/5"))))
+DRAW = dict(using={pick: integer(1, 4), y: scalar()}, made_by={al0: 2 * (SOME + y) / (1 - y**2), ga0: 1 + y * al0})
+claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", never & (hits >= 1), over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=IRRATIONAL,
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-E5.7", "BLM91-E5.8", facts=[KRONECKER], prose="in the coordinate a the algorithm is a turn of lines by the angle omega in a suitable basis, and each point of the hyperbola has its own a; the points of the orbit are dense among the lines"),
+          instances(40, **DRAW), example(alpha0=2, gamma0=2), example(alpha0=3, gamma0=3), example(alpha0=2, gamma0=-2)],
+      note="On rational points, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2: no return within 12 steps, and an excursion |alpha_t| > 5 within 60.")
+TARGET = (CHEBYSHEV, let(hits, sum_of(i, 1, 120, when(2 * abs(Ut[i] - x * Ut[i - 1]) < abs(Ut[i - 1]), 1, 0))), let(far, sum_of(i, 1, 120, when(Ut[i] == 0, 1, 0))))
+claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and dense", (hits >= 1) & never & double, over={x: integer(-2, 2), pick: integer(1, 4)},
+      where=[let(lam, SOME), *TARGET, let(never, far == 0), let(double, 1 + x**2 - 2 * lam * x > 0)],
+      by=[steps("BLM91-X.1", "BLM91-S71", "BLM91-S79", facts=[KRONECKER], prose="a point ends at step i when alpha = U_i/U_(i-1), the slope of one line turned by -i theta; gamma has two values; all other points, uncountably many near every point, do not end"),
+          instances(24)],
+      note="1/kappa = 3/5, -1/3, 2/5, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close; double: the slope belongs to two points.")
+claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances(p=range(3, 9))],
+      repair=repair("boundary case", WHY + "; the other parts hold, each is a claim of its own", RIGHT, sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
+                    by=[evaluation(p=range(3, 10)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
+      note="Either theta is a rational multiple of pi or not; represented by the count of points that end in the first alternative, the part that fails.")
+
+# ---------------------------------------------------------------------- Corollary 3.8
+CORRIDOR = standing("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)
+IN_CORRIDOR = dict(using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})
+NEAR = let(hits, sum_of(j, 1, 3, when(abs(lam + cospi(2 * j, 7)) < rational("1/2"), 1, 0)))
+claim("BLM91-C3.8.1", "periodic points are dense in the corridors", hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=[LAMBDA, NEAR], given=[CORRIDOR],
+      by=[steps("BLM91-X.2", "BLM91-X.3", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="1/kappa is a continuous and nowhere locally constant function of the point, and on kappa = -sec(2 pi q/p) all points but finitely many values of alpha are periodic"),
+          instances(10, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2"), example(alpha0=-1, gamma0=1)],
+      note="hits counts the hyperbolas of period 7 within 1/2 of the given one in 1/kappa, one sample of the approximation.")
+ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
+claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: integer(2, 4)}, where=ORDER,
+      given=[EXISTS], by=[steps("BLM91-X.2", "BLM91-X.3", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
+      note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
+REALIZED = function(flag, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k > 0)))
+FOUR = "period 4 needs omega = pi/4, that is 1/kappa = 0; kappa infinite has it, and no finite kappa of either sign"
+below, above = symbols("below above")
+WITH = (GCD, REALIZED, function(below, [p], flag(p, -1)), function(above, [p], flag(p, 1)))
+claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH, by=[example(m=4), instances(m=(3, 4))],
+      repair=repair("boundary case", FOUR + ": for kappa < -1 every period p >= 5", forall(p, 3, m, iff(below(p), p >= 5)), sizes=["m"], where=WITH, by=[evaluation(m=60), instances(m=(4, 6, 9))]),
+      note="Period p occurs for kappa < -1 when 1/kappa = cos(pi (p - 2q)/p) < 0 for a q prime to p, q < p/2. kappa is a real number here; were kappa = -infinity counted, the print would be right. p <= 60.")
+EXCEPT = (function(hits, [p], (p != 4) & (p != 6)), function(far, [p], p != 6))
+claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[example(m=4), instances(m=(3, 4))],
+      repair=repair("boundary case", FOUR + ": for kappa > 1 every period p >= 3 except 4 and 6", forall(p, 3, m, iff(above(p), hits(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[evaluation(m=60), instances(m=(4, 6, 9))]),
+      note="As for kappa < -1. For every p the number q of Lemma 5.1 serves, with q/p > 1/4 strictly unless p = 4. p <= 60.")
+claim("BLM91-C3.8", "Corollary 3.8", forall(p, 3, m, iff(below(p), p >= 4) & iff(above(p), far(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[example(m=4), instances(m=(3, 4))],
+      repair=repair("boundary case", FOUR + "; density and the existence of every period hold, as claims of their own", forall(p, 3, m, iff(below(p), p >= 5) & iff(above(p), hits(p))), sizes=["m"], where=[*WITH, *EXCEPT],
+                    by=[evaluation(m=40), instances(m=(4, 6, 9))]), note="The explicit part of the corollary, p <= 40.")
+
+# ---------------------------------------------------------------------- Corollaries 3.9 and 3.10
+INTERVAL = (let(lam, SOME), function(Ut, [t], when(t == 0, 1, when(t == 1, 2 * Z, 2 * Z * Ut(t - 1) - Ut(t - 2)))), let(hits, real_roots(Ut(31) - al0 * Ut(30), lam - rational("1/9"), lam + rational("1/9"))))
+claim("BLM91-C3.9.1", "points that end are uncountable and dense", (hits >= 1) & flag & (ga[0] ** 2 == 1), over={al0: nonzero(), pick: integer(1, 4)}, where=[*INTERVAL, *scalar_orbit(al0, 1), let(flag, leaves(1))],
+      by=[steps("BLM91-X.1", facts=["the zeros of U_i - alpha_0 U_(i-1), i of them, become dense as i grows (interlacing with those of the Chebyshev polynomials)"],
+                prose="near a point of the corridors, with alpha_0 kept, 1/kappa takes an interval of values, and in it zeros of U_i(1/kappa) = alpha_0 U_(i-1)(1/kappa); these curves, already the lines |gamma| = 1, are uncountable"), instances(24)],
+      note="hits: values of 1/kappa within 1/9 of 3/5, -1/3, 2/5 or -4/5 for which the point with first coordinate alpha_0 ends at step 31. The second part: (alpha_0, 1) ends at step 1.")
+claim("BLM91-C3.9.2", "points with unbounded orbit are uncountable and dense", hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=DENSE, given=[standing("|kappa| > 1", abs(lam) < rational("9/10")), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
+      by=[steps("BLM91-X.1", "BLM91-X.2", facts=[KRONECKER], prose="irrational angles are dense and uncountably many, and on their hyperbolas all but countably many orbits are dense, hence unbounded"), instances(30, **DRAW)],
+      note="hits: steps t <= 60 with |alpha_t| > 5, on rational points with irrational angle.")
+#: a period-3 point and a point near it on another hyperbola
+PAIR = (let(lam, rational("1/2")), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT,
+        rec(alb, t, al0 + rational("1/20"), alb[t] / (1 - gab[t] ** 2)), rec(gab, t, ga0, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
+        function(far, [t], abs(alb[t] - al[t]) > 20), let(hits, sum_of(t, 1, 200, when(far(t), 1, 0))))
+SENSITIVE = dict(over={u: integer(2, 9)}, where=PAIR)
+APART = "a periodic orbit is bounded and a dense one is not, so that for every bound some iterates are further apart"
+claim("BLM91-C3.10", "sensitive dependence on initial data", (al[3] == al0) & (ga[3] == ga0) & (hits >= 1), **SENSITIVE,
+      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-X.6", facts=[KRONECKER], prose="near every point of the corridors there are periodic points and points with dense orbit; " + APART), instances(8)],
+      note="A point of period 3 and the point 1/20 further in alpha: their distance exceeds 20 at some step t <= 200. Points whose orbit ends have no iterates to compare from then on; sensitivity is read for orbits that exist.")
+claim("BLM91-S40", "an orbit that is not periodic leaves its periodic neighbours", (hits >= 1) & forall(t, 0, 5, al[t + 3] == al[t]), **SENSITIVE,
+      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-X.6", facts=[KRONECKER], prose="every orbit of the corridors ends, is periodic or is dense (Theorem 3.7); " + APART + "; an orbit that ends is at infinity at that step, its neighbours arbitrarily far out"), instances(8)],
+      note="The dense orbit is the neighbour in the sample of C3.10. For an orbit that ends the distance at its last step is read as infinite.")
+claim("BLM91-S41", "a periodic orbit is left by neighbours with dense orbit", (hits >= 1) & (abs(alb[0] - al0) * 20 == 1) & (gab[0] == ga0), **SENSITIVE,
+      by=[steps("BLM91-X.2", "BLM91-X.6", facts=[KRONECKER], prose="irrational angles are dense; " + APART), instances(8)], note="The sample of C3.10.")

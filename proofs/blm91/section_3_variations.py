@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Section III, Remarks 3.11 and 3.12: continuous time, and a family of maps with one parameter.
+
+In continuous time alpha = a + g - pi and gamma^2 = d pi/dt turn the scalar Riccati equation d pi/dt = -2a pi + (g - pi)^2 into d alpha/dt = -gamma^2,
+d gamma/dt = -gamma alpha. H = alpha^2 - gamma^2 is constant, so that d alpha/dt = H - alpha^2 and alpha = y'/y with y'' = H y, y(0) = 1, y'(0) = alpha_0. A
+solution escapes at the first positive zero of y. There is one when H < 0, and for H >= 0 when alpha_0 < -sqrt(H); for gamma_0 not 0 that is every
+point outside alpha >= |gamma|. But (alpha, 0) is at rest, also for alpha < 0.
+
+The slope map f(kappa, alpha) = kappa/(2 - kappa alpha) takes 1/kappa = cos(pi n/d) to a map of period d, all other kappa^2 > 1 to one with dense
+orbits. In the quadratic family kappa x(1 - x) the period doubles at 3, 1 + sqrt 6 = 3.449.., 3.544.., 3.564.., .. up to 3.5699..: beyond 3.45 the
+doubling goes on.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, evaluation, example, identity, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
+    "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
+RATE = (let(dpi, -2 * a * pi_ + (g - pi_) ** 2), let(al0, a + g - pi_))
+claim("BLM91-E3.15", "the continuous-time system from the Riccati equation",
+      (coeff(y, 1) == -2 * al0 * dpi) & (al0 - (a + g - (pi_ + dpi)) == dpi), over={a: scalar(), g: scalar(), pi_: scalar()},
+      where=[*RATE, let(y, -2 * a * (pi_ + dpi * Z) + (g - pi_ - dpi * Z) ** 2)], by=[identity(), instances()],
+      note="d pi/dt = -2a pi + (g - pi)^2, alpha = a + g - pi, gamma^2 = d pi/dt. Moving pi by dpi lowers alpha by dpi = gamma^2, which is the first equation; the rate dpi itself changes, to first order, "
+           "by -2 alpha gamma^2, so that 2 gamma d gamma/dt = -2 alpha gamma^2, the second.")
+claim("BLM91-R3.11.1", "the integral of the continuous-time system", coeff((al0 - ga0**2 * Z) ** 2 - (ga0 - ga0 * al0 * Z) ** 2, 1) + al0**2 - ga0**2 == coeff((al0 - ga0**2 * Z) ** 2 - (ga0 - ga0 * al0 * Z) ** 2, 0),
+      over={al0: scalar(), ga0: scalar()}, by=[identity(), instances()], note="alpha^2 - gamma^2 along (alpha, gamma) + z (-gamma^2, -gamma alpha): the coefficient of z is its rate of change.")
+INSIDE = let(inside, al0 >= abs(ga0))
+CONT = (INSIDE, let(rest, (-(ga0**2) == 0) & (-ga0 * al0 == 0)), let(H, al0**2 - ga0**2), let(escapes, (H < 0) | (al0 < 0) & (al0**2 > H)))
+claim("BLM91-R3.11.2", "continuous time: escape outside the positive real region", ~inside >> ~rest, over={al0: scalar(), ga0: scalar()}, where=CONT, by=[example(alpha0=-1, gamma0=0), instances()],
+      repair=repair("boundary case", "(alpha, 0) is at rest for every alpha, also for alpha < 0, outside the region; every solution with gamma_0 not 0 outside the region escapes",
+                    iff(~inside, escapes) & ~rest & (H - al0**2 == -(ga0**2)), over={al0: scalar(), ga0: nonzero()}, where=CONT,
+                    by=[steps("BLM91-R3.11.1", facts=["the solution of d alpha/dt = H - alpha^2 is y'/y with y'' = H y, y(0) = 1, y'(0) = alpha_0"],
+                              prose="y has a positive zero for H < 0, and for H >= 0 exactly when alpha_0 < -sqrt(H)"), instances(60), example(alpha0=1, gamma0=1), example(alpha0=-1, gamma0=1), example(alpha0=-2, gamma0=1), example(alpha0=2, gamma0=1)]),
+      note="As printed no solution that starts outside alpha >= |gamma| stays for ever; a point at rest stays. escapes: y, with H = alpha_0^2 - gamma_0^2, has a positive zero.")
+
+# ---------------------------------------------------------------------- one parameter
+claim("BLM91-E3.16", "the slope map", al[1] == kap / (2 - kap * al0), over={al0: scalar(), ga0: scalar(), kap: nonzero()}, where=ORBIT, given=[given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)],
+      by=[combination([(-kap / ((1 - ga0**2) * (2 - kap * al0)), "on the hyperbola", 1)]), instances(made_by={kap: 2 * al0 / (1 + al0**2 - ga0**2)})],
+      note="f(kappa, alpha) = kappa/(2 - kappa alpha), as in (5.1).")
+claim("BLM91-E3.17", "the quadratic map of the unit interval", (y >= 0) & (y <= 1), over={kap: scalar(), x: scalar()}, where=[let(y, kap * x - kap * x**2)],
+      given=[standing("0 <= kappa", kap >= 0), given("kappa <= 4", kap <= 4), given("unit interval", (x >= 0) & (x <= 1))],
+      by=[steps(facts=["x(1 - x) is between 0 and 1/4 on the unit interval"], prose="kappa/4 <= 1"), instances(60, using={u: scalar(), w: scalar()}, made_by={x: abs(u) / (1 + abs(u)), kap: 4 * abs(w) / (1 + abs(w))}),
+          example(kappa=4, x="1/2"), example(kappa=5, x="1/2"), example(kappa=1, x=2), example(kappa=0, x=1)],
+      note="The display introduces the map; checked is that it maps [0, 1] into itself for 0 <= kappa <= 4.")
+#: Q(y), y on the real 4-cycle for kappa = 7/2 and for kappa = 71/20
+STABLE = example(kappa="7/2", y=[0, 1], field=[["54272/13841287201", "-61056/282475249", "203520/40353607", "-2520680/40353607", "383772/823543", "-263610/117649", "849283/117649", "-38154/2401",
+                                                "8217/343", "-8338/343", "111/7", -6, 1], "19/50", "2/5"])
+DOUBLED = example(kappa="71/20", y=[0, 1], field=[
+    ["55715840000000000/16409682740640811134241", "-633767680000000/3255243551009881201", "214192582400000/45848500718449031", "-2710495568008000/45848500718449031", "4077611901200/9095120158391",
+     "-279590565860/128100283921", "909138688421/128100283921", "-399685486/25411681", "8526465/357911", "-8678520/357911", "1125/71", -6, 1], "9/25", "37/100"])
+FOUR = [standing("a cycle of period 4", (f(x4) == x1) & (f(x2) != x1)), standing("3.45 < kappa < 3.57", (kap > rational("69/20")) & (kap < rational("357/100")))]
+CYCLES = (function(f, [x], kap * x - kap * x * x), let(x1, y), let(x2, f(x1)), let(x3, f(x2)), let(x4, f(x3)), let(mult, kap**4 * (1 - 2 * x1) * (1 - 2 * x2) * (1 - 2 * x3) * (1 - 2 * x4)))
+FAMILY = dict(over={kap: scalar(), y: scalar()}, where=CYCLES, given=FOUR)
+claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1, **FAMILY, by=[DOUBLED],
+      repair=repair("other", "3.449.. = 1 + sqrt 6 is where the period doubles from 2 to 4, not where doubling ends: the 4-cycle is stable at 7/2, and at 71/20 it has lost its stability by a multiplier below -1, to a cycle of period 8",
+                    iff(above, kap <= rational("177/50")) & (mult < 1), over=FAMILY["over"], where=[*CYCLES, let(above, mult > -1)], given=FOUR, by=[STABLE, DOUBLED]),
+      note="Had doubling subsided for kappa > 3.45, the 4-cycle that is stable there would stay so up to the onset of chaos at 3.5699... The real 4-cycle is taken at kappa = 7/2 and 71/20, in its number field. That stable cycles of "
+           "arbitrarily high period 2^k exist in the range is right because doubling goes on; that (3.17) maps [0, 1] into itself is E3.17.")
+LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
+CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(be, t, u, 1 / (2 * lam - be[t])))
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(be[t] == u, flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11), u: integer(3, 5)},
+      where=[*CIRCLE, function(flag, [t], t == d)], given=[*LOW, standing("the orbit exists", defined(be[d]))], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=3, n_angle=1, u=3), example(d=5, n_angle=2, u=4)],
+      note="1/kappa = cos(pi n/d): period d from each of three slopes, and U_(t-1) = 0 first for t = d, so that the slopes U_i/U_(i-1), i < d, are all that end. For every slope: A^d is a multiple of the identity.")
+claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},
+      where=[GCD, let(lam, cospi(nn, d)), let(hits, sum_of(k, -99, 99, when((abs(100 * lam - k) < 2) & (k != 0) & (abs(k) != 50), 1, 0)))], given=LOW,
+      by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="rational values of 1/kappa other than 0, 1/2, -1/2 have irrational angles and are dense; there every orbit is dense or ends"), instances(10), example(d=2, n_angle=1), example(d=3, n_angle=1)],
+      note="hits: rational numbers k/100 with irrational angle within 1/50 of 1/kappa = cos(pi n/d).")
+claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={lam: scalar(), x: scalar()},
+      where=[rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
+      given=[standing("|kappa| > 1", abs(lam) < 1)],
+      by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="A is a turn in a suitable basis; the derivative f' = f^2 satisfies the second equation, so that f multiplies lengths d alpha/(1 - 2 lambda alpha + alpha^2) by one: neither attraction nor repulsion"),
+          instances(40, using={u: scalar(), w: scalar()}, made_by={lam: u / (1 + abs(u)), x: w}), instances(30, using={k: integer(-1, 1), w: scalar()}, made_by={lam: k * rational("1/2"), x: w})],
+      note="|kappa| > 1. On rational 1/kappa: returns within 6 steps exactly for 0 (period 2) and +-1/2 (period 3). slope is f'(alpha); critically stable means that f keeps a length.")

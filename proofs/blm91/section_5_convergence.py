@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""Section V, (5.1)-(5.3): the linear model, Theorem 3.3, and the proof of Theorem 3.5.
+
+On the hyperbola 1 + alpha^2 - gamma^2 = (2/kappa) alpha the first equation of the
+algorithm does not need gamma: alpha' = 1/(2/kappa - alpha). On lines through the origin
+of the plane, slope v_2/v_1, this is the matrix A = [[2/kappa, -1], [1, 0]], of determinant
+1, with characteristic polynomial s^2 - (2/kappa)s + 1.
+
+For 0 < kappa < 1 write kappa = 2p/(1 + p^2), 0 < p < 1. The eigenvalues of A are 1/p
+and p; p = alpha_+ and 1/p = alpha_- are the fixed slopes, and
+
+    (alpha' - p)/(alpha' - 1/p) = p^2 (alpha - p)/(alpha - 1/p):
+
+every other slope tends to p. To the right of 1/p a slope grows until it passes
+infinity, comes back on the left of p and grows to p; it ends at infinity
+when it is one of alpha^(i) = U_i/U_(i-1), U_0 = 1, U_1 = 2/kappa, which decrease to 1/p.
+For kappa = 1, A is a Jordan block and 1/(alpha - 1) decreases by one at each step.
+
+r_(t+1)/r_t = 1 - gamma_t^2 tells where |gamma_t| > 1: D/r_t changes sign there, and the
+increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative when r_t is, that is in region II.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
+from exactkf.language import *
+from proofs.blm91.notation import *
+
+A, V, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
+E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
+A_KAPPA = let(A, rows([[2 / kap, -1], [1, 0]]))
+#: 0 < kappa < 1 by the smaller eigenvalue p, and the slope map
+BY_P = (let(kap, 2 * p / (1 + p**2)), A_KAPPA, function(f, [x], 1 / (2 / kap - x)))
+BELOW_ONE = given("0 < p < 1", (p > 0) & (p < 1))
+#: p in (0, 1)
+DRAW_P = dict(using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u))})
+ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
+
+# ---------------------------------------------------------------------- Theorem 3.3
+claim("BLM91-S53", "the limit of Q_t is a spectral factor",
+      Qp(m) * recip(Qp(m)) - r[m] * D == Qs(m) * recip(Qs(m)), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*stripped(g + a, g), *POLYNOMIALS, INVARIANT],
+      by=[steps("BLM91-E2.28", prose="q*_t tends to zero, so r_t q*_t does with r_t bounded, and both sides tend to zero; r_t = D_0/(1 + |q_t|^2 - |q*_t|^2) converges with q_t"),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
+      note="The limit has no finite test; checked is the exact difference Q_t Q_t* - r_t D = Q*_t (Q*_t)*, which tends to zero with q*_t. m is the time t.")
+Qm = sym("Q_m")
+claim("BLM91-S54", "positive real data: q*_t tends to zero, Q_t and its limit are stable",
+      (dist < rational("1/1000")) & schur(Qm) & schur(sg), sizes=["n", "m"], over=STEADY_OVER, where=[*STEADY, let(Qm, Qp(m))], given=STEADY_GIVEN,
+      by=[steps("BLM91-E2.28", "BLM91-E2.27", facts=["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
+                prose="as for the convergence of the filter in Section II"),
+          instances(n=(1, 2), m=(0, 3), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]),
+          example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
+      note="Tested as in Section II on data with known spectral factor: the state at t = 20 is within 1/1000 (squared) of (x, 0). The print names [14] (Levinson) as its source; whether "
+           "that source contains it is not judged. m is the time t.")
+claim("BLM91-S55", "only first components: the scalar algorithm",
+      always(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1)), sizes=["n"], over={al0: scalar(), ga0: scalar()},
+      where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+
+# ---------------------------------------------------------------------- kappa infinite
+INFINITE = (let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT)
+claim("BLM91-S56", "kappa infinite: alpha_t has period 2",
+      (ga0**2 - al0**2 == 1) & (al[1] == -(al0**-1)) & (al[2] == al0), over={y: nonzero()}, where=INFINITE, by=[identity(), instances()],
+      note="y = alpha_0 + gamma_0 runs over all nonzero numbers. -1/alpha is not alpha, so that the period is 2. One step from any point of the hyperbola; the next point is on it again.")
+claim("BLM91-S57", "kappa infinite: the orbit has period 4",
+      eq(ga[2], -al[2] * ga[1], al[2] * al[1] * ga0, -ga0) & (al[4] == al0) & (ga[4] == ga0), over={y: nonzero()}, where=INFINITE, by=[identity(), instances()],
+      note="alpha_0 not 0. gamma_2 = -gamma_0 is not gamma_0, and alpha_1, alpha_3 are not alpha_0, so that 4 is the smallest.")
+
+# ---------------------------------------------------------------------- the linear model
+claim("BLM91-E5.1", "alpha_t by itself on a hyperbola", al[1] == kap / (2 - kap * al0), over={al0: scalar(), ga0: scalar(), kap: nonzero()}, where=ORBIT, given=[ON],
+      by=[combination([(-kap / ((1 - ga0**2) * (2 - kap * al0)), "on the hyperbola", 1)]), instances(made_by={kap: 2 * al0 / (1 + al0**2 - ga0**2)})],
+      note="One step from any point; the next point is on the same hyperbola.")
+MODEL_V = (A_KAPPA, rec(V, t, rows([[1], [al0]]), A * V[t]), rec(be, t, al0, kap / (2 - kap * be[t])))
+claim("BLM91-E5.1'", "the linear model on lines", always(t, (be[t] == V[t][2, 1] / V[t][1, 1]) & symplectic(A)), over={al0: scalar(), kap: nonzero()}, where=MODEL_V,
+      by=[induction(cofactors=[[(kap**2 / ((2 - kap * be[t]) * (2 - kap * V[t][2, 1] / V[t][1, 1])), 0, 1)], []]), instances()])
+lp, lm, up, bigger, fx, near, away, changes, beyond, below, falls = symbols("lambda_plus lambda_minus up bigger f_x nearer further changes beyond below falls")
+ROOTS_ = (A_KAPPA, let(lp, (1 + sqrt(1 - kap**2)) / kap), let(lm, (1 - sqrt(1 - kap**2)) / kap))
+claim("BLM91-F6", "real characteristic roots for kappa^2 < 1",
+      (charpoly(A) == (Z - lp) * (Z - lm)) & (lp * lm == 1) & iff(up, bigger), over={kap: nonzero()}, where=[*ROOTS_, let(up, kap > 0), let(bigger, lp > lm)], given=[given("0 < kappa^2 < 1", kap**2 < 1)],
+      by=[steps(facts=["Vieta's formulas"], prose="the roots are (1 +- sqrt(1 - kappa^2))/kappa, with sum 2/kappa and product 1; their difference has the sign of kappa"),
+          instances(40, using={u: nonzero()}, made_by={kap: 2 * SHARE / (1 + SHARE**2)}), example(kappa=1)],
+      note="The order of lambda_+ and lambda_- for negative kappa is the reverse of that for positive kappa: this is how 'interchanged' is read. On instances the square root is rational.")
+cir, dm, dn, pit, flag, fq = symbols("on_circle d_m d_n pi_t region f_kappa")
+claim("BLM91-E5.2a", "roots on the unit circle for |kappa| > 1",
+      (charpoly(A) == Z**2 - 2 * (1 / kap) * Z + 1) & iff(kap**2 > 1, cir == 2), over={kap: nonzero()}, where=[A_KAPPA, let(cir, circle_roots(charpoly(A)) - real_roots(charpoly(A), -3, 3))],
+      by=[steps(facts=["z^2 - 2 cos(theta) z + 1 has the zeros exp(i theta) and exp(-i theta)"], prose="1/kappa = cos(theta_kappa) for the theta_kappa of (5.2b), in (0, pi)"),
+          instances(40), example(kappa=1), example(kappa=-1), example(kappa="101/100"), example(kappa="-101/100")],
+      note="Two zeros on the circle and none of them real: exactly for kappa^2 > 1. cos(theta_kappa) = 1/kappa is (5.2b).")
+claim("BLM91-E5.2b", "the angle of the roots",
+      (2 * fq < p) & (cospi(fq, p) == abs(1 / kap)) & iff(kap > 1, fq == j) & iff(kap < -1, fq == p - j), sizes=["p"], over={j: integer(1, 15)},
+      where=[let(kap, 1 / cospi(j, p)), let(fq, when(kap > 1, j, p - j))], given=[standing("angle", j < p), standing("kappa finite", 2 * j != p)],
+      by=[evaluation(p=range(3, 17)), instances(12, p=range(3, 9))],
+      note="theta_kappa is pi j/p with cos(theta_kappa) = 1/kappa, and f pi/p is arctan sqrt(kappa^2 - 1), the angle in (0, pi/2) with cosine 1/|kappa|: f = j for "
+           "kappa > 1, f = p - j for kappa < -1. All angles with p <= 16.")
+
+# ---------------------------------------------------------------------- proof of Theorem 3.5, 0 < kappa < 1
+EIGEN = (*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]])), rec(V, t, bp * vp + bm * vm, A * V[t]), rec(Lp, t, 1, 1 / p * Lp[t]), rec(Lm, t, 1, p * Lm[t]),
+         rec(Rt, t, 1, p**2 * Rt[t]))
+BETA = {p: nonzero(), bp: scalar(), bm: scalar()}
+P_NOTE = "kappa = 2p/(1 + p^2) with p = lambda_- in (0, 1) and 1/p = lambda_+."
+claim("BLM91-S58", "eigenvectors of A", (A * vp == 1 / p * vp) & (A * vm == p * vm), over={p: nonzero()}, where=[*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]]))],
+      by=[identity(), instances()], note=P_NOTE)
+claim("BLM91-S59", "stable and unstable fixed points",
+      (f(p) == p) & (f(1 / p) == 1 / p) & ((fx - p) * (p * x - 1) == p**2 * (x - p) * (p * fx - 1)) & ((x < 1 / p) >> near)
+      & (((p < x) & (x < 2 / kap)) >> away), over={p: scalar(), x: scalar()},
+      where=[*BY_P, let(fx, f(x)), let(near, abs(fx - p) <= abs(x - p)), let(away, abs(fx - 1 / p) >= abs(x - 1 / p))], given=[BELOW_ONE],
+      by=[steps("BLM91-S58", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step: it tends to zero, so alpha_t to p, and in the neighbourhood of 1/p "
+                "the distance to 1/p grows"),
+          instances(60, using={u: nonzero(), y: scalar()}, made_by={p: abs(u) / (1 + abs(u)), x: y}), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
+          example(p="1/2", x="9/4"), example(p="1/2", x="7/4"), example(p=2, x=1), example(p=-2, x=1)],
+      note=P_NOTE + " alpha_+ = p and alpha_- = 1/p are the slopes of v_+ and v_-.")
+claim("BLM91-S60", "powers of A in the eigenvectors",
+      always(t, (V[t] == bp * Lp[t] * vp + bm * Lm[t] * vm) & (V[t] == Lp[t] * (bp * vp + bm * Rt[t] * vm)) & (Lm[t] == Lp[t] * Rt[t])), over=BETA, where=EIGEN,
+      by=[induction(cofactors=[[(A, 0, 1)], [(A, 1, 1)], [(p, 2, 1)]]), instances()],
+      note=P_NOTE + " L_+ = lambda_+^t, L_- = lambda_-^t, R = (lambda_-/lambda_+)^t = p^(2t), which tends to zero, and with it the line to the span of v_+, if beta_+ is not 0.")
+SLOPE = function(sl, [t], (inv(hstack(vp, vm)) * V[t])[2, 1] / (inv(hstack(vp, vm)) * V[t])[1, 1])
+claim("BLM91-S61", "the slope in the coordinates of the eigenvectors",
+      always(t, (sl(t) == bm / bp * Rt[t]) & (abs(sl(t + 1)) < abs(sl(t))) & (sl(t + 1) * sl(t) > 0)), over={p: scalar(), bp: nonzero(), bm: nonzero()}, where=[*EIGEN, SLOPE], given=[BELOW_ONE],
+      by=[steps("BLM91-S60", prose="multiplied by p^2 in (0, 1) at each step"), instances(30, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
+      note=P_NOTE + " Monotone to zero: of one sign, with falling modulus, by the factor p^2. For beta_- = 0 it is zero throughout.")
+claim("BLM91-F7", "the phase portrait of the slope",
+      (((1 / p < x) & (x < 2 / kap)) >> (x < fx)) & ((x > 2 / kap) >> (fx < p)) & ((x < p) >> ((x < fx) & (fx < p))), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
+      by=[steps("BLM91-S58", prose="f(x) - x = kappa (x - p)(x - 1/p)/(2 - kappa x); there is no fixed point to the right of 1/p, so that an orbit passes 2/kappa, unless it meets 2/kappa and ends"),
+          instances(60, **DRAW_P), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
+          example(p="1/2", x="9/4"), example(p="1/2", x=3), example(p="1/2", x="1/4"), example(p="1/2", x=-1), example(p=2, x=1), example(p=-2, x="1/4")],
+      note=P_NOTE + " One step from any slope x: growth between alpha_- and 2/kappa, a jump to the left of alpha_+ from beyond 2/kappa, growth below alpha_+.")
+#: (5.3)
+ESCAPING = (*BY_P, let(v, A**(-m) * rows([[0], [1]])), let(al1, v[2, 1] / v[1, 1]), rec(be, t, x, f(be[t])))
+claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == al1), sizes=["m"], over={p: scalar(), x: scalar()},
+      where=[*ESCAPING, let(flag, leaves(m, be))], given=[standing("0 < p < 1", (p > 0) & (p < 1)), standing("a step", m >= 1)],
+      by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'; for p < 1 the first entry of A^(-i)(0, 1)' is not 0"),
+          instances(20, m=(1, 2, 3, 4), using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u)), x: al1}),
+          instances(20, m=(2, 3, 4), using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u)), x: (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]}),
+          instances(20, m=(1, 2, 3), **DRAW_P)],
+      note=P_NOTE + " Ends at step m: defined up to m - 1 and not at m.")
+claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
+      (al1 - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (al1 > 1 / p) & (f(al1) > al1), sizes=["m"], over={p: scalar()}, where=ESCAPING[:-1],
+      given=[BELOW_ONE, standing("step", m >= 2)],
+      by=[steps("BLM91-E5.1'", prose="f(alpha^(i)) = alpha^(i-1), and the distance to 1/p has the factor p^(2i)"), instances(40, m=(2, 3, 4, 5), **DRAW_P), example(m=2, p=2), example(m=3, p=-2)],
+      note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
+claim("BLM91-S63", "which slopes belong to points of the hyperbola",
+      iff((x < p) | (x > 1 / p), 1 + x**2 - 2 / kap * x > 0) & (((p < x) & (x < 1 / p)) >> ((p < fx) & (fx < x))), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
+      by=[steps("BLM91-S58", prose="1 + x^2 - (2/kappa) x = (x - p)(x - 1/p)"), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
+      note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between, where f decreases to p.")
+D_AT = (*ORBIT, rec(r, t, 1, (1 - ga[t] ** 2) * r[t]), let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))), let(dm, D / r[m]), let(dn, D / r[m + 1]))
+claim("BLM91-S64", "D/r_t changes sign exactly where |gamma_t| > 1",
+      iff(changes, beyond) & (dm == (1 - ga[m] ** 2) * dn), sizes=["m"], over={al0: scalar(), ga0: scalar()},
+      where=[*D_AT, let(changes, pos_on_circle(dm) & pos_on_circle(-dn) | pos_on_circle(-dm) & pos_on_circle(dn)), let(beyond, abs(ga[m]) > 1)],
+      given=[given("D definite", pos_on_circle(D) | pos_on_circle(-D))], note="changes: the signs differ; beyond: |gamma_t| > 1; m is the time t.",
+      by=[steps("BLM91-E3.11", prose="r_(t+1) = (1 - gamma_t^2) r_t"), instances(60, m=(0, 1, 2), using={x: nonzero(), y: nonneg()}, made_by={ga0: x, al0: 1 + abs(x) + y}),
+          instances(40, m=(0, 1)), example(m=0, alpha0="3/2", gamma0="2"), example(m=0, alpha0="1/2", gamma0="3"), example(m=0, alpha0="1/4", gamma0="1/4")])
+RICCATI = (rec(pit, t, 0, ((al0**2 - ga0**2) * pit[t] + ga0**2) / (1 - pit[t])),)
+four0, one0, one1 = symbols("IV_0 I_0 I_1")
+SMALL = (2 * al0) ** 2 < (1 + al0**2 - ga0**2) ** 2
+START = given("starts in III or IV", abs(al0) > 1 + abs(ga0))
+NEGATIVE = dict(sizes=["m"], over={al0: scalar(), ga0: scalar()}, given=[START],
+                where=[*ORBIT, *RICCATI, *REGIONS[1:2], function(below, [t], (al[t] - al0) / al[t] < 0), function(falls, [t], pit[t + 1] < pit[t])])
+DRAW_OUT = dict(using={x: nonzero(), y: positive()}, made_by={ga0: x, al0: y + 1 + abs(x)})
+claim("BLM91-S65", "region II and (4.9)", iff(below(m), two_(m)), **NEGATIVE,
+      by=[example(m=1, alpha0=4, gamma0=2), instances(m=(1, 2), **DRAW_OUT)],
+      repair=repair("cross-reference", "(4.9), that is pi_t, is larger than 1 in region II; what is negative there is (4.19), the increment pi_(t+1) - pi_t = r_t gamma_t^2",
+                    iff(falls(m), two_(m)), **NEGATIVE,
+                    by=[steps("BLM91-E5.1", "BLM91-E4.11", prose="pi_(t+1) - pi_t = (1 - pi_t) gamma_t^2 with 1 - pi_t = alpha_0/alpha_t, negative exactly while alpha_t has the sign opposite to "
+                              "alpha_0, that is in II, after |gamma_t| > 1 has happened once"),
+                        instances(40, m=(0, 1, 2, 3), **DRAW_OUT), example(m=1, alpha0=4, gamma0=2), example(m=0, alpha0="1/2", gamma0="3"), example(m=1, alpha0=-5, gamma0="3/2"), example(m=2, alpha0=3, gamma0="3/2")]),
+      note="For an orbit that starts in III or IV. pi_t = (alpha_t - alpha_0)/alpha_t is the solution of (4.7) from 0; m is the time.")
+claim("BLM91-S66", "no jump from IV to I, and none out of I",
+      (four0 >> ~one1) & (one0 >> one1),
+      over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, *REGIONS, let(four0, four_(0)), let(one0, one_(0)), let(one1, one_(1))], given=[standing("0 < kappa^2 < 1", SMALL)],
+      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="for |gamma| < 1 the next point has |alpha'| - |gamma'| = |alpha|/(1 + |gamma|), more than 1 in IV, and |alpha'| + |gamma'| = |alpha|/(1 - |gamma|), less than 1 in I"),
+          instances(30, **IN_IV), instances(30, **IN_I), instances(40), example(alpha0="1/2", gamma0="3/2"), example(alpha0=3, gamma0="3/2"), example(alpha0="3/2", gamma0="3/4")])
+
+# ---------------------------------------------------------------------- kappa^2 = 1
+JORDAN = (let(A, rows([[2, -1], [1, 0]])), let(vp, rows([[1], [1]])), let(vm, rows([[y + 1], [y]])), rec(V, t, bp * vp + bm * vm, A * V[t]), rec(count, t, 0, count[t] + 1))
+claim("BLM91-S67", "A(1) is a Jordan block",
+      always(t, (V[t] == (bp + bm * count[t]) * vp + bm * vm) & (charpoly(A) == (Z - 1) ** 2) & ((A - Identity(2)) * vm == vp) & ((A - Identity(2)) * vp == Zero(2, 1))),
+      over={y: scalar(), bp: scalar(), bm: scalar()}, where=JORDAN, by=[induction(cofactors=[[(A, 0, 1)], [], [], []]), instances()],
+      note="v_2 = (y + 1, y)' runs over all principal vectors; v_1 is the only direction of eigenvectors because A - I is not zero, being nonzero on v_2. count is t.")
+claim("BLM91-S68", "kappa^2 = 1: convergence to kappa",
+      always(t, (be[t] == flag * (1 + x / (1 - count[t] * x))) & (V[t] == (bp + bm * count[t]) * (vp + bm / (bp + bm * count[t]) * vm))
+             & ((flag * be[t] < 1) >> ((flag * be[t] < flag * be[t + 1]) & (flag * be[t + 1] < 1)))),
+      over={y: scalar(), bp: scalar(), bm: nonzero(), x: nonzero(), k: integer(0, 1)},
+      where=[*JORDAN, let(flag, 2 * k - 1), rec(be, t, flag * (1 + x), 1 / (2 * flag - be[t]))],
+      by=[steps("BLM91-S67", prose="the slope of A^t v is 1 + x/(1 - t x), x = alpha_0 - 1: it tends to 1, from below as soon as t x > 1 or x < 0; kappa = -1 changes the sign of alpha"),
+          instances(40), example(y=0, beta_plus=1, beta_minus=1, x="-1/2", k=1), example(y=0, beta_plus=1, beta_minus=1, x="2/5", k=0)],
+      note="kappa = 2k - 1. Monotone is read as in Theorem 3.5, 1): kappa alpha_t grows to 1 once it is less than 1; an orbit that starts beyond kappa first passes over infinity.")

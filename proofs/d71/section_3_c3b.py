@@ -1,0 +1,354 @@
+# SPDX-License-Identifier: MIT
+"""Eigenvalues and eigenvectors of R_p (Chapter III, section C.3.b).
+
+Let R = R_p and S = M'V^{-1}M. With W = [[0, I], [-I, 0]] the inverse of R' is W R W^{-1},
+because R is a product of three symplectic factors. So if [U; L] takes R to its Jordan form
+then [L; -U] takes (R')^{-1} to the same form, and turned over this says that the blocks of R
+at an eigenvalue are those at its conjugate reciprocal.
+
+A mode is undriven if an eigenvector of Phi' is a null vector of H, unobservable if an
+eigenvector of Phi is one of M. Put below or above a zero, such a vector is an eigenvector of
+R, from the right for one of the numbers lambda, 1/lambda* and from the left for the other.
+
+On the unit circle these are the only ways to get an eigenvalue: if R[f; g] = omega [f; g]
+with |omega| = 1, the lower rows give f*Sf and the upper ones g*Hg, and the sum of the two
+vanishes. Both terms are nonnegative, so Mf = 0 and Hg = 0, and what is left of the equations
+says that f and g are eigenvectors of Phi and Phi'.
+
+Complex numbers. The matrices here are real of every size, and the transpose stands for the
+conjugate transpose. That loses nothing: a complex matrix is a real one of twice the size,
+with the conjugate transpose for transpose. An eigenvalue is written as a matrix on the
+right: Phi N = N Lam with N = [u, v] and Lam = [[a, b], [-b, a]] says that u + iv is an
+eigenvector at a + ib.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    block,
+    bottom,
+    charpoly,
+    circle_roots,
+    det,
+    diag,
+    forall,
+    given,
+    hstack,
+    iff,
+    inv,
+    kernel_basis,
+    let,
+    matrix,
+    matrix_of,
+    nonsingular,
+    nonzero,
+    positive_definite,
+    positive_semidefinite,
+    rank,
+    rev,
+    rows,
+    scalar,
+    standing,
+    sum_of,
+    sym,
+    symbols,
+    top,
+    vstack,
+    when,
+)
+from proofs.d71.notation import H, M, Phi, V, across, gram, i, j, k, n, p
+
+q, U, L, Om, X, E = symbols("q U L Om X E")
+S, Rp, RpInv, G1, G2 = symbols("S Rp RpInv G1 G2")
+I = Identity(n)
+I2 = Identity(2*n)
+PhiT = inv(T(Phi))
+
+MODEL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
+R_BLOCKS = block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, PhiT]])
+R_WHERE = [let(S, gram()), let(Rp, R_BLOCKS)]
+#: the matrix on the left of (3.55)
+R_TURNED = block([[PhiT, -PhiT*S], [-H*PhiT, H*PhiT*S + Phi]])
+
+# --- a symmetry of the eigenvectors -------------------------------------------------------------------------------------
+
+ALL_VECTORS = given("(3.54)", Rp*vstack(U, L) == vstack(U, L)*Om)
+MAKE_VECTORS = {"using": {E: nonsingular(2*n)},
+                "made_by": {U: top(E, n), L: bottom(E, n), Om: inv(E)*R_BLOCKS*E}}
+INVERSE = given("[U; L] has an inverse", (vstack(U, L)*hstack(G1, G2) == I2) & (hstack(G1, G2)*vstack(U, L) == I2))
+
+claim("D71-T3.9", "[L; -U] takes the inverse of the adjoint of R_p to the same Jordan form",
+      (vstack(L, -U)*hstack(G2, -G1) == I2)
+      & (RpInv*T(Rp) == I2)
+      & (hstack(G2, -G1)*RpInv*vstack(L, -U) == Om),
+      sizes=["n", "p"], over={**MODEL, U: matrix(n, 2*n), L: matrix(n, 2*n), Om: matrix(2*n, 2*n), G1: matrix(2*n, n),
+                              G2: matrix(2*n, n)},
+      where=[*R_WHERE, let(RpInv, R_TURNED)], given=[ALL_VECTORS, INVERSE],
+      by=[instances(n=(1, 2), p=(1, 2), using={E: nonsingular(2*n)},
+                    made_by={**MAKE_VECTORS["made_by"],
+                             G1: matrix_of(i, j, 2*n, n, inv(E)[i, j]), G2: matrix_of(i, j, 2*n, n, inv(E)[i, j + n])})],
+      note="[G1, G2] is the inverse of [U; L]; the first equation is the inverse of [L; -U]. That Omega is a Jordan matrix is not used.")
+
+claim("D71-E3.55", "the equation for [L; -U]",
+      (R_TURNED*vstack(L, -U) == vstack(L, -U)*Om) & (R_TURNED*T(Rp) == I2),
+      sizes=["n", "p"], over={**MODEL, U: matrix(n, 2*n), L: matrix(n, 2*n), Om: matrix(2*n, 2*n)},
+      where=R_WHERE, given=[ALL_VECTORS], by=[instances(n=(1, 2), p=(1, 2), **MAKE_VECTORS)],
+      note="The columns need not be independent here.")
+
+# --- the blocks at an eigenvalue and at its conjugate reciprocal --------------------------------------------------------
+
+Ui, Li, Oi, Oj = symbols("Ui Li Oi Oj")
+
+claim("D71-E3.56", "left eigenvectors of R_p from right ones",
+      (R_TURNED*vstack(Li, -Ui) == vstack(Li, -Ui)*Oi)
+      & (hstack(T(Li), -T(Ui))*Rp == inv(T(Oi))*hstack(T(Li), -T(Ui)))
+      & (X*hstack(T(Li), -T(Ui))*Rp == Oj*X*hstack(T(Li), -T(Ui))),
+      sizes=["n", "p", "q"],
+      over={**MODEL, Ui: matrix(n, q), Li: matrix(n, q), Oi: nonsingular(q), Oj: matrix(q, q), X: nonsingular(q)},
+      where=R_WHERE,
+      given=[given("the Jordan vectors", Rp*vstack(Ui, Li) == vstack(Ui, Li)*Oi),
+             given("the inverse of the adjoint block is similar to a Jordan block", X*inv(T(Oi)) == Oj*X)],
+      by=[instances(n=(1, 2), p=(1, 2), q=(2, 4), using={E: nonsingular(q)},
+                    made_by={Ui: top(E, n), Li: bottom(E, n), Oi: inv(E)*R_BLOCKS*E, Oj: X*inv(T(Oi))*inv(X)})],
+      note="In (3.57) and (3.58) the matrix is R_p; the scan has R_d, which is n x n and does not fit. X exists by D71-T8.2.")
+
+a, b, c, d, e, l = symbols("a b c d e l")
+y, y1 = symbols("y y1")
+
+
+def quadratic(real, imaginary):
+    """(R - real)^2 + imaginary^2, which is singular exactly if real +- i imaginary are eigenvalues."""
+    shifted = Rp - real*I2
+    return shifted*shifted + imaginary**2*I2
+
+
+#: Phi with the eigenvalue a, an undriven mode at it
+CORNER = matrix_of(i, j, n, n, when(i == j, when(i == 1, a, d[i]), when(j == i + 1, e[i], 0)))
+UNDRIVEN = {Phi: E*T(CORNER)*inv(E), H: across(T(inv(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), y)
+            * T(across(T(inv(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), y))}
+
+claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal",
+      forall(k, 1, 2*n, rank((Rp - a*I2)**k) == rank((Rp - 1/a*I2)**k))
+      & forall(k, 1, 2*n, rank(quadratic(a, b)**k) == rank(quadratic(a/(a**2 + b**2), b/(a**2 + b**2))**k)),
+      sizes=["n", "p"], over={**MODEL, a: nonzero(), b: scalar()}, where=R_WHERE,
+      by=[steps("D71-E3.56", "D71-T8.2", facts=["Jordan's theorem.", "A real matrix has the same blocks at an eigenvalue and at its conjugate."],
+                prose="Turned over, a Jordan chain of the inverse of the adjoint is a left Jordan chain of R_p at the conjugate reciprocal, of the same "
+                      "length; and the same step leads back, so neither side has more blocks."),
+          example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]], a="6/5", b="8/5"),
+          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], a="3/5", b="4/5"),
+          instances(8, n=(1, 2), p=(1,), using={E: nonsingular(n), y: matrix(n, n), d: matrix(n, 1), e: matrix(n, 1)}, made_by=UNDRIVEN)],
+      note="The ranks of the powers of R_p - omega I say which blocks there are at omega. The first part is for a real omega = a, the second for omega = "
+           "a + ib, by the real matrix (R_p - a)^2 + b^2, which vanishes at omega and omega*; R_p is real, so both have the same blocks.")
+
+claim("D71-S33", "the eigenvalues are symmetric in the unit circle",
+      (rev(charpoly(Rp), 2*n) == charpoly(Rp)) & (det(Rp) == 1),
+      sizes=["n", "p"], over=MODEL, where=R_WHERE,
+      by=[identity(n=(1, 2), p=(1,)), instances(n=(1, 2, 3), p=(1, 2))],
+      note="The characteristic polynomial is its own reciprocal: with omega, 1/omega is an eigenvalue as often, and as R_p is real so is its conjugate.")
+
+# --- the exponential function -------------------------------------------------------------------------------------------
+
+A, EXP, alpha, h, Q = symbols("A EXP alpha h Q")
+NILPOTENT = [let(A, rows([[0, alpha], [0, 0]])), let(H, rows([[0, 0], [0, h]])), let(Phi, Identity(2) + A),
+             let(Q, block([[A, H], [Zero(2, 2), -T(A)]])),
+             let(EXP, Identity(4) + Q + Q**2/2 + Q**3/6), let(Rp, block([[Phi, H*inv(T(Phi))], [Zero(2, 2), inv(T(Phi))]]))]
+
+claim("D71-E3.59", "R_p is not the exponential of [[A, H], [S, -A']]",
+      (A**2 == Zero(2, 2)) & (Q**4 == Zero(4, 4))
+      & (EXP - Rp == block([[Zero(2, 2), rows([[-alpha**2*h/6, alpha*h/2], [alpha*h/2, 0]])], [Zero(2, 2), Zero(2, 2)]])),
+      over={alpha: nonzero(), h: nonzero()}, where=NILPOTENT, by=[identity(), instances()],
+      note="The case M = 0 with Phi = I + A = e^A, where A^2 = 0: the exponential series ends with the cube, and its sum differs from R_p unless alpha h = 0.")
+
+P1, P2 = symbols("P1 P2")
+IDEMPOTENT = {P1: matrix(n, n), P2: matrix(n, n)}
+THREE = [given("P1 is idempotent", P1*P1 == P1), given("P2 is idempotent", P2*P2 == P2),
+         given("half their sum is idempotent", (P1 + P2)*(P1 + P2) == 2*(P1 + P2))]
+
+claim("D71-S34", "e^{X+Y} = e^X e^Y for matrices that do not commute",
+      ((I + (a**2 - 1)/2*(P1 + P2)) == (I + (a - 1)*P1)*(I + (a - 1)*P2)) >> (P1*P2 == P2*P1),
+      sizes=["n"], over={**IDEMPOTENT, a: nonzero()}, given=THREE,
+      by=[example(n=2, P1=[[0, 0], [0, 1]], P2=[[0, 1], [0, 1]], a=1), instances(n=(1, 2))],
+      repair=repair("missing hypothesis",
+                    "for one pair the equation may hold by accident, as e^{2 pi i} = 1; if it holds for tX and tY with every t, then X and Y commute",
+                    iff((X + L)*(X + L) == X*X + 2*X*L + L*L, X*L == L*X),
+                    sizes=["n"], over={X: matrix(n, n), L: matrix(n, n)},
+                    by=[instances(n=(1, 2, 3)), instances(n=(2, 3), made_by={L: X*X + X})]),
+      note="Read as: the equation fails for every pair that does not commute. Take X = sP1 and Y = sP2 with a number s, so that e^X = I + (e^s - 1)P1 for "
+           "an idempotent P1, and a = e^s. The matrices are those of the counterexample with s = 2 pi i and a = 1: all three exponentials are I. The repair "
+           "compares the terms of second order in t.")
+
+# --- undriven and unobservable modes ------------------------------------------------------------------------------------
+
+Nd, No, N, Lam, Rd, Pd, G, D1, D2 = symbols("Nd No N Lam Rd Pd G D1 D2")
+#: Phi with r undriven and with r unobservable modes: block triangular in the basis E
+CORNERED = block([[D1, Zero(q, n - q)], [G, D2]])
+
+AUX = {E: nonsingular(n), D1: matrix(q, q), D2: matrix(n - q, n - q), G: matrix(n - q, q), y: matrix(n - q, n - q), y1: matrix(p, n - q)}
+#: the first q coordinates are not driven; the second choice: they are not measured
+NOT_DRIVEN = {Phi: E*CORNERED*inv(E), H: E*block([[Zero(q, q), Zero(q, n - q)], [Zero(n - q, q), y*T(y)]])*T(E)}
+NOT_MEASURED = {Phi: inv(T(E))*T(CORNERED)*T(E), M: hstack(Zero(p, q), y1)*T(E)}
+FIRST = matrix_of(i, j, n, q, when(i == j, 1, 0))
+MODEL_Q = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
+POWERS = [let(Rd, sum_of(k, 0, n - 1, Phi**k*H*T(Phi**k))), let(Pd, sum_of(k, 0, n - 1, T(Phi**k)*T(M)*M*Phi**k)),
+          let(Nd, kernel_basis(Rd)), let(No, kernel_basis(Pd))]
+
+claim("D71-E3.60", "bases of the undriven and of the unobservable subspace",
+      (rank(hstack(Nd, T(Phi)*Nd)) == rank(Nd)) & (rank(vstack(Rd, H)) == rank(Rd))
+      & (rank(hstack(No, Phi*No)) == rank(No)) & (rank(vstack(Pd, M)) == rank(Pd)),
+      sizes=["n", "p", "q"], over=MODEL_Q, where=POWERS,
+      by=[steps(facts=["Theorem of Cayley and Hamilton.", "A null vector of a sum of nonnegative definite matrices is one of each.", "Jordan's theorem."],
+                prose="A null vector v of R_d has H(Phi')^j v = 0 for j < n, hence for every j, so Phi'v is one again; the other half is the same "
+                      "with Phi, M in place of Phi', H. A basis can be chosen for which the matrix of the restriction has Jordan form."),
+          instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_DRIVEN), instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_MEASURED)],
+      note="That Phi'N_d = N_d Lambda_d* for some matrix says that the column space of N_d is invariant: [N_d, Phi'N_d] has the rank of N_d. That HN_d = 0 "
+           "says that the null space of R_d lies in that of H: H under R_d does not raise the rank. The null space of P_d' is that of P_d P_d'.")
+
+UNDRIVEN_GIVEN = [given("(3.60)", T(Phi)*N == N*T(Lam)), given("(3.61)", H*N == Zero(n, q))]
+UNOBSERVED_GIVEN = [given("(3.62)", Phi*N == N*Lam), given("(3.63)", M*N == Zero(p, q))]
+MODE = {**MODEL, N: matrix(n, q), Lam: nonsingular(q)}
+Zq = Zero(n, q)
+MADE_UNDRIVEN = {"using": AUX, "made_by": {**NOT_DRIVEN, N: inv(T(E))*FIRST, Lam: D1}}
+MADE_UNOBSERVED = {"using": AUX, "made_by": {**NOT_MEASURED, N: inv(T(E))*FIRST, Lam: T(D1)}}
+SIZES_Q = {"n": (2, 3), "p": (1, 2), "q": (1, 2)}
+
+claim("D71-E3.64", "an undriven mode: right eigenvectors of R_p",
+      Rp*vstack(Zq, N) == vstack(Zq, N)*inv(T(Lam)),
+      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNDRIVEN_GIVEN, by=[instances(**SIZES_Q, **MADE_UNDRIVEN)])
+
+claim("D71-E3.65", "an undriven mode: left eigenvectors of R_p",
+      hstack(T(N), Zero(q, n))*Rp == Lam*hstack(T(N), Zero(q, n)),
+      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNDRIVEN_GIVEN, by=[instances(**SIZES_Q, **MADE_UNDRIVEN)])
+
+claim("D71-E3.66", "an unobservable mode: right eigenvectors of R_p",
+      Rp*vstack(N, Zq) == vstack(N, Zq)*Lam,
+      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNOBSERVED_GIVEN, by=[instances(**SIZES_Q, **MADE_UNOBSERVED)])
+
+claim("D71-E3.67", "an unobservable mode: left eigenvectors of R_p",
+      hstack(Zero(q, n), T(N))*Rp == inv(T(Lam))*hstack(Zero(q, n), T(N)),
+      sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNOBSERVED_GIVEN, by=[instances(**SIZES_Q, **MADE_UNOBSERVED)])
+
+PAIR = rows([[a, b], [-b, a]])
+IS_MODE = (T(Phi)*N == N*T(PAIR)) & (H*N == Zero(n, 2))
+IS_HIDDEN = (Phi*N == N*PAIR) & (M*N == Zero(p, 2))
+#: a real mode has [u, 0], a pair of complex ones [u, v]
+REAL_MODE = {"using": {E: nonsingular(2), d: scalar(), e: scalar(), l: scalar(), y1: matrix(p, 1)}}
+U1 = rows([[1, 0], [0, 0]])
+SINGULAR_TWICE = (det(quadratic(a, b)) == 0) & (det(quadratic(a/(a**2 + b**2), b/(a**2 + b**2))) == 0)
+MODES = {"n": (2,), "p": (1,)}
+
+claim("D71-T3.11", "an undriven or unobservable mode gives two eigenvalues of R_p",
+      SINGULAR_TWICE,
+      sizes=["n", "p"], over={**MODEL, a: scalar(), b: scalar(), N: matrix(n, 2)}, where=R_WHERE,
+      given=[given("undriven or unobservable", IS_MODE | IS_HIDDEN), given("a mode", N != Zero(n, 2))],
+      by=[steps("D71-E3.64", "D71-E3.65", "D71-E3.66", "D71-E3.67", facts=["A matrix and its transpose have the same eigenvalues."],
+                prose="(3.64) and (3.65), or (3.66) and (3.67), show right eigenvectors at one of the two numbers and left ones at the other."),
+          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[0, 0], [0, 0]], M=[[1, 3]], V=[[2]], a=1, b=2, N=[[0, 1], [-1, 0]]),
+          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[2, 1], [1, 3]], M=[[0, 0]], V=[[2]], a=1, b=2, N=[[1, 0], [0, 1]]),
+          example(n=1, p=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], a=2, b=0, N=[[0, 0]]),
+          example(n=3, p=1, Phi=[[1, 0, 2], [0, 2, 1], [0, 0, 3]], H=[[1, 2, 0], [2, 4, 0], [0, 0, 0]], M=[[1, 1, 1]], V=[[1]], a=3, b=0,
+                  N=[[0, 0], [0, 0], [1, 0]]),
+          instances(6, **MODES, **REAL_MODE,
+                    made_by={b: 0, Phi: E*rows([[a, 0], [e, d]])*inv(E), H: E*rows([[0, 0], [0, l**2]])*T(E), N: inv(T(E))*U1}),
+          instances(6, **MODES, **REAL_MODE,
+                    made_by={b: 0, Phi: E*rows([[a, e], [0, d]])*inv(E), M: hstack(Zero(p, 1), y1)*inv(E), N: E*U1}),
+          instances(3, **MODES, **REAL_MODE, made_by={Phi: E*PAIR*inv(E), H: Zero(2, 2), N: inv(T(E))}),
+          instances(3, **MODES, **REAL_MODE, made_by={Phi: E*PAIR*inv(E), M: Zero(p, 2), N: E})],
+      note="lambda = a + ib and N = [u, v]: the mode has the eigenvector u + iv. A number a + ib is an eigenvalue of the real matrix R_p exactly if "
+           "(R_p - a)^2 + b^2 is singular. lambda is not 0 as Phi is nonsingular.")
+
+# --- eigenvalues on the unit circle -------------------------------------------------------------------------------------
+
+f, g, W = symbols("f g W")
+CIRCLE = [given("eigenvector", Rp*vstack(f, g) == vstack(f, g)*W), given("omega* omega = 1", T(W)*W == Identity(q))]
+ON_CIRCLE = {**MODEL, f: matrix(n, q), g: matrix(n, q), W: matrix(q, q)}
+#: an orthogonal matrix of order two, by Cayley's formula
+CAYLEY = rows([[1 - a**2, 2*a], [-2*a, 1 - a**2]])*(1/(1 + a**2))
+ROTATED = {"n": (2,), "p": (1, 2), "q": (2,)}
+ROT = {"using": {E: nonsingular(2), Q: nonsingular(2), a: scalar(), c: scalar(), d: scalar()}}
+#: both f and g not zero: nothing is driven, nothing is measured
+STILL = {Phi: CAYLEY, H: Zero(2, 2), M: Zero(p, 2), W: CAYLEY}
+TURNS = matrix_of(i, j, 2, 2, when(i == j, c, when(i < j, d, -d)))
+TURNS2 = matrix_of(i, j, 2, 2, when(i == j, Q[1, 1], when(i < j, Q[1, 2], -Q[1, 2])))
+WAYS = [instances(8, **ROTATED, **ROT, made_by={**STILL, f: TURNS, g: TURNS2}),
+        instances(8, **ROTATED, **ROT, made_by={Phi: E*CAYLEY*inv(E), M: Zero(p, 2), W: CAYLEY, f: E*TURNS, g: Zero(2, 2)}),
+        instances(8, **ROTATED, **ROT, made_by={Phi: inv(T(E))*CAYLEY*T(E), H: Zero(2, 2), W: CAYLEY, g: inv(T(E))*TURNS, f: Zero(2, 2)})]
+#: one real eigenvector: omega = 1 undriven, omega = -1 unobservable
+REAL_WAYS = [example(n=1, p=1, q=1, Phi=[[1]], H=[[0]], M=[[2]], V=[[3]], f=[0], g=[1], W=[[1]]),
+             example(n=2, p=1, q=1, Phi=[[-1, 0], [0, 2]], H=[[1, 1], [1, 2]], M=[[0, 1]], V=[[1]], f=[1, 0], g=[0, 0], W=[[-1]])]
+#: R_p of any data has such an equation with W off the circle
+OFF = instances(6, n=(1, 2), p=(1,), q=(2, 4), using={E: nonsingular(q)}, made_by={f: top(E, n), g: bottom(E, n), W: inv(E)*R_BLOCKS*E})
+
+claim("D71-E3.68", "the two halves of the eigenvector equation",
+      (Phi*f == (f - H*g)*W) & (S*f == T(Phi)*g*W - g) & (H*g == f - Phi*f*T(W)),
+      sizes=["n", "p", "q"], over=ON_CIRCLE, where=R_WHERE, given=CIRCLE,
+      by=[*REAL_WAYS, *WAYS, OFF],
+      note="omega stands on the right as the matrix W: for f = f1 + i f2 and omega = a + ib that is [f1, f2] and [[a, b], [-b, a]]. |omega| = 1 says "
+           "W'W = I; only the last equation needs it.")
+
+HALVES = [given("(3.69)", S*f == T(Phi)*g*W - g), given("(3.70)", H*g == f - Phi*f*T(W))]
+FREE = {**MODEL, f: matrix(n, q), g: matrix(n, q), W: matrix(q, q)}
+
+claim("D71-E3.71", "the quadratic forms of M'V^{-1}M and H",
+      (T(f)*S*f == T(f)*T(Phi)*g*W - T(f)*g) & (T(g)*H*g == T(f)*g - W*T(f)*T(Phi)*g),
+      sizes=["n", "p", "q"], over=FREE, where=R_WHERE, given=HALVES,
+      by=[*REAL_WAYS, *WAYS],
+      note="The numbers of the print are q x q matrices here, and omega stands on the left in the second equation after transposing.")
+
+NUMBERS = standing("omega and f* Phi' gamma commute, being numbers", T(f)*T(Phi)*g*W == W*T(f)*T(Phi)*g)
+
+claim("D71-E3.73", "both forms vanish",
+      ((T(f)*S*f + T(g)*H*g)*Identity(q) == Zero(q, q)) & (M*f == Zero(p, q)) & (H*g == Zero(n, q)),
+      sizes=["n", "p", "q"], over=FREE, where=R_WHERE,
+      given=[given("(3.71)", T(f)*S*f == T(f)*T(Phi)*g*W - T(f)*g), given("(3.72)", T(g)*H*g == T(f)*g - W*T(f)*T(Phi)*g), NUMBERS],
+      by=[order([], [], [T(f)*T(M)*inv(V)*M*f, T(g)*H*g], [T(f)*T(M)*inv(V)*M*f, T(g)*H*g],
+                lemmas=[(T(f)*S*f + T(g)*H*g)*Identity(q) == Zero(q, q)]),
+          *REAL_WAYS, *WAYS],
+      note="The complex case is that of real matrices of twice the size, in which omega is a matrix that commutes with f* Phi' gamma.")
+
+claim("D71-E3.74", "f and gamma are eigenvectors of Phi and its adjoint",
+      (T(Phi)*g == g*T(W)) & (Phi*f == f*W),
+      sizes=["n", "p", "q"], over=ON_CIRCLE, where=R_WHERE,
+      given=[given("omega* omega = 1", T(W)*W == Identity(q)), *HALVES, standing("Mf = 0", M*f == Zero(p, q)), standing("H gamma = 0", H*g == Zero(n, q))],
+      by=[*REAL_WAYS, *WAYS, example(n=1, p=1, q=1, Phi=[["1/2"]], H=[[0]], M=[[0]], V=[[1]], f=[1], g=[1], W=[[2]])])
+
+Lamd, Lamo = symbols("Lamd Lamo")
+COORDINATES = [let(Lamd, inv(T(Nd)*Nd)*T(Nd)*T(Phi)*Nd), let(Lamo, inv(T(No)*No)*T(No)*Phi*No)]
+
+claim("D71-T3.12", "eigenvalues of R_p on the unit circle",
+      iff(circle_roots(charpoly(Rp)) != 0, (circle_roots(charpoly(Lamd)) != 0) | (circle_roots(charpoly(Lamo)) != 0)),
+      sizes=["n", "p"], over=MODEL, where=[*R_WHERE, *POWERS, *COORDINATES],
+      by=[steps("D71-E3.68", "D71-E3.71", "D71-E3.73", "D71-E3.74", "D71-E3.64", "D71-E3.66",
+                facts=["A mode is undriven (unobservable) exactly if Phi' (Phi) has an eigenvector at it that is a null vector of H (M)."],
+                prose="An eigenvalue on the circle has an eigenvector [f; gamma] with Mf = 0, H gamma = 0; one of f and gamma is not zero and is an "
+                      "eigenvector of Phi or Phi'. The other direction is Theorem 3.11 with |lambda| = 1."),
+          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
+          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[1, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
+          example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
+          example(n=2, p=1, Phi=[[2, 0], [0, -1]], H=[[1, 1], [1, 1]], M=[[1, 0]], V=[[1]]),
+          example(n=2, p=1, Phi=[[2, 0], [0, -1]], H=[[0, 0], [0, 1]], M=[[1, 1]], V=[[1]]),
+          instances(12, n=(1, 2), p=(1,))],
+      note="Lambda_d and Lambda_0 are the matrices of the undriven and the unobservable modes in bases of the two subspaces; a random walk mode is an "
+           "eigenvalue on the unit circle.")
+
+K = sym("K")
+
+BOTH_ENDS = block([[K, Zq], [Zq, N]])
+MU = inv(T(Lam))
+A1, B1, B2 = symbols("A1 B1 B2")
+REST = n - 2*q
+THIRDS = {"using": {E: nonsingular(n), D1: nonsingular(q), D2: nonsingular(REST), A1: matrix(n - q, n - q), B1: matrix(p, q), B2: matrix(p, REST)},
+          "made_by": {Lam: D1, Phi: E*diag(D1, inv(T(D1)), D2)*inv(E), H: E*diag(Zero(q, q), A1*T(A1))*T(E),
+                      M: hstack(B1, Zero(p, q), B2)*inv(E),
+                      N: inv(T(E))*FIRST, K: E*matrix_of(i, j, n, q, when(i == j + q, 1, 0))}}
+
+claim("D71-S35", "when R_p is derogatory",
+      Rp*BOTH_ENDS == BOTH_ENDS*block([[MU, Zero(q, q)], [Zero(q, q), MU]]),
+      sizes=["n", "p", "q"], over={**MODE, K: matrix(n, q)}, where=R_WHERE,
+      given=[*UNDRIVEN_GIVEN, given("a mode at the conjugate reciprocal", Phi*K == K*inv(T(Lam))), given("it is unobservable", M*K == Zero(p, q))],
+      by=[instances(8, n=(2, 3), p=(1, 2), q=(1,), **THIRDS), instances(4, n=(4, 5), p=(1,), q=(2,), **THIRDS)],
+      note="The two columns [K; 0] and [0; N] are independent eigenvectors at one eigenvalue, so it has two Jordan blocks. With |lambda| = 1 the conjugate "
+           "reciprocal is lambda itself. The condition is lambda_i* lambda_j = 1 for the undriven lambda_i; as the modes of a real process come with "
+           "their conjugates, lambda_i* lambda_j* = 1 for some pair says the same.")

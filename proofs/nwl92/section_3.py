@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: MIT
+"""Section III, from Theorem 3.1 on: the 3-block form of the filter and of its Riccati equation.
+
+An estimate of x(j) with error covariance P, the dynamics
+E x(j+1) = A x(j) + u and the measurement y = C x(j+1) + r are one measurement
+of x(j+1): (A xh; y) = (E; C) x(j+1) + (A nu - u; r), with noise covariance
+N = [APA' + Q, -S; -S', R]. Its 2-block matrix, read in three blocks, is
+
+    Omega = [APA' + Q, -S, E; -S', R, C; E', C', 0],
+
+and everything said in section II about blocks of a (1)-inverse applies: the
+last block row gives the estimate, and minus the last block is its error
+covariance. The paper prints (3.5) without that minus sign.
+
+Omega is invertible exactly if (E; C) has full column rank and [N, (E; C)]
+full row rank; the paper's rank condition has S in the place of -S, which is
+not the same, as the sign cannot be moved to one of E, C.
+
+For S = 0 and R > 0 the measurement can be eliminated: with W = C'R^-1 C and
+M = [Sigma, E; E', -W] the last diagonal block of Omega^-1 is that of M^-1.
+With Sigma = APA' + Q this gives a recursion for Sigma. The equation of Wang
+and Bernhard is another form of it: diag(Sigma, W) = M - [0, E; 0, -W] -
+[0, 0; E', -W], and M^-1 takes the columns of M to those of I. In the display
+of this argument the sign of W is wrong in two places, and Q is once left out.
+If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
+"""
+
+from __future__ import annotations
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    block,
+    given,
+    hstack,
+    iff,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    positive_definite,
+    positive_semidefinite,
+    rank,
+    sym,
+    symbols,
+    vector,
+    vstack,
+)
+from proofs.nwl92.notation_system import (
+    BOTTOM,
+    F_BLOCK,
+    GRAM,
+    IMPLIED_RANK,
+    LAST,
+    NOISE,
+    OMEGA,
+    OMEGA_INVERSE,
+    ONE_INVERSE,
+    RANDOM_NOISE,
+    RANDOM_NOISE_FREE,
+    RANK,
+    SIZES,
+    STEP_VARYING,
+    U1,
+    U2,
+    VARYING,
+    A,
+    C,
+    E,
+    Oi,
+    Om,
+    P,
+    Q,
+    R,
+    S,
+    Tb,
+    drawn,
+    filter_identities,
+    l,
+    m,
+    n,
+    noise,
+    noise_by_form,
+    p,
+)
+
+xh, y, M1, M2, X1, X2, F0 = symbols("xh y M1 M2 X1 X2 F0")
+N = sym("N")
+#: another linear estimate M1 A xh + M2 y that is unbiased
+OTHER = {M1: matrix(n, l), M2: matrix(n, p)}
+UNBIASED = given("M1 A xh + M2 y is unbiased", M1 * E + M2 * C == Identity(n))
+OTHER_MADE = {F0: inv(GRAM) * hstack(T(E), T(C)), M1: F0 * vstack(Identity(l), Zero(p, l)) + X1 - (X1 * E + X2 * C) * F0
+              * vstack(Identity(l), Zero(p, l)),
+              M2: F0 * vstack(Zero(l, p), Identity(p)) + X2 - (X1 * E + X2 * C) * F0 * vstack(Zero(l, p), Identity(p))}
+OTHER_FREE = {X1: matrix(n, l), X2: matrix(n, p)}
+VARYING_SIZES = {**SIZES, "m": (1, 2)}
+GAIN = hstack(T(U1), T(U2))
+LARGER = loewner(hstack(M1, M2) * N * vstack(T(M1), T(M2)), GAIN * N * T(GAIN))
+EXCESS = (hstack(M1, M2) - GAIN) * noise_by_form(P, m) * T(hstack(M1, M2) - GAIN)
+NOISE_N = let(N, noise(P))
+ESTIMATE = LAST * Oi * vstack(A * xh, y, Zero(n, 1))
+FILTER = {**STEP_VARYING, xh: vector(m), y: vector(p), **OTHER}
+FILTER_LETS = [OMEGA, OMEGA_INVERSE, NOISE_N]
+FILTER_GIVEN = [ONE_INVERSE, NOISE, IMPLIED_RANK, UNBIASED]
+#: n = l = p = m = 1: E = Q = R = 1, A = C = S = 0
+SMALL = {"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[0]], sym("W1"): [[0]], sym("W2"): [[0]],
+         sym("W3"): [[1]], U1: [[1]], U2: [[0]], Tb: [[-1]]}
+SMALL_FILTER = {**SMALL, xh: [0], y: [0], M1: [[1]], M2: [[0]]}
+SIGN = "the minus sign before the block of the (1)-inverse is missing, as (2.22) and (4.20) show"
+#: not admissible: without the hypothesis they show what it is for
+NO_INVERSE = example({**SMALL_FILTER, U1: [[2]]})
+BIASED = example({**SMALL_FILTER, M1: [[0]]})
+DRAWN = drawn(made_by=OTHER_MADE, using=OTHER_FREE, m=(1, 2))
+NOTE = ("Maximum likelihood is said as in NWL92-L2.2: the estimate is linear and unbiased, and no linear unbiased estimate "
+        "M1 A xh + M2 y has a smaller error covariance.")
+
+
+def is_ml(sign):
+    """(3.4) is linear in (A xh, y), unbiased and best; its error covariance is the printed block with this sign."""
+    unbiased = (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n))
+    return unbiased & LARGER & (GAIN * N * T(GAIN) == sign * (LAST * Oi * BOTTOM))
+
+
+claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (3.5) as printed",
+      is_ml(1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
+      by=[example(SMALL_FILTER), DRAWN],
+      repair=repair("sign", SIGN, is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
+                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+      note=NOTE)
+
+claim("NWL92-E3.4", "the filter in 3-block form",
+      (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n)) & LARGER,
+      sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
+      by=[filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
+
+claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a minus sign",
+      GAIN * N * T(GAIN) == LAST * Oi * BOTTOM,
+      sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=FILTER_LETS, given=[ONE_INVERSE, NOISE, RANK],
+      by=[example(SMALL), drawn(m=(1, 2))],
+      repair=repair("sign", SIGN, GAIN * N * T(GAIN) == -(LAST * Oi * BOTTOM),
+                    sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=FILTER_LETS, given=[ONE_INVERSE, NOISE, RANK],
+                    by=[filter_identities(before=m), example({**SMALL, U1: [[2]]}), drawn(m=(1, 2))]),
+      note="The error of the estimate (3.4) is the gain times the noise (A nu - u; r).")
+
+Rows = sym("Rows")
+PRINTED_ROWS = block([[A * P * T(A) + Q, S, E], [T(S), R, C]])
+RIGHT_ROWS = block([[A * P * T(A) + Q, -S, E], [-T(S), R, C]])
+ALONE = {**VARYING, P: positive_semidefinite(m)}
+lam1, lam2, x = symbols("lam1 lam2 x")
+LAM = vstack(lam1, lam2)
+NULL_VECTOR = given("null vector", Om * vstack(lam1, lam2, x) == Zero(l + p + n, 1))
+LAM_NOISE = T(LAM) * noise_by_form(P, m) * LAM
+NULL_STEPS = [T(F_BLOCK) * LAM == Zero(n, 1), LAM_NOISE * Identity(1) == Zero(1, 1), noise_by_form(P, m) * LAM == Zero(l + p, 1),
+              F_BLOCK * x == Zero(l + p, 1), inv(GRAM) * T(F_BLOCK) * (F_BLOCK * x) == Zero(n, 1), x == Zero(n, 1)]
+NULL_FOIL = {"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[0]], lam1: [0], lam2: [0], x: [0]}
+claim("NWL92-T3.1.1", "full row rank without redundant perfect information makes the 3-block matrix invertible",
+      (rank(Rows) == l + p) >> invertible(Om),
+      sizes=["l", "m", "n", "p"], over=ALONE, where=[OMEGA, let(Rows, PRINTED_ROWS)], given=[NOISE, RANK],
+      by=[example({"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[-1]]}),
+          instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, **VARYING_SIZES)],
+      repair=repair("sign", "S must have the sign it has in the 3-block matrix: with S for -S the rank is another one",
+                    (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "m", "n", "p"],
+                    over={**ALONE, lam1: vector(l), lam2: vector(p), x: vector(n)}, where=[OMEGA, let(Rows, RIGHT_ROWS)],
+                    given=[NOISE, RANK, given("full row rank", rank(Rows) == l + p), NULL_VECTOR],
+                    by=[order([], [], [LAM_NOISE], [], [], [inv(GRAM)], [], [], lemmas=NULL_STEPS), *[example({**NULL_FOIL, **change}) for change in (
+                            {E: [[0]], x: [1]}, {Q: [[0]], E: [[0]], C: [[1]], lam1: [1]}, {x: [1]})],
+                        instances(made_by={**RANDOM_NOISE, lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, using=RANDOM_NOISE_FREE, **VARYING_SIZES)]),
+      note="The corrected statement says invertible as: a null vector (lam1; lam2; x) is zero.")
+
+# ------------------------------------------------------------------ S = 0 and R > 0
+Sig, Sigj, Mj, Qv = symbols("Sig Sigj M Qv")
+ROW_A, COLUMN_A = hstack(Zero(l, l), A), vstack(Zero(l, l), T(A))
+INFORMATION = T(C) * inv(R) * C
+CLASSICAL = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: positive_semidefinite(l), R: positive_definite(p)}
+PREDICTED = {**CLASSICAL, Sig: positive_semidefinite(l)}
+M_J = let(Mj, block([[Sig, E], [T(E), -INFORMATION]]))
+WIDE = block([[R, Zero(p, l), C], [Zero(l, p), Sig, E], [T(C), T(E), Zero(n, n)]])
+WB_SIZES = {"l": (1, 2), "p": (1, 2), "n": (1, 2)}
+WIDE_LAST = vstack(Zero(p, n), Zero(l, n), Identity(n))
+NEXT_P = -(T(WIDE_LAST) * inv(WIDE) * WIDE_LAST)
+
+claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible",
+      (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "p", "n"],
+      over={**CLASSICAL, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)},
+      where=[let(Om, block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]]))],
+      given=[given("(E; C) has full column rank", rank(F_BLOCK) == n), given("(E; C) has full row rank", rank(F_BLOCK) == l + p), NULL_VECTOR],
+      by=[order([], [], [], [], [], lemmas=[T(F_BLOCK) * LAM == Zero(n, 1), LAM == Zero(l + p, 1), F_BLOCK * x == Zero(l + p, 1)]),
+          example({"l": 1, "p": 1, "n": 3, A: [[0, 0, 0]], P: [[0, 0, 0]] * 3, Q: [[0]], R: [[1]], E: [[1, 0, 0]], C: [[0, 1, 0]], lam1: [0], lam2: [0],
+                   x: [0, 0, 1]}),
+          example({"l": 1, "p": 1, "n": 1, A: [[0]], P: [[0]], Q: [[0]], R: [[1]], E: [[0]], C: [[1]], lam1: [1], lam2: [0], x: [0]}),
+          example({"l": 1, "p": 1, "n": 2, A: [[0, 0]], P: [[0, 0]] * 2, Q: [[0]], R: [[1]], E: [[1, 0]], C: [[0, 1]], lam1: [1], lam2: [0], x: [0, 0]}),
+          instances(made_by={lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, n=(2, 3), l=(1, 2), p=(1, 2))],
+      note=("Invertible is said as: a null vector (lam1; lam2; x) is zero. No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). That the results of Wang and "
+            "Bernhard follow is NWL92-E3.9 to NWL92-E3.13."))
+
+GAIN_WIDE = T(WIDE_LAST) * inv(WIDE) * block([[Identity(p), Zero(p, l)], [Zero(l, p), Identity(l)], [Zero(n, p), Zero(n, l)]])
+ERROR_WIDE = GAIN_WIDE * block([[R, Zero(p, l)], [Zero(l, p), Sig]]) * T(GAIN_WIDE)
+X = ROW_A * inv(Mj) * block([[Sig, Zero(l, n)], [Zero(n, l), INFORMATION]]) * inv(Mj) * COLUMN_A + Q
+SHORT = -(ROW_A * inv(Mj) * COLUMN_A) + Q
+#: l = p = n = 1, all of Sigma, E, A, C, R one
+ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[1]], Q: [[1]], R: [[1]], Sig: [[1]]}
+
+claim("NWL92-E3.6", "the Riccati equation of Wang and Bernhard follows from that of the 3-block filter",
+      A * ERROR_WIDE * T(A) + Q == X, sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+      by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)],
+      note=("Sigma is any covariance of the prediction; the left side is APA' + Q with the error covariance P of the next filtered "
+            "estimate. Where the 3-block matrix is invertible, so is M (NWL92-E3.7)."))
+
+claim("NWL92-E3.7", "M is invertible exactly if the 3-block matrix is, and both have the same last block of the inverse",
+      iff(invertible(WIDE), invertible(Mj)), sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+      by=[instances(**WB_SIZES)], note="A definition; what is checked is that M takes the place of the 3-block matrix.")
+
+Pb, Pj = symbols("Pb Pj")
+AHEAD = hstack(A, -Identity(l))
+PREDICTION = AHEAD * block([[Pb, Zero(n, l)], [Zero(l, n), Q]]) * T(AHEAD)
+STEP_J = [let(Sig, A * Pb * T(A) + Q), let(Pj, ERROR_WIDE)]
+claim("NWL92-E3.8", "error covariance of the prediction of E x(j)",
+      PREDICTION == A * Pj * T(A) + Q, sizes=["l", "p", "n"], over={**CLASSICAL, Pb: positive_semidefinite(n)}, where=STEP_J,
+      by=[example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[1]], Q: [[1]], R: [[1]], Pb: [[1]]}), instances(**WB_SIZES)],
+      repair=repair("index", "the prediction of E x(j) is made from the estimate of x(j-1), so that P_(j-1) belongs to Sigma_j",
+                    PREDICTION == A * Pb * T(A) + Q, sizes=["l", "n"],
+                    over={A: matrix(l, n), Q: positive_semidefinite(l), Pb: positive_semidefinite(n)},
+                    by=[identity(l=(1, 2), n=(1, 2)), instances(l=(1, 2), n=(1, 2))]),
+      note=("Pb is the error covariance of the estimate of x(j-1), Pj that of x(j), one step of the filter later. The prediction A xh(j-1) "
+            "of E x(j) = A x(j-1) + u(j-1) has the error A nu - u. If Sigma_j is to mean the prediction of E x(j+1), (3.8) stands, and "
+            "that is how it is used from (3.9) on."))
+
+claim("NWL92-E3.9", "recursion for Sigma through the 3-block matrix",
+      A * ERROR_WIDE * T(A) + Q == -(hstack(Zero(l, p), Zero(l, l), A) * inv(WIDE) * vstack(Zero(p, l), Zero(l, l), T(A))) + Q,
+      sizes=["l", "p", "n"], over=PREDICTED, by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)],
+      note="The left side is APA' + Q with the error covariance of the estimate whose gain stands in the inverse of the 3-block matrix.")
+
+claim("NWL92-E3.10", "elimination of the measurement",
+      -(hstack(Zero(l, p), Zero(l, l), A) * inv(WIDE) * vstack(Zero(p, l), Zero(l, l), T(A))) + Q == SHORT,
+      sizes=["l", "p", "n"], over=PREDICTED, where=[M_J], by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)])
+
+claim("NWL92-E3.11", "the right sides of (3.6) and (3.10) agree",
+      X == SHORT, sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+      by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)],
+      note="First and last member of the chain; the members between have entries of their own.")
+
+MIDDLE_SIGN = "diag(Sigma, C'R^-1 C) is M less [0, E; E', -2C'R^-1 C], so that the sign of the last block is wrong"
+claim("NWL92-E3.11.1", "second member of (3.11)",
+      ROW_A * inv(Mj) * (Mj - block([[Zero(l, l), E], [T(E), 2 * INFORMATION]])) * inv(Mj) * COLUMN_A + Q == X,
+      sizes=["l", "p", "n"], over=PREDICTED, where=[M_J], by=[example(ONES), instances(**WB_SIZES)],
+      repair=repair("sign", MIDDLE_SIGN,
+                    ROW_A * inv(Mj) * (Mj - block([[Zero(l, l), E], [T(E), -2 * INFORMATION]])) * inv(Mj) * COLUMN_A + Q == X,
+                    sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+                    by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)]))
+
+
+def third_member(sign, last):
+    """Third member of (3.11), with the sign of C'R^-1 C and what is added at the end."""
+    ends = [ROW_A * inv(Mj) * part * inv(Mj) * COLUMN_A
+            for part in (block([[Zero(l, l), E], [Zero(n, l), sign * INFORMATION]]), block([[Zero(l, l), Zero(l, n)], [T(E), sign * INFORMATION]]))]
+    found = ROW_A * inv(Mj) * COLUMN_A - ends[0] - ends[1]
+    return found if last is None else found + last
+
+
+claim("NWL92-E3.11.2", "third member of (3.11)",
+      third_member(1, None) == X,
+      sizes=["l", "p", "n"], over=PREDICTED, where=[M_J], by=[example(ONES), instances(**WB_SIZES)],
+      repair=repair("sign", MIDDLE_SIGN + " here too, and Q is left out", third_member(-1, Q) == X,
+                    sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+                    by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)]))
+
+CORNER = block([[Zero(l, l), Zero(l, n)], [Zero(n, l), Identity(n)]])
+claim("NWL92-E3.11.3", "fourth member of (3.11)",
+      ROW_A * inv(Mj) * COLUMN_A - ROW_A * CORNER * inv(Mj) * COLUMN_A - ROW_A * inv(Mj) * CORNER * COLUMN_A + Q == X,
+      sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+      by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)])
+
+claim("NWL92-E3.11.4", "last member of (3.11)",
+      SHORT == X, sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
+      by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)])
+
+DEFINITE = {**CLASSICAL, Sig: positive_definite(l)}
+claim("NWL92-E3.12", "the Riccati equation if Sigma is invertible",
+      SHORT == A * inv(T(E) * inv(Sig) * E + INFORMATION) * T(A) + Q,
+      sizes=["l", "p", "n"], over=DEFINITE, where=[M_J],
+      by=[identity(l=(1, 2), p=1, n=(1, 2)), instances(**WB_SIZES)],
+      note="The left side is (3.10). Full column rank of (E; C) is the denominator.")
+
+NORMAL = {A: matrix(n, n), C: matrix(p, n), Q: positive_semidefinite(n), R: positive_definite(p), Sig: positive_definite(n)}
+INFO_N = block([[Sig, Identity(n)], [Identity(n), -INFORMATION]])
+claim("NWL92-E3.13", "the standard Riccati equation for E = I",
+      -(hstack(Zero(n, n), A) * inv(INFO_N) * vstack(Zero(n, n), T(A))) + Q == A * inv(inv(Sig) + INFORMATION) * T(A) + Q,
+      sizes=["p", "n"], over=NORMAL,
+      by=[identity(p=1, n=(1, 2)), instances(p=(1, 2), n=(1, 2))],
+      note="The left side is (3.10) with E = I.")
