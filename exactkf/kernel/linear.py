@@ -55,7 +55,8 @@ class Matrix:
     __slots__ = ("ncols", "nrows", "rows")
 
     def __init__(self, rows: Sequence[Any], ncols: int | None = None) -> None:
-        self.rows, self.nrows = rows, len(rows)
+        self.rows: Any = rows
+        self.nrows = len(rows)
         self.ncols = len(rows[0]) if rows else (ncols or 0)
         if any(len(r) != self.ncols for r in rows):
             raise Undefined("rows of different lengths")
