@@ -266,7 +266,7 @@ def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
 
 def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """A proof in words of letters holds for every size at once."""
-    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction") for e in by) else 2.0
+    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index") for e in by) else 2.0
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
@@ -303,6 +303,7 @@ _FOR_EVERY_SIZE = {
              "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
     "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "
                       "and sums of terms that are semidefinite by their form",
+    "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
 }
 
 

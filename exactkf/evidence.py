@@ -11,6 +11,7 @@ evidence            what it shows                                              b
 `identity`          conclusion is an identity in all variables, per size       proved, proved-sizes
 `combination`       conclusion = sum of (left)(hypothesis)(right), per size    proved, proved-sizes
 `induction`         base and step of ``always(t, ...)``, for every size         proved, proved-sizes
+`generic_index`     the same for coefficients, sums and entries, every size      proved
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
 `order`             order, invertibility and equations for every size          proved
 `evaluation`        a closed statement, or every case of a finite one          proved
@@ -29,7 +30,8 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "identity", "induction", "instances", "order", "positivity", "steps",
+    "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
+    "steps", "use",
 ]
 
 
@@ -108,6 +110,60 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
     if shapes:
         hints["shapes"] = {_name(k): [[to_expr(x).tree for x in side] for side in v] for k, v in shapes.items()}
     return Evidence("induction", hints)
+
+
+def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (),
+                  uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
+                  in_values: bool = False) -> Evidence:
+    """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
+
+    Parameters
+    ----------
+    lemmas : `lemma`
+        Shown first, in this order, each by induction on its index.
+    supported : names of recursions X
+        The polynomial X[t] has exponents 0 .. t, which is shown before all else.
+    closed : names of functions
+        Not replaced by their definition except by a `use` of it.
+    uses : sequence of `use`
+        Places at which the conclusion uses the lemmas.
+    shift : int
+        The outermost index of the conclusion is written as a generic index plus this, so that values
+        at the shift's distance before it stay as they are and later ones are opened.
+    in_values : bool
+        The polynomials of the conclusion are read as functions of z and 1/z, with those of ``closed`` as they are,
+        and not coefficient by coefficient: so they may be multiplied.
+    triangular : matrix term L
+        For a conclusion det(M) == prod(k, .., d): LM is upper triangular with diagonal d, and L is lower
+        triangular with ones on its diagonal.
+    """
+    hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
+                             "uses": list(uses), "shift": shift, "in values": in_values}
+    if triangular is not None:
+        hints["triangular"] = to_expr(triangular).tree
+    return Evidence("generic index", hints)
+
+
+def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
+          uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+    """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
+
+    ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
+    (``z`` for the exponent in an equation of polynomials). In the step of a ``bare`` lemma exponents are of no account;
+    a ``direct`` one is shown at t for any t >= start, without induction.
+    """
+    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses)}
+
+
+def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
+    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``.
+
+    With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
+    """
+    if isinstance(number, Expr):
+        return {"definition": _name(number), "at": [to_expr(x).tree for x in args]}
+    more = {} if times is None else {"times": to_expr(times).tree}
+    return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:

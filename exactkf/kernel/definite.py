@@ -22,13 +22,15 @@ from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, hypotheses
 from exactkf.kernel.words import Blocks
 
-__all__ = ["are_transposed", "definiteness", "exists", "nonsingular", "sign"]
+__all__ = ["apart", "are_transposed", "definiteness", "exists", "nonsingular", "sign"]
 
 
 def exists(reader: Reader, tree: Any, known: list) -> bool:
     """Every inverse in a term is one of the statement or of a matrix that is nonsingular (a number that is positive) by its form."""
     if not isinstance(tree, (list, tuple)):
         return True
+    if tree and not isinstance(tree[0], str):  # a row of a block matrix
+        return all(exists(reader, x, known) for x in tree)
     if tree and tree[0] == "at":
         return _brings_nothing(reader, tree)
     if tree and tree[0] in ("/", "^"):
@@ -48,15 +50,21 @@ def exists(reader: Reader, tree: Any, known: list) -> bool:
 def _brings_nothing(reader: Reader, tree: Any) -> bool:
     """The term inverts and divides by nothing but what the statement does."""
     inverses, quotients, units = reader.granted
-    probe = copy(reader)
+    probe = apart(reader)
     probe.inverses, probe.quotients, probe.units = list(inverses), list(quotients), set(units)
-    probe.memory = {}
-    probe.sizes, probe.transposed = dict(reader.sizes), dict(reader.transposed)
     try:
         probe.read(tree)
     except Unknown:  # such as an inverse that a proof has brought in before
         return False
     return len(probe.inverses) == len(inverses) and len(probe.quotients) == len(quotients) and probe.units == units
+
+
+def apart(reader: Reader) -> Reader:
+    """A reader that reads on by itself."""
+    probe = copy(reader)
+    probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
+    probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
+    return probe
 
 
 def definiteness(reader: Reader, tree: Any) -> int:
@@ -76,7 +84,7 @@ def definiteness(reader: Reader, tree: Any) -> int:
     if op == "I":
         return 2
     if op == "O":
-        return 1
+        return int(reader.size(args[0]) == reader.size(args[1]))
     if op == "+":
         found = [definiteness(reader, a) for a in args]
         return 0 if 0 in found else max(found)

@@ -7,6 +7,8 @@
     equations, order and invertibility: terms, and multiples of the assumptions
 ``word induction``
     base and step, each by an ``order``
+``generic index``
+    recursions of growing degree: lemmas by induction, then the conclusion
 
 Main definitions
 ----------------
@@ -19,8 +21,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown
-from exactkf.kernel.order import Leaf, leaves
+from exactkf.kernel.order import Leaf, leaves, register_inverses
 from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
 from exactkf.kernel.recursion import Induction, inductions
 from exactkf.kernel.words import Blocks, Poly, Relation, Size, Word, number, text, times_scalars
@@ -34,13 +37,34 @@ def _need(condition: bool, step: str) -> None:
 
 
 def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    reader = Reader(statement)
-    goals = [cell for b in residual_blocks(reader, statement["says"]) for cell in b.cells()]
-    assumed = relations(reader)
+    whole = Reader(statement)
+    goals = [(cell, k) for k, part in enumerate(_parts(statement["says"])) for b in residual_blocks(whole, part) for cell in b.cells()]
+    assumed = relations(whole)
     _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
-    for place, ((goal, rows, cols), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
-        _need(not _less_multiples(reader, assumed, goal, rows, cols, terms), f"block {place}: the terms do not add up")
-    return [f"det({_text(term)})" for term, _ in reader.inverses]
+    at, reader, known = -1, whole, assumed
+    for place, (((goal, rows, cols), k), terms) in enumerate(zip(goals, evidence["terms"], strict=True), 1):
+        if k != at:
+            at, (reader, known) = k, _up_to(statement, k, whole, assumed)
+        _need(not _less_multiples(reader, known, goal, rows, cols, terms), f"block {place}: the terms do not add up")
+    return [f"det({_text(term)})" for term, _ in whole.inverses]
+
+
+def _parts(formula: Any) -> list[Any]:
+    """The members of a conjunction, in order."""
+    return [x for part in formula[1:] for x in _parts(part)] if formula[0] == "and" else [formula]
+
+
+def _up_to(statement: Mapping[str, Any], k: int, whole: Reader, assumed: dict[str, Relation]) -> tuple[Reader, dict[str, Relation]]:
+    """What may be assumed for a member of a conjunction: those after it need not have a value where it is false."""
+    reader, parts = Reader(statement), _parts(statement["says"])
+    for part in parts[:k + 1]:
+        residual_blocks(reader, part)
+    for part in parts[k + 1:]:
+        register_inverses(reader, part, evaluated=False)
+    found = list(relations(reader).values())
+    if (len(reader.inverses), len(reader.quotients), reader.units) == (len(whole.inverses), len(whole.quotients), whole.units):
+        return whole, assumed
+    return reader, {name: relation for name, relation in assumed.items() if relation in found}
 
 
 def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly, rows: Size, cols: Size, terms: list) -> Poly:
@@ -56,6 +80,7 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
     for c, left, name, right, *more in terms:
         before, behind = tuple(left), tuple(right)
         scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
+        _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
         _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
         relation = assumed[name] if isinstance(name, str) else _between_numbers(reader, assumed, name)
         start = after(before, rows)
@@ -76,6 +101,7 @@ def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any)
         return reader.as_scalar(tuple(name))
     one = (("", 1),)
     poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(c) for c, s in name["numbers"]}
+    _need(all(type(e) is int for s, _ in poly for _, e in s), "an exponent is no integer")
     _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
     return Relation(poly, None, None)
 
@@ -115,4 +141,4 @@ def _word_induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -
     return denominators
 
 
-KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction}
+KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}

@@ -18,7 +18,11 @@ from exactkf.kernel.meaning import Signal, World, is_invertible, is_pd, is_psd, 
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown, rational
 from exactkf.kernel.symbolic import SymbolicField
 
-__all__ = ["admissible", "computed", "generic", "read_instance", "read_number"]
+__all__ = ["TYPES", "admissible", "computed", "generic", "read_instance", "read_number"]
+
+#: types of variables, besides ``sequence_of`` and ``signal_of`` of one of them
+TYPES = ("integer", "scalar", "nonzero", "positive", "nonneg", "sequence", "signal", "poly", "monic",
+         "matrix", "nonsingular", "diagonal", "symmetric", "psd", "pd")
 
 
 def read_number(text: Any, field: AlgebraicField | None) -> Any:
@@ -46,6 +50,8 @@ def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number:
         if not isinstance(values[name], int) or values[name] < 0:
             raise Undefined(f"size {name} is not a natural number")
     values["horizon"] = data["sizes"].get("horizon", 5)
+    if type(values["horizon"]) is not int or values["horizon"] < 0:
+        raise Undefined("the horizon is not a natural number")
     for name, kind in statement["over"]:
         values[name] = _read_value(World({"where": statement["where"]}, values), kind, data["values"][name], read)
     return values

@@ -8,8 +8,8 @@ an instance; `exactkf.kernel.instances` reads instances.
 
 Truth follows classical logic with two conventions. A term that divides by
 zero has no value (`Undefined`), and an instance on which the conclusion has
-no value is outside the statement: denominators are hypotheses. ``always(t,
-p)`` looks at t = 0 .. horizon, up to the first t at which p has no value, and
+no value is outside the statement: denominators are hypotheses. What comes after
+a part of a conjunction that is false need not have a value. ``always(t, p)`` looks at t = 0 .. horizon, up to the first t at which p has no value, and
 needs at least t = 0 and 1 (t = 0 for horizon 0).
 """
 
@@ -236,6 +236,8 @@ def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
         try:
             if not truth(world, body, {**local, index: t}):
                 return False
+        except _TooDeep as error:
+            raise Unknown(str(error)) from error
         except Undefined:
             if t <= min(1, world.horizon):
                 raise
@@ -265,6 +267,8 @@ def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
         raise Unknown("definedness of a quantity with variables")
     try:
         world.value(tree[1], local)
+    except _TooDeep as error:
+        raise Unknown(str(error)) from error
     except Undefined:
         return False
     return True

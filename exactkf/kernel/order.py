@@ -41,12 +41,15 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from exactkf.kernel.definite import are_transposed, definiteness, exists, nonsingular
+from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
-__all__ = ["Leaf", "goal_of", "leaves"]
+__all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
+
+#: operations that need no value of what stands in them, such as a sum over an empty range
+_LAZY = ("forall", "exists", "always", "sum", "prod", "mat", "col", "defined")
 
 
 # ---------------------------------------------------------------------- taking a conclusion apart
@@ -89,6 +92,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
     label = f"assumed {len(statement['given'])}"
     if formula[0] == "and":
         for part in formula[1:]:
+            statement = _evaluated(statement, part)  # where the parts before are true
             yield from _leaves(statement, part)
             if part[0] in ("psd", "pd", "invertible"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
@@ -142,7 +146,7 @@ class Leaf:
         op, found, wanted, self.first = formula[0], [], 0, 0
         self.shown: dict[str, Relation] = {}
         for tree in statement["own"]:
-            _register_inverses(reader, tree)
+            register_inverses(reader, tree)
         reader.granted = list(reader.inverses), list(reader.quotients), set(reader.units)
         self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
         if statement.get("lemma") and not all(exists(reader, x, self.known) for x in said[1:]):
@@ -192,11 +196,15 @@ class Leaf:
     def _similar(self, sides: list, terms: Any) -> list[Blocks]:
         """AT = TB with a nonsingular T; its inverse is given, or T is nonsingular by its form."""
         reader = self.reader
+        if not all(isinstance(x, Blocks) for x in sides):
+            raise Unknown("similarity of numbers")
         if len(terms) not in (1, 2) or (len(terms) == 1 and not nonsingular(reader, terms[0])):
             raise Unknown("a nonsingular T with AT = TB is needed")
         t = reader.read(terms[0])
         if not isinstance(t, Blocks) or reader.total(t.rows) != reader.total(t.cols):
             raise Unknown("a square T with AT = TB is needed")
+        if any(reader.total(s) != reader.total(t.rows) for x in sides for s in (x.rows, x.cols)):
+            raise Unknown("matrices of another size than T with AT = TB")
         found = [reader._plus(reader._times(sides[0], t), reader._times(t, sides[1]), -1)]
         return [*found, *(reader._plus(reader._times(t, reader.read(s)), Blocks.unit(t.rows), -1) for s in terms[1:])]
 
@@ -313,20 +321,26 @@ def _halves(reader: Reader, tree: Any) -> Iterator[Any]:
         yield rest[0] if len(rest) == 1 else ["*", *rest]
 
 
-def _register_inverses(reader: Reader, tree: Any) -> None:
-    """Let the reader meet every inverse that a tree of the statement writes down and that must exist for it to have a value."""
+def register_inverses(reader: Reader, tree: Any, evaluated: bool = True) -> None:
+    """Let the reader meet every inverse that a tree of the statement writes down and that must exist for it to have a value.
+
+    What comes after the first part of a conjunction need not be evaluated; there only inverses that exist by their form are met.
+    """
     if not isinstance(tree, (list, tuple)) or not tree:
         return
-    if tree[0] in ("=>", "or"):  # what comes after the first part need not have a value
-        _register_inverses(reader, tree[1])
+    if tree[0] in _LAZY:
+        return
+    if tree[0] in ("=>", "or", "if"):  # what comes after the first part need not have a value
+        register_inverses(reader, tree[1], evaluated)
         return
     if tree[0] in ("inv", "/", "^"):
         with suppress(Unknown, Undefined, TypeError):
-            reader.read(tree)
+            if evaluated or exists(apart(reader), tree, list(reader.inverses)):
+                reader.read(tree)
     if tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets and not reader.lets[tree[1]][2]:
-        _register_inverses(reader, reader.lets[tree[1]][3])
-    for part in tree[1:]:
-        _register_inverses(reader, part)
+        register_inverses(reader, reader.lets[tree[1]][3], evaluated)
+    for n, part in enumerate(tree[1:]):
+        register_inverses(reader, part, evaluated and not (n and tree[0] == "and"))
 
 
 def goal_of(reader: Reader, formula: Any) -> tuple[Blocks, int]:

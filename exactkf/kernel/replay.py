@@ -15,6 +15,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``membership``   for every size: lhs - rhs = sum of c l (assumption) r in words of letters
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
+``generic index``  for every size: coefficients and sums at a generic index, by induction
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================
@@ -28,17 +29,19 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.every_size import KINDS
-from exactkf.kernel.instances import admissible, generic, read_instance
+from exactkf.kernel.instances import TYPES, admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
-from exactkf.kernel.symbolic import SymbolicField
+from exactkf.kernel.roots import divmod_poly
+from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
@@ -89,11 +92,25 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
     try:
         with rationals(Fraction):
             evidence = certificate["evidence"]
+            _well_named(certificate["statement"], evidence)
             return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError, AssertionError) as error:
         raise Rejected(f"{certificate['kind']}: malformed data ({type(error).__name__}: {error})") from error
+
+
+def _well_named(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    """Names are identifiers, each of one thing, none of it the horizon; types exist."""
+    if "over" not in statement:  # a question about an orbit
+        return
+    over = [*statement["over"], *(evidence.get("parameters") or [])]
+    names = [*statement["sizes"], *(name for name, _ in over), *(d[1] for d in statement["where"])]
+    for name in names:
+        _need(isinstance(name, str) and name.isidentifier() and name != "horizon", f"{name!r} is no name for a size, a variable or a definition")
+    _need(len(set(names)) == len(names), "two things have one name")
+    for name, kind in over:
+        _need((kind[-1][0] if kind[0] in ("sequence_of", "signal_of") else kind[0]) in TYPES, f"{name} is of a type that does not exist")
 
 
 # ---------------------------------------------------------------------- evidence on instances
@@ -117,8 +134,8 @@ def _counterexample(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -
     fault = admissible(statement, world)
     _need(not fault, f"counterexample: {fault}")
     _need(world.value(statement["says"]) is False, "counterexample: the conclusion holds there")
-    _need(not any(_assumes_always(f) for _, f, _ in statement["given"]) and not _denies_always(statement["says"]),
-          "counterexample: 'always' is assumed or denied, and an instance shows it up to a horizon only")
+    hidden = any(_assumes_always(d) for d in statement["where"]) or any(_assumes_always(f) for _, f, _ in statement["given"])
+    _need(not hidden and not _denies_always(statement["says"]), "counterexample: 'always' is assumed or denied, and an instance shows it up to a horizon only")
     return []
 
 
@@ -127,14 +144,14 @@ def _assumes_always(tree: Any) -> bool:
 
 
 def _denies_always(tree: Any) -> bool:
-    """An 'always' stands under a negation, in a premise or in an equivalence."""
+    """An 'always' stands anywhere but in what holds the less, the less often it does."""
     if not isinstance(tree, list):
         return False
-    if tree[0] in ("not", "<=>"):
-        return _assumes_always(tree)
     if tree[0] == "=>":
         return _assumes_always(tree[1]) or _denies_always(tree[2])
-    return any(_denies_always(x) for x in tree[1:])
+    if tree[0] in ("and", "or", "forall", "exists", "always"):
+        return any(_denies_always(x) for x in tree[1:])
+    return _assumes_always(tree)
 
 
 def _integers(statement: Mapping[str, Any], sizes: Mapping[str, int]) -> Iterator[dict[str, int]]:
@@ -175,12 +192,13 @@ def _evaluation(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
 
 # ---------------------------------------------------------------------- evidence with symbols
 def _cases(statement: Mapping[str, Any], evidence: Mapping[str, Any], given_by: Mapping[str, Any] | None = None) -> Iterator[tuple[World, SymbolicField]]:
-    told = evidence.get("cancelled")
+    told, reached = evidence.get("cancelled"), False
     trials = told if isinstance(told, Trials) else Trials(told)
     for case in _sizes(statement, evidence):
         for values in _integers(statement, case):
-            field = SymbolicField(trials)
+            field, reached = SymbolicField(trials), True
             yield generic(statement, values, given_by, field.variable)[0], field
+    _need(reached, "no case")
 
 
 def _denominators(field: SymbolicField) -> list[str]:
@@ -191,6 +209,53 @@ def _collect(into: list[str], field: SymbolicField) -> None:
     into.extend(t for t in _denominators(field) if t not in into)
 
 
+def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, used: set[int]) -> None:
+    """Evidence divides by nothing but what the statement divides by (the factors up to ``known``) or says not to vanish."""
+    new = used - set(range(known))
+    if new:
+        new -= {index for x in _not_zero(statement, world) if isinstance(x, Symbolic) for index, _ in field.factor(x.num)}
+    _need(not new, f"the evidence divides by {', '.join(field.text(field.factors[index]) for index in sorted(new))}, which may vanish")
+
+
+def _divisors(x: Any, below: Laurent | None = None) -> set[int]:
+    """Factors of the denominators in a value; a polynomial in z among them divides ``below``, which the statement divides by."""
+    if isinstance(x, Matrix):
+        return {index for r in x.rows for y in r for index in _divisors(y, below)}
+    if isinstance(x, Ratio):
+        if len(x.den.c) > 1:
+            _need(below is not None, "the evidence divides by a polynomial in z, which may vanish")
+            quotient, rest = divmod_poly(*(p.shift(-p.order).dense() for p in (below, x.den)))  # type: ignore[union-attr]
+            _need(not rest, "the evidence divides by a polynomial in z, which may vanish")
+            return _divisors(x.num) | _divisors(Laurent(dict(enumerate(quotient))))
+        x = x.num
+    if isinstance(x, Laurent):
+        return {index for y in x.c.values() for index in _divisors(y)}
+    return {index for index, _ in x.den} if isinstance(x, Symbolic) else set()
+
+
+def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
+    """Numbers that are not zero by the types and the hypotheses."""
+    todo: list[Any] = [(["invertible", ["sym", name]], {}) for name, kind in statement["over"] if kind[0] in ("nonzero", "positive", "nonsingular", "pd")]
+    todo.extend((formula, {}) for _, formula, _ in statement["given"])
+    while todo:
+        tree, local = todo.pop()
+        op = tree[0]
+        if op == "and":
+            todo.extend((x, local) for x in tree[1:])
+        elif op == "forall":
+            low, high = (world.integer(x, local) for x in tree[2:4])
+            todo.extend((tree[4], {**local, tree[1]: k}) for k in range(low, high + 1))
+        with suppress(Unknown, Undefined):  # such as an absolute value
+            if op in ("!=", "<", ">") and len(tree) == 3:
+                yield world.value(["-", *tree[1:]], local)
+            elif op in ("invertible", "pd"):
+                yield world.value(["det", tree[1]], local)
+            elif op == "=" and len(tree) == 3 and isinstance(tree[1], list) and tree[1][0] == "rank":
+                m, rank = world.value(tree[1][1], local), world.value(tree[2], local)
+                if isinstance(m, Matrix) and rank in (m.nrows, m.ncols):  # then the Gram determinant is positive
+                    yield (m * m.transpose() if rank == m.nrows else m.transpose() * m).determinant()
+
+
 def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
@@ -199,14 +264,10 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
           "a parametrisation needs the claim that says it reaches everything")
     parameters = evidence.get("parameters") or []
     taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
-    _need(not taken & {*given_by, *(name for name, _ in parameters)}, "a parametrisation redefines a name")
-    _need(not {name for name, _ in statement["over"]} & {name for name, _ in parameters}, "a parameter has the name of a variable")
-    reached = 0
+    _need(not taken & set(given_by), "a parametrisation redefines a name")
     for world, field in _cases({**statement, "over": [*parameters, *statement["over"]]}, evidence, given_by):
         _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
-        reached += 1
-    _need(reached > 0, "no case")
     return found
 
 
@@ -236,6 +297,22 @@ def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) 
     raise Unknown(f"{op!r} is not an equation")
 
 
+def _never_zero(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, names: list[str]) -> set[int]:
+    """Factors of the states that never vanish: not at 0, nor at t + 1 where not at t and all has a value."""
+    t = _GENERIC_T
+    out: set[int] = set()
+    allowed = set(range(known)) | {index for x in _not_zero(statement, world) if isinstance(x, Symbolic) for index, _ in field.factor(x.num)}
+    for name in names:
+        start, now, then = (world.call(name, (k,)) for k in (0, t, t + 1))
+        if not all(isinstance(x, Symbolic) for x in (now, then)) or start == 0:
+            continue
+        own = {index for index, _ in field.factor(now.num)}
+        first = {index for index, _ in field.factor(start.num)} if isinstance(start, Symbolic) else set()
+        if first <= allowed and {index for index, _ in field.factor(then.num)} <= allowed | own:
+            out |= own
+    return out
+
+
 def _zero(x: Any) -> bool:
     if isinstance(x, Matrix):
         return all(y == 0 for r in x.rows for y in r)
@@ -248,13 +325,20 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
     for world, field in _cases(statement, evidence):
         goals = _residuals(world, statement["says"])
         _need(len(goals) == len(evidence["terms"]), "as many lists of terms as equations are needed")
+        used = {label for terms in evidence["terms"] for _, label, _ in terms}
+        residual = {label: _residuals(world, hypotheses[label.removesuffix("'")]) for label in used}
+        known, divisors = len(field.factors), set[int]()
         for goal, terms in zip(goals, evidence["terms"], strict=True):
             rest = goal
             for left, label, right in terms:
-                (h,) = _residuals(world, hypotheses[label.removesuffix("'")])
+                (h,) = residual[label]
                 h = h.transpose() if label.endswith("'") else h
-                rest = rest - world.value(left) * h * world.value(right)
+                sides = [world.value(x) for x in (left, right)]
+                for x in sides:
+                    divisors |= _divisors(x, goal.den if isinstance(goal, Ratio) else None)
+                rest = rest - sides[0] * h * sides[1]
             _need(_zero(rest), f"the combination does not add up for {_ints(world)}")
+        _nothing_new(statement, world, field, known, divisors)
         _collect(found, field)
     return found
 
@@ -270,22 +354,27 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
                        for name, kind in statement["over"] if kind[0] in ("positive", "nonneg")})
     for world, field in _cases(statement, evidence):
         rest, strict = world.value(lhs) - world.value(rhs), False
+        used = {label for _, _, labels in evidence["terms"] for label in labels}
+        sides = {label: [world.value(x) for x in hypotheses[label][1:]] for label in used}
+        known, divisors = len(field.factors), set[int]()
         for c, q, labels in evidence["terms"]:
             c = Fraction(world.value(c))
             _need(c >= 0, "a coefficient is negative")
             term, positive = world.value(q), c > 0
+            divisors |= _divisors(term)
             positive = positive and isinstance(term, (int, Fraction)) and term != 0
             term = c * (term * term)
             for label in labels:
-                relation, x, y = hypotheses[label]
+                relation, (x, y) = hypotheses[label][0], sides[label]
                 _need(relation in (">", ">=", "<", "<="), f"hypothesis {label!r} is not an inequality")
-                gap = world.value(x) - world.value(y)
+                gap = x - y
                 term = term * (gap if relation in (">", ">=") else -gap)
                 positive = positive and relation in (">", "<")
             strict = strict or positive
             rest = rest - term
         _need(_zero(rest), f"the terms do not add up for {_ints(world)}")
         _need(strict or op in (">=", "<="), "no term is strictly positive")
+        _nothing_new(statement, world, field, known, divisors)
         _collect(found, field)
     return found
 
@@ -356,8 +445,9 @@ def _called_with_index(statement: Mapping[str, Any], body: Any, index: str) -> l
 
 def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
-    op, index, body = statement["says"]
+    op, index, said = statement["says"]
     _need(op == "always", "the conclusion is not of the form 'for all t'")
+    body = said
     if evidence.get("also"):  # a stronger statement, which the induction proves along with the conclusion
         body = ["and", *(body[1:] if body[0] == "and" else [body]), *evidence["also"]]
     recursions = [d for d in statement["where"] if d[0] == "rec"]
@@ -369,23 +459,27 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
     for d, parameter in _called_with_index(statement, body, index):
         _need(_index_only(d[3], parameter), f"definition {d[1]} uses an index other than as an index")
     for world, field in _cases(statement, evidence):
+        _residuals(world, said, {index: 0})
+        known = len(field.factors)
         _need(all(_zero(r) for r in _residuals(world, body, {index: 0})), f"base: t = 0 fails for {_ints(world)}")
+        _nothing_new(statement, world, field, known, set(range(known, len(field.factors))))
         shapes = {d[1]: world.call(d[1], (0,)) for d in recursions}
         for name, support in (evidence.get("support") or {}).items():
             shapes[name] = Laurent({k: 1 for k in support})
-        _step(world, field, statement, evidence, index, body, recursions, shapes)
+        _step(world, field, statement, evidence, index, said, body, recursions, shapes)
         _collect(found, field)
     return found
 
 
-def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evidence: Mapping[str, Any], index: str, body: Any,
-          recursions: list, shapes: Mapping[str, Any]) -> None:
+def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evidence: Mapping[str, Any], index: str, said: Any,
+          body: Any, recursions: list, shapes: Mapping[str, Any]) -> None:
     """From t to t + 1, t generic."""
     t = _GENERIC_T
     for d in recursions:
         _need(_fits(world.call(d[1], (0,)), shapes[d[1]]), f"step: {d[1]} at 0 does not have the shape of the state")
     world.memory = {(name, (t,)): _fresh(shape, name, field) for name, shape in shapes.items()}
     parts = body[1:] if body[0] == "and" else [body]
+    divisors: set[int] = set()
     for k in evidence.get("solve") or []:
         eq = parts[k]
         _need(eq[0] == "=" and len(eq) == 3 and eq[1][0] == "at" and eq[1][2:] == [["sym", index]] and eq[1][1] in shapes,
@@ -394,16 +488,26 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
         solved = world.value(eq[2], {index: t})
         if isinstance(solved, Matrix):
             solved = solved.map(lambda x: x)  # every entry, before what is remembered changes
+        divisors |= set() if k < len(parts) - len(evidence.get("also") or []) else _divisors(solved)
         world.memory = {key: v for key, v in world.memory.items() if key[0] in shapes and key[1] == (t,)}
         world.memory[eq[1][1], (t,)] = solved
+    for k in (t, t + 1):
+        _residuals(world, said, {index: k})
+    known = len(field.factors)
     before = [r for p in parts for r in _residuals(world, p, {index: t})]
     after = [r for p in parts for r in _residuals(world, p, {index: t + 1})]
+    divisors |= set(range(known, len(field.factors)))
     cofactors = evidence.get("cofactors") or [[] for _ in after]
     _need(len(cofactors) == len(after), "step: as many lists of cofactors as equations are needed")
     for rest, terms in zip(after, cofactors, strict=True):
         for left, k, right in terms:
-            rest = rest - world.value(left, {index: t}) * before[k] * world.value(right, {index: t})
+            sides = [world.value(x, {index: t}) for x in (left, right)]
+            divisors |= _divisors(sides[0]) | _divisors(sides[1])
+            rest = rest - sides[0] * before[k] * sides[1]
         _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
+    if not divisors <= set(range(known)):
+        divisors -= _never_zero(statement, world, field, known, [d[1] for d in recursions])
+    _nothing_new(statement, world, field, known, divisors)
     for d in recursions:
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
 

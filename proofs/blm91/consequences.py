@@ -29,8 +29,8 @@ from exactkf.language import *
 from proofs.blm91.notation import *
 
 H = 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]
-FIRST_ = 1 / ((2 * lam - al[t]) * (2 * lam - Nt[t] / Mt[t]))
-SECOND_ = -1 / ((1 - ga[t] ** 2) * (2 * lam - al[t]))
+FIRST_ = al[t] / ((1 - ga[t] ** 2) * (2 * lam - Nt[t] / Mt[t]))
+SECOND_ = -1 / ((1 - ga[t] ** 2) * (2 * lam - Nt[t] / Mt[t]))
 SCALE_ = -sg[t] * ga0 / Mt[t]
 claim("BLM91-X.1", "iterates in closed form",
       always(t, (al[t] == Nt[t] / Mt[t]) & (ga[t] == sg[t] * ga0 / Mt[t])), over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, LAMBDA, *PROJECTIVE],

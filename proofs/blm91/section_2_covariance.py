@@ -26,7 +26,7 @@ gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -131,14 +131,16 @@ claim("BLM91-S16", "positive realness is |gamma_t| < 1 for all t",
 C = {c: sequence(1, n + 1)}
 SZEGO = (FREE, *szego(cc))
 PAIRING = function(ip, [t, k], sum_of(j, 0, t, coeff(phi[t], j) * cc(abs(j - k))))  # <phi_t, z^k>
+REVERSED, MONIC = lemma(t, phis[t] == rev(phi[t], t), rule=True), lemma(t, coeff(phi[t], t) == 1, uses=[use(1, t=t)])
 claim("BLM91-E2.5", "Szego polynomials are monic of degree t",
       forall(t, 0, n, phi[t] == Z**t + sum_of(k, 1, t, coeff(phi[t], t - k) * Z ** (t - k))), sizes=["n"], over=C, where=SZEGO,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[generic_index(REVERSED, MONIC, supported=[phi, phis], uses=[use(1, t=t)]), instances(n=range(1, 6))],
       note="The display fixes names for the coefficients; checked is that the polynomials of (2.6) are of this form.")
 
 claim("BLM91-E2.6", "the recursions produce the monic orthogonal polynomials",
       forall(t, 0, n, forall(k, 0, t, ip(t, k) == when(k == t, r[t], 0))), sizes=["n"], over=C, where=[*SZEGO, PAIRING],
-      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      by=[generic_index(REVERSED, MONIC, lemma(t, forall(k, 0, t, ip(t, k) == when(k == t, r[t], 0)), uses=[use(1, t=t), use(2, t=t, k=k - 1), use(2, t=t, k=t - k)]),
+                        supported=[phi, phis], uses=[use(2, t=t, k=k)]), instances(n=range(1, 6))],
       note="Monic and orthogonal to 1, z, .., z^(t-1) in the form <z^i, z^j> = c_|i-j|, which determines phi_t.")
 
 # phi_t by its normal equations, gamma_t by its constant term, r_t by determinants

@@ -27,7 +27,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -72,14 +72,16 @@ claim("BLM91-E2.29", "the filter driven by the output",
       forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
 
 # ---------------------------------------------------------------------- the fast algorithm
-PAIR = (rec(phi, t, 1, Z * phi[t] - gam[t] * phis[t]), rec(phis, t, 1, phis[t] - gam[t] * Z * phi[t]), rec(r, t, 1, (1 - gam[t] ** 2) * r[t]),
-        function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
+fp, fps = symbols("phi_F phi_star_F")
+PAIR = (rec(fp, t, Identity(n), F * fp[t] - gam[t] * fps[t]), rec(fps, t, Identity(n), fps[t] - gam[t] * F * fp[t]), rec(r, t, 1, (1 - gam[t] ** 2) * r[t]),
+        function(kk, [t], 1 / r[t] * (fps[t] * g)), function(ks, [t], 1 / r[t] * (fp[t] * g)))
 claim("BLM91-E2.20", "recursion of the two gains",
-      (kk(0) == g) & (ks(0) == g) & forall(t, 0, m - 1, (kk(t + 1) == 1 / (1 - gam[t] ** 2) * (kk(t) - gam[t] * F * ks(t)))
+      (kk(0) == g) & (ks(0) == g) & always(t, (kk(t + 1) == 1 / (1 - gam[t] ** 2) * (kk(t) - gam[t] * F * ks(t)))
                                            & (ks(t + 1) == 1 / (1 - gam[t] ** 2) * (F * ks(t) - gam[t] * kk(t)))),
-      sizes=["n", "m"], over={F: matrix(n, n), g: vector(n), gam: sequence(0, m - 1)}, where=PAIR,
-      by=[identity(n=(1, 2, 3), m=(1, 2, 3, 4)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))],
-      note="For any numbers gamma_t with square other than 1.")
+      sizes=["n"], over={F: matrix(n, n), g: vector(n), gam: signal(0)}, where=PAIR,
+      by=[induction(), instances(n=(1, 2, 3))],
+      note="For any numbers gamma_t with square other than 1. phi_t(F) and phi*_t(F) are computed by (2.6) with F in place of z: a polynomial's value at "
+           "F respects sums, and turns a factor z into a factor F. That these gains are those of the polynomials is also part of the claim on (1.9).")
 GAINS = (REALIZED, *szego(c), function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
 FGH = {F: matrix(n, n), h: vector(n), g: vector(n)}
 claim("BLM91-E2.21", "the Schur parameter is the first component seen by h",
@@ -108,7 +110,7 @@ claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
            "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
 FORM = (SHIFT, *CANONICAL)
 claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(), instances(n=(1, 2, 3, 4))])
 FREE = {J: matrix(n, n), h: vector(n), a: vector(n), x: vector(n)}
 claim("BLM91-S19", "F on the companion gain", F * x == J * x - a * (T(h) * x), sizes=["n"], over=FREE, where=[let(F, J - a * T(h))],
       by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))], note="For any vector in place of k*_t, gamma_t being h'k*_t by (2.21), and any J, with F = J - a h' as in (2.23).")
@@ -119,9 +121,10 @@ claim("BLM91-E2.24", "what the change of variables does: the filter matrix depen
 
 STRIPPED = stripped(g + a, g)
 AG = {a: vector(n), g: vector(n)}
+SOME = [standing("n >= 1", n >= 1)]
 claim("BLM91-E2.25", "the stripped fast algorithm",
-      always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED],
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+      always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED], given=SOME,
+      by=[generic_index(lemma(t, (q[t] == fk[t] + a) & (qs[t] == fks[t]), rule=True)), instances(n=(1, 2, 3))])
 
 # ---------------------------------------------------------------------- the polynomials
 POLY = (*STRIPPED, *POLYNOMIALS)
@@ -129,9 +132,11 @@ claim("BLM91-E2.26", "the polynomials carry the state of the algorithm",
       always(t, (Qp(t) == r[t] * charpoly(J - q[t] * T(h))) & (Qs(t) == r[t] * (charpoly(J - qs[t] * T(h)) - Z**n))), sizes=["n"], over=AG,
       where=[FIRST, *POLY], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="The display defines Q_t and Q*_t. Checked is another form of the same polynomials, by characteristic polynomials of J - q_t h' and J - q*_t h'.")
+NEXT = (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))
+LEFT = 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t)))
 claim("BLM91-E2.27", "the polynomials obey the Szego recursion",
-      always(t, (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))), sizes=["n"], over=AG, where=POLY,
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))])
+      always(t, NEXT), sizes=["n"], over=AG, where=POLY, given=SOME,
+      by=[generic_index(), instances(n=(1, 2, 3))])
 claim("BLM91-S20", "degrees of the polynomials",
       forall(t, 0, m, (degree(Qp(t)) == n) & (degree(Qs(t)) == n - 1)), sizes=["n", "m"], over=AG, where=POLY,
       by=[example(n=1, m=1, a=["-1/2"], g=["1/2"]), instances(n=(1, 2), m=(0, 1, 2))],
@@ -139,11 +144,12 @@ claim("BLM91-S20", "degrees of the polynomials",
                     "and 0 at t = 1; n - 1 is a bound",
                     always(t, (Qp(t) == sum_of(i, 0, n, coeff(Qp(t), n - i) * Z ** (n - i))) & (coeff(Qp(t), n) == r[t])
                            & (Qs(t) == sum_of(i, 1, n, coeff(Qs(t), n - i) * Z ** (n - i))) & (coeff(Qs(t), n - 1) == r[t] * gam(t))),
-                    sizes=["n"], over=AG, where=POLY, by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))]),
+                    sizes=["n"], over=AG, where=POLY, given=SOME, by=[generic_index(), instances(n=(1, 2, 3))]),
       note="The zero polynomial has degree -1 here.")
 claim("BLM91-E2.28", "the invariant pseudo-polynomial",
-      always(t, 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t))) == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT],
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
+      always(t, LEFT == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT], given=SOME,
+      by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, LEFT == D, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
+                        closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
 claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
       rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])

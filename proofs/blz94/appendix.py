@@ -18,7 +18,7 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances
+from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, use
 from exactkf.language import (
     T,
     Z,
@@ -44,6 +44,7 @@ from exactkf.language import (
     vstack,
     when,
 )
+from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -77,8 +78,10 @@ from proofs.blz94.notation import (
     k,
     n,
     phi,
+    phis,
     pi,
     psi,
+    psis,
     r,
     rho,
     rhos,
@@ -183,30 +186,32 @@ claim("BLZ94-EA.8", "phi_t^(1) from pi_{t+1} and rho_{t+1}",
                               "phi_0^(1) = 1.",
                     forall(t, 0, n, phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))),
                     **_SHIFT,
-                    by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
+                    by=[generic_index(SHIFT_BACK, uses=[use(0, t=t, z=z)]), instances(n=(1, 2, 3))]))
 
 _TO = {"sizes": ["n"], "over": {gamma: sequence(0, n - 1)}, "where": [*PHI, *PSI, *RHO, *PI]}
 claim("BLZ94-EA.9", "phi_{t+1} and psi_{t+1} as sums over earlier polynomials",
       forall(t, 0, n - 1, (phi[t + 1] == Z * phi[t] + sum_of(k, 0, t - 1, gamma[t] * gamma[k] * Z * phi[k]) - gamma[t])
              & (psi[t + 1] == Z * psi[t] + sum_of(k, 0, t - 1, gamma[t] * gamma[k] * Z * psi[k]) + gamma[t])), **_TO,
-      by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))])
+      by=[generic_index(SUMS, **FOUR, uses=[use(0, t=t, z=z)]), instances(n=(2, 3, 4))])
 
 claim("BLZ94-EA.11", "pi_{t+1} as a sum over earlier polynomials",
       forall(t, 0, n - 1, pi[t + 1] == Z * (pi[t] + sum_of(k, 0, t - 1, gamma[t] * gamma[k] * pi[k]))), **_TO,
-      by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))])
+      by=[generic_index(SUMS, **FOUR, uses=[use(0, t=t, z=z)]), instances(n=(2, 3, 4))])
 
 claim("BLZ94-EA.12", "rho_{t+1} as a sum over earlier polynomials",
       forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + sum_of(k, 1, t - 1, gamma[t] * gamma[k] * Z * rho[k])
              + gamma[t]), **_TO,
-      by=[identity(n=range(1, 8)), instances(n=(3, 4))])
+      by=[generic_index(SUMS, **FOUR, uses=[use(0, t=t, z=z)]), instances(n=(3, 4))])
 
 claim("BLZ94-SA3", "phi_t^(1) as a sum",
       forall(t, 1, n, phi(1, t) == 1 / (1 - gamma[0]) * (pi(0, t) - Z * rho(0, t) + sum_of(
           k, 1, t - 1, gamma[t] * gamma[k] * (pi(0, k) - Z * rho(0, k)))) - gamma[t]), **_SHIFT,
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))])
+      by=[generic_index(SHIFT_BACK, SHIFTED_SUMS, **FOUR, uses=[use(0, t=t, z=z), use(1, t=t, z=z), use(1, t=t, z=z + 1)]), instances(n=(2, 3, 4))])
 
 claim("BLZ94-SA4", "the leading coefficient of rho_j", forall(j, 1, n, co(rho, j, 1) == gamma[0]), **_TO,
-      by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))])
+      by=[generic_index(REVERSED, REVERSED_PSI, lemma(
+                  t, (coeff(rho[t], t - 1) == gamma[0]) & (coeff(psi[t], 0) == -coeff(phi[t], 0)) & (coeff(psi[t], t) == 1) & (coeff(phi[t], t) == 1),
+                  start=1, uses=[use(2, t=t)]), **FOUR, uses=[use(2, t=j)]), instances(n=(2, 3, 4))])
 
 
 def _thirteen(high):
@@ -224,7 +229,8 @@ claim("BLZ94-EA.13", "coefficients of phi_t^(1), k = 1, ..., t", forall(t, 1, n,
       repair=repair("boundary case", "For k = t the right side is gamma_t gamma_0, but the coefficient is -gamma_t; "
                                      "the range is k = 1, ..., t - 1.",
                     forall(t, 1, n, _thirteen(t - 1) & (cot(phi, 1, t, t) == -gamma[t])), **_SHIFT,
-                    by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))]))
+                    by=[generic_index(SHIFT_BACK, SHIFTED_SUMS, SHIFTED_MONIC, SHIFTED_SECOND, **FOUR, uses=[
+                        *(use(m, t=t, z=x) for m in (0, 1) for x in (t - k, t - k + 1, 0, 1)), *(use(m, t=x) for m in (2, 3) for x in (t, t - k, t - k - 1))]), instances(n=(2, 3, 4))]))
 
 _FOURTEEN = ((cot(phi, 1, n, 1) + alpha[1][1] == 1 / (1 - gamma0[1]) * (cot(pi, 0, n, 1) - cot(rho, 0, n, 2))
               + alpha0[1])
@@ -251,7 +257,7 @@ claim("BLZ94-SA5", "the coupled recursion for pi_t and rho_t*, and (4.12)",
                              "ratio of gamma_t to gamma_{t-1}, not (4.12).",
                     _TWO & forall(t, 1, n - 1, gamma[t - 1] * pi[t + 1] == (gamma[t - 1] * Z + gamma[t]) * pi[t]
                                   + gamma[t] * (gamma[t - 1] ** 2 - 1) * Z * pi[t - 1]), **_TO,
-                    by=[identity(n=range(1, 8)), instances(n=(3, 4))]))
+                    by=[generic_index(REVERSED, REVERSED_PSI, **FOUR, shift=1), instances(n=(3, 4))]))
 
 _STAR = {**_TO, "where": [*_TO["where"], *_STARRED]}
 claim("BLZ94-SA6", "rho_t* is z^n rho_t(1/z)", forall(t, 0, n, rhos[t] == rev(rho[t], n)), **_STAR,
@@ -259,7 +265,8 @@ claim("BLZ94-SA6", "rho_t* is z^n rho_t(1/z)", forall(t, 0, n, rhos[t] == rev(rh
       note="rho_t* is the solution of the coupled recursion with rho_0* = 0.",
       repair=repair("index", "The reversed polynomial of rho_t is z^t rho_t(1/z).",
                     forall(t, 0, n, rhos[t] == rev(rho[t], t)), **_STAR,
-                    by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))]))
+                    by=[generic_index(lemma(t, rhos[t] == HALF * (psis[t] - phis[t]), uses=[use(0, t=t, z=z)]), REVERSED, REVERSED_PSI, **FOUR,
+                                      uses=[use(0, t=t, z=z)]), instances(n=(2, 3, 4))]))
 
 _POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
 _D = (let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))),

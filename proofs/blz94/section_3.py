@@ -21,7 +21,7 @@ determined by a alone, since the phi_k are monic of different degrees.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import combination, example, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import (
     Identity,
     T,
@@ -66,6 +66,20 @@ from exactkf.language import (
     vstack,
     when,
 )
+from proofs.blz94.lemmas import (
+    BOTH_MONIC,
+    FOUR,
+    LEMMA_3_3,
+    MONIC,
+    ORTHOGONAL,
+    ORTHOGONAL_FREE,
+    PAIR,
+    REVERSED,
+    REVERSED_PSI,
+    WITH_C,
+    row,
+)
+from proofs.blz94.lemmas import column as col
 from proofs.blz94.notation import (
     CORRELATIONS,
     HALF,
@@ -93,6 +107,7 @@ from proofs.blz94.notation import (
     phis,
     pi,
     psi,
+    psis,
     r,
     rho,
     s,
@@ -154,19 +169,20 @@ claim("BLZ94-E3.5", "phi_t and phi_t* have the shape (3.3), (3.4), and the phi_t
 
 claim("BLZ94-E3.5b", "the second recursion gives the reversed polynomial",
       forall(t, 0, n, phis[t] == rev(phi[t], t)), sizes=["n"], over=GAMMA, where=[*PHI],
-      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(REVERSED), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.6", "(3.6) is the choice of gamma_t that makes phi_{t+1} orthogonal to lower powers, with norm r_{t+1}",
       forall(t, 1, n, forall(k, 0, t - 1, sum_of(j, 0, t, coeff(phi[t], j) * tau[j - k]) == 0)
              & (sum_of(j, 0, t, coeff(phi[t], j) * tau[j - t]) == r[t])),
       sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, function(tau, [k], when(k == 0, 1, c[abs(k)]))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL_FREE, **PAIR, uses=[use(1, t=t), use(2, t=t, k=k), use(2, t=t, k=t)]), instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that these gamma_t and r_t belong to the orthogonal polynomials of the "
            "sequence c.")
 
 claim("BLZ94-P3.1", "det T_t = r_0 r_1 ... r_t",
       det(Toeplitz[n]) == prod(k, 0, n, r[k]), sizes=["n"], over={c: sequence(1, n)}, where=[*SCHUR, *TOEPLITZ],
-      by=[identity(n=range(0, 7)), instances(n=(1, 2, 3, 4, 5))])
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL_FREE, **PAIR, triangular=matrix_of(i, j, n + 1, n + 1, coeff(phi[i - 1], j - 1)),
+                        uses=[use(1, t=row - 1), use(2, t=row - 1, k=col - 1)]), instances(n=(1, 2, 3, 4, 5))])
 
 claim("BLZ94-E3.8", "T_t is positive definite if and only if gamma_0, ..., gamma_{t-1} are less than one in modulus",
       iff(pd(Toeplitz[n]), forall(k, 0, n - 1, abs(gamma[k]) < 1)), sizes=["n"], over={c: signal(1)},
@@ -206,36 +222,39 @@ claim("BLZ94-S10", "the Schur parameters go on as long as none has had modulus o
 claim("BLZ94-E3.10", "(3.10) inverts (3.6)",
       forall(k, 0, n - 1, eta[k] == gamma[k]), sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *BACK],
       given=[standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL, lemma(t, (w[t] == phi[t]) & (ws[t] == phis[t]) & (q[t] == r[t]), rule=True,
+                                                       uses=[use(c, t + 1), use(1, t=t), use(3, t=t)]),
+                        **PAIR, **WITH_C, uses=[use(c, k + 1), use(1, t=k)]), instances(n=(1, 2, 3, 4))])
 
 # ---------------------------------------------------------------------- Lemma 3.3
 claim("BLZ94-L3.3", "Psi = C Phi", Psi == C * Phi, sizes=["n"], over=GAMMA,
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX],
       given=[standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
+      by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=n + 1 - col), use(2, t=n + 1 - col, k=n + 1 - row),
+                                                              use(4, t=n + 1 - col, k=n + 1 - row)]), instances(n=(1, 2, 3, 4))],
       note="The display (3.14c) lacks the row (2c_1, 1); its size n + 1 and its last row leave no other reading than "
            "the triangular Toeplitz matrix with first column 1, 2c_1, ..., 2c_n.")
 
 claim("BLZ94-S12", "the three matrices are nonsingular: their determinants are one",
       (det(Phi) == 1) & (det(Psi) == 1) & (det(C) == 1), sizes=["n"], over=GAMMA,
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(REVERSED, REVERSED_PSI, BOTH_MONIC, **FOUR, uses=[use(2, t=n + 1 - col)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.15a", "coefficients of psi_t in terms of those of phi_t",
       forall(t, 1, n, forall(k, 1, t, co(psi, t, k) == 2 * c[k] + sum_of(j, 1, k - 1, 2 * c[k - j] * co(phi, t, j))
                              + co(phi, t, k))),
-      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *PSI], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *PSI], by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=t), use(4, t=t, k=t - k)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.15", "coefficients of rho_t, and the same for psi_t",
       forall(t, 1, n, forall(k, 1, t, (co(rho, t, k) == c[k] + sum_of(j, 1, k - 1, c[k - j] * co(phi, t, j)))
                              & (co(psi, t, k) == 2 * co(rho, t, k) + co(phi, t, k)))),
       sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *PSI, *RHO],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=t), use(4, t=t, k=t - k)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.17", "rho_{t+1} = z rho_t + gamma_t pi_t*",
       forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + gamma[t] * rev(pi[t], t)), sizes=["n"], over=GAMMA,
       where=[*PHI, *PSI, *RHO, *PI],
-      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))])
+      by=[generic_index(REVERSED, REVERSED_PSI), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-S13", "the reversed polynomial in (3.17) is z^n pi_t(1/z)",
       forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + gamma[t] * rev(pi[t], n)), sizes=["n"], over=GAMMA,
@@ -243,7 +262,7 @@ claim("BLZ94-S13", "the reversed polynomial in (3.17) is z^n pi_t(1/z)",
       by=[example(n=1, gamma=["1/2"]), instances(n=(1, 2, 3))],
       repair=repair("index", "The reversed polynomial of pi_t is z^t pi_t(1/z): (3.17) is false with z^n unless t = n.",
                     forall(t, 0, n - 1, rho[t + 1] == Z * rho[t] + gamma[t] * rev(pi[t], t)), sizes=["n"], over=GAMMA,
-                    where=[*PHI, *PSI, *RHO, *PI], by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))]))
+                    where=[*PHI, *PSI, *RHO, *PI], by=[generic_index(REVERSED, REVERSED_PSI), instances(n=(1, 2, 3, 4))]))
 
 _COLUMN = column(i, n + 1, coeff(phi[n], i - 1))  # (phi_tt, ..., phi_t1, 1)' for t = n
 claim("BLZ94-E3.19", "normal equations, with the matrix of the display",
@@ -257,7 +276,7 @@ claim("BLZ94-E3.19", "normal equations, with the matrix of the display",
                     (size_of(T(Toeplitz[n])) == size_of(x)) & (Toeplitz[n] * x
                                                                == column(i, n + 1, when(i == n + 1, r[n], 0))),
                     sizes=["n"], over=GAMMA, where=[*CORRELATIONS, *TOEPLITZ, let(x, _COLUMN)],
-                    by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))]))
+                    by=[generic_index(REVERSED, MONIC, ORTHOGONAL, **PAIR, **WITH_C, uses=[use(1, t=n), use(2, t=n, k=row - 1)]), instances(n=(1, 2, 3, 4))]))
 
 claim("BLZ94-S14", "T_t is nonsingular if none of gamma_0, ..., gamma_{t-1} has modulus one",
       invertible(M), sizes=["n"], over=GAMMA, where=[*CORRELATIONS,
@@ -269,14 +288,14 @@ claim("BLZ94-S14", "T_t is nonsingular if none of gamma_0, ..., gamma_{t-1} has 
 
 claim("BLZ94-S15", "constant coefficients of phi_t and psi_t",
       forall(t, 1, n, (co(phi, t, t) == -gamma[t - 1]) & (co(psi, t, t) == gamma[t - 1])), sizes=["n"], over=GAMMA,
-      where=[*PHI, *PSI], by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))])
+      where=[*PHI, *PSI], by=[generic_index(REVERSED, REVERSED_PSI, BOTH_MONIC, **FOUR, shift=1, uses=[use(2, t=t - 1)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-S16", "the constant coefficients of rho_t and phi_t agree",
       forall(t, 1, n, co(rho, t, t) == co(phi, t, t)), sizes=["n"], over=GAMMA, where=[*PHI, *PSI, *RHO],
       by=[example(n=1, gamma=["1/2"]), instances(n=(1, 2, 3))],
       repair=repair("sign", "rho_tt = gamma_{t-1}, while phi_tt = -gamma_{t-1}.",
                     forall(t, 1, n, co(rho, t, t) == -co(phi, t, t)), sizes=["n"], over=GAMMA, where=[*PHI, *PSI, *RHO],
-                    by=[identity(n=range(1, 8)), instances(n=(1, 2, 3, 4))]))
+                    by=[generic_index(REVERSED, REVERSED_PSI, BOTH_MONIC, **FOUR, shift=1, uses=[use(2, t=t - 1)]), instances(n=(1, 2, 3, 4))]))
 
 rho1, pi1 = symbols("rho1 pi1")
 _FIRST = given("first normal equation", coeff(phi, 0) + sum_of(j, 1, n, c[j] * coeff(phi, j)) == 0)
@@ -306,12 +325,12 @@ _S = {"sizes": ["n"], "over": GAMMA, "where": [*CORRELATIONS, *PSI, *RHO, *PI]}
 claim("BLZ94-S18", "the normal equation for row s - k, written with the coefficients of phi_s",
       forall(s, 1, n, forall(k, 1, s, c[k] + sum_of(j, 1, k - 1, c[k - j] * co(phi, s, j)) + co(phi, s, k)
                              + sum_of(j, 1, s - k, c[j] * co(phi, s, k + j)) == 0)),
-      **_S, by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      **_S, by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=s), use(2, t=s, k=s - k)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-E3.20", "coefficients of pi_s",
       forall(s, 1, n, forall(k, 1, s, eq(co(pi, s, k), co(rho, s, k) + co(phi, s, k),
                                          -sum_of(j, 1, s - k, c[j] * co(phi, s, k + j))))),
-      **_S, by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      **_S, by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=s), use(2, t=s, k=s - k), use(4, t=s, k=s - k)]), instances(n=(1, 2, 3, 4))])
 
 claim("BLZ94-S19", "coefficients of rho_{s+1}, from (3.18)",
       forall(k, 1, n, coeff(rho1, n + 1 - k) == coeff(HALF * (psi - phi), n - k) + gamma * coeff(pi, k - 1)),
@@ -327,14 +346,14 @@ claim("BLZ94-S19", "coefficients of rho_{s+1}, from (3.18)",
                     forall(s, 1, n - 1, (rho[s + 1] == Z * rho[s] + gamma[s] * rev(pi[s], s))
                            & forall(k, 1, s, co(rho, s + 1, k) == co(rho, s, k) + gamma[s] * co(pi, s, s + 1 - k))),
                     sizes=["n"], over=GAMMA, where=[*PHI, *PSI, *RHO, *PI],
-                    by=[identity(n=range(2, 8)), instances(n=(2, 3, 4))]))
+                    by=[generic_index(REVERSED, REVERSED_PSI, **FOUR), instances(n=(2, 3, 4))]))
 
 claim("BLZ94-S20", "the step of the induction",
       forall(s, 1, n - 1, forall(k, 1, s, (
           co(rho, s + 1, k) == c[k] + sum_of(j, 1, k - 1, c[k - j] * (co(phi, s, j)
               - gamma[s] * co(phi, s, s + 1 - j))))
           & (co(phi, s + 1, k) == co(phi, s, k) - gamma[s] * co(phi, s, s + 1 - k)))),
-      **_S, by=[identity(n=range(2, 7)), instances(n=(2, 3, 4))])
+      **_S, by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=s), *(use(m, t=s, k=x) for m in (2, 4) for x in (s - k, k - 1))]), instances(n=(2, 3, 4))])
 
 # ---------------------------------------------------------------------- Theorem 3.2
 #: lower triangular Toeplitz matrix of the coefficients of a, 1, a_1, ..., a_{n-1}
@@ -382,7 +401,10 @@ claim("BLZ94-C3.4", "Psi(gamma) = Phi(-gamma), Phi(0) = Psi(0) = I, and (3.21)",
              let(O, matrix_of(i, j, n + 1, n + 1, coeff(q[n + 1 - j], n + 1 - i))),
              rec(y, t, 1, Z * y[t] + xi[t] * v[t]), rec(v, t, 1, v[t] + xi[t] * Z * y[t]),
              let(x, matrix_of(i, j, n + 1, n + 1, coeff(y[n + 1 - j], n + 1 - i)))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[generic_index(lemma(t, (w[t] == psi[t]) & (ws[t] == psis[t]), rule=True), lemma(t, (q[t] == Z**t) & (u[t] == 1), rule=True),
+                        lemma(t, (y[t] == Z**t) & (v[t] == 1), rule=True), REVERSED, lemma(t, coeff(phi[t], t) == 1, uses=[use(4, t=t)]),
+                        lemma(t, coeff(psi[t], t) == 1, uses=[use(4, t=t), use(5, t=t)]), **FOUR,
+                        uses=[use(m, t=x) for m in (4, 5) for x in (n, n + 1 - col)]), instances(n=(1, 2, 3))],
       note="w, q, y are the Szego polynomials for the parameters -gamma_k, for zero parameters, and for minus zero "
            "parameters.")
 

@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps
 from exactkf.language import (
     T,
     Z,
@@ -57,6 +57,7 @@ from exactkf.language import (
     vstack,
     when,
 )
+from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -273,7 +274,7 @@ claim("BLZ94-E4.12", "three-term recursion for pi_t",
                     forall(t, 1, n - 1, gamma[t - 1] * pi[t + 1] == (gamma[t - 1] * Z + gamma[t]) * pi[t]
                            + gamma[t] * (gamma[t - 1] ** 2 - 1) * Z * pi[t - 1]) & (pi[0] == 1) & (pi[1] == Z),
                     sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*PHI, *PSI, *PI],
-                    by=[identity(n=range(1, 8)), instances(n=(2, 3, 4))]))
+                    by=[generic_index(REVERSED, REVERSED_PSI, shift=1), instances(n=(2, 3, 4))]))
 
 claim("BLZ94-S23", "the convention pi_{ji} = 0 for i > j completes the recursion for d_i",
       ((j - i < 0) | (j - i > j)) >> (j - i > j), sizes=["n"], over={i: integer(1, n - 1), j: integer(1, n)},

@@ -49,7 +49,7 @@ def test_a_parametrisation_cannot_redefine_a_name():
     evidence = {"cases": [{}], "given_by": {"x": 0}, "covered_by": "nothing"}
     with pytest.raises(Rejected, match="redefines"):
         replay(seal("T-1", "identity", data, evidence))
-    with pytest.raises(Rejected, match="name of a variable"):
+    with pytest.raises(Rejected, match="two things have one name"):
         replay(seal("T-1", "identity", data, {**evidence, "given_by": {}, "parameters": [["c", ["scalar"]]]}))
 
 

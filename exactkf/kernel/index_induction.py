@@ -1,0 +1,383 @@
+# SPDX-License-Identifier: MIT
+"""Induction at a generic index: lemmas in order, then the conclusion from them.
+
+A lemma is shown for every t >= a: at t = a, and from t to t + 1. What it says are equations of
+scalars, polynomials (coefficient by coefficient) or matrices (entry by entry), perhaps for all k
+between bounds; the hypothesis of the induction and the lemmas before may be used at stated
+places. In each region of the parameters the equation then has to follow from them by elimination
+of atoms that they contain linearly with a constant factor.
+
+Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed.
+
+Main definitions
+----------------
+`generic_index`
+    Replay of such a certificate.
+
+Main statements
+---------------
+* The determinant of M is d_1 ... d_n when LM is upper triangular with the diagonal d_1, ..., d_n for
+  a lower triangular L with ones on the diagonal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
+from itertools import islice
+from typing import Any
+
+from exactkf.kernel.generic import Terms
+from exactkf.kernel.numbers import Rejected, Unknown
+from exactkf.kernel.packed import BITS, exponents
+from exactkf.kernel.region import INDEX, Form, Region, Split, plus
+from exactkf.kernel.symbolic import Symbolic
+
+__all__ = ["generic_index"]
+
+_FIRST = ("value", "value at 1/z", "sum", "coeff", "entry", "at")  # atoms, in the order in which equations are solved for them
+_LEAST = {">=": 0, ">": 1}
+_MOST_SPLITS = 14
+_RESERVED = {INDEX, "z", "row", "column"}
+_PLACE: dict[str, Form] = {"row": {"row": 1}, "column": {"column": 1}}
+_ONE: Form = {"": 1}
+Goal = Callable[[Terms], list[Symbolic]]
+
+
+def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    """Replay; the denominators met."""
+    proof = _Proof(statement, evidence.get("closed") or ())
+    for name in evidence.get("supported") or []:
+        proof.supported.append(name)
+    for name in proof.supported:
+        proof.support(name)
+    for lemma in evidence["lemmas"]:
+        proof.lemma(lemma)
+    proof.conclude(evidence)
+    return proof.denominators
+
+
+class _Proof:
+    """The lemmas shown so far."""
+
+    def __init__(self, statement: Mapping[str, Any], closed: Any) -> None:
+        self.statement, self.closed = statement, closed
+        self.supported: list[str] = []
+        self.rules: dict[str, tuple] = {}
+        self.in_values = False  # polynomials are read as functions of z, not by coefficients
+        self.lemmas: list[Mapping[str, Any]] = []
+        self.denominators: list[str] = []
+        names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
+        if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
+            raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
+        self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
+        terms = Terms(statement, Region([]))
+        for _, formula, _ in statement["given"]:  # a hypothesis such as n > 1; the others are not used
+            if formula[0] in _LEAST and len(formula) == 3:
+                with suppress(Unknown):
+                    gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
+                    self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
+
+    # ------------------------------------------------------------------ what a certificate lists
+    def support(self, name: str) -> None:
+        """X_t has exponents 0 .. t; for a function, whatever its other arguments."""
+        d = next(d for d in self.statement["where"] if d[1] == name)
+        if d[0] == "let" and d[2]:
+            others = {p: {f"@{p}": 1} for p in d[2][:-1]}
+            cases = [(d[3], {**others, d[2][-1]: last}, forms, last) for forms, last in (([], {}), ([{INDEX: 1}], {INDEX: 1, "": 1}))]
+        elif d[0] == "rec" and d[3] == 0 and len(d[4]) == 1:
+            cases = [(d[4][0], {}, [], {}), (d[5], {d[2]: {INDEX: 1}}, [{INDEX: 1}], {INDEX: 1, "": 1})]
+        else:
+            raise Rejected(f"{name} is no recursion with one value at 0")
+        for tree, env, forms, last in cases:
+            def goal(terms: Terms, tree: Any = tree, env: dict[str, Form] = env) -> list[Symbolic]:
+                return [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)]
+
+            for outside in ({"z": -1, "": -1}, plus({"z": 1, "": -1}, last, -1)):
+                self._close(Region([*forms, outside]), goal, [], {}, f"exponents of {name}", limited=True)
+
+    def lemma(self, lemma: Mapping[str, Any]) -> None:
+        """Base and step; a rule X[t] = term is used by itself from then on."""
+        index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
+        if type(first) is not int or first < 0:
+            raise Rejected(f"{place}: it starts before zero")
+        rules = list(_rules(says, index, place)) if lemma.get("rule") else []
+        self.in_values = bool(lemma.get("in values"))
+        generic = Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)])
+        if lemma.get("direct"):  # no induction: at any index from the first on
+            self._show(says, {index: {INDEX: 1}}, generic, lemma.get("uses", ()), place)
+            self.lemmas.append(lemma)
+            return
+        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), [], f"{place}, base")
+        self.lemmas.append(lemma)
+        known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
+        self.rules.update((name, (None, index, term)) for name, term in rules)
+        self._show(says, {index: {INDEX: 1, "": 1}}, generic, lemma.get("uses", ()), f"{place}, step", {index: {INDEX: 1}}, len(self.lemmas) - 1)
+        self.rules.update((name, (first, index, term)) for name, term in rules)
+        self.supported = known
+
+    def conclude(self, evidence: Mapping[str, Any]) -> None:
+        says, uses, self.in_values = self.statement["says"], evidence.get("uses", ()), bool(evidence.get("in values"))
+        for place, part in enumerate(says[1:] if says[0] == "and" else [says]):
+            name = f"conclusion {place}"
+            if part[0] == "always" or (part[0] == "forall" and type(part[2]) is int):
+                low = part[2] if part[0] == "forall" else 0
+                if low < 0 or type(evidence.get("shift", 0)) is not int:
+                    raise Rejected(f"{name}: indices are not negative")
+                shift = max(0, min(low, evidence.get("shift", 0)))  # t = @ + shift, and every t from low on is reached
+                t: Form = plus({INDEX: 1}, {"": shift})
+                forms = [*self.sizes, {INDEX: 1}, plus(t, {"": low}, -1)]
+                terms = Terms(self.statement, Region([]))
+                if part[0] == "forall":
+                    forms.append(plus(terms.index(part[3], {}), t, -1))
+                self._show(part[-1], {part[1]: t}, Region(forms), uses, name)
+            elif part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det":
+                if part[2] == 1:
+                    self._unit_triangular(part[1][1], uses, name)
+                elif isinstance(part[2], list) and part[2][0] == "prod":
+                    self._determinant(part, evidence["triangular"], uses, name)
+                else:
+                    raise Rejected(f"{name}: a determinant at a generic size is one, or a product over the rows")
+            else:
+                self._show(part, {}, Region(self.sizes), uses, name)
+
+    def _determinant(self, part: Any, triangular: Any, uses: Any, name: str) -> None:
+        """det M = product of d_k: LM is upper triangular with diagonal d, L is unit lower triangular."""
+        _, k, low, high, body = part[2]
+        terms = Terms(self.statement, Region(self.sizes))
+        rows = terms.shape(part[1][1], {})[0]
+        first, last = terms.index(low, {}), terms.index(high, {})
+        if plus(plus(rows, last, -1), plus(first, _ONE, -1)):
+            raise Rejected(f"{name}: as many factors as the matrix has rows are needed")
+        self._unit_triangular(triangular, uses, f"{name}, L")
+        product = ["*", triangular, part[1][1]]
+        on, _, below = self._triangles(product, name)
+
+        def diagonal(t: Terms) -> list[Symbolic]:
+            return [_entry(t, product) - t.value(body, {k: t.region.reduce(plus(plus(first, {"row": 1}), _ONE, -1))})]
+
+        self._close(on, diagonal, uses, _PLACE, f"{name}: diagonal of LM")
+        self._close(below, lambda t: [_entry(t, product)], uses, _PLACE, f"{name}: LM is upper triangular")
+
+    def _unit_triangular(self, matrix: Any, uses: Any, name: str) -> None:
+        """Lower triangular with ones on the diagonal, hence of determinant one."""
+        on, above, _ = self._triangles(matrix, name)
+        self._close(on, lambda t: [_entry(t, matrix) - t.number(1)], uses, _PLACE, f"{name}: diagonal")
+        self._close(above, lambda t: [_entry(t, matrix)], uses, _PLACE, f"{name}: lower triangular")
+
+    def _triangles(self, matrix: Any, name: str) -> list[Region]:
+        """Places on, above and below the diagonal of a square matrix."""
+        terms = Terms(self.statement, Region(self.sizes))
+        if not terms.is_matrix(matrix):
+            raise Rejected(f"{name}: no matrix")
+        rows, cols = terms.shape(matrix, {})
+        if plus(rows, cols, -1):
+            raise Rejected(f"{name}: the matrix is not square")
+        i, j = {"row": 1}, {"column": 1}
+        square = Region([*self.sizes, plus(i, _ONE, -1), plus(rows, i, -1), plus(j, _ONE, -1), plus(rows, j, -1)])
+        gap = plus(j, i, -1)
+        return [square.and_(gap, plus({}, gap, -1)), square.and_(plus(gap, _ONE, -1)), square.and_(plus(plus({}, gap, -1), _ONE, -1))]
+
+    # ------------------------------------------------------------------ formulas
+    def _show(self, says: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: Mapping[str, Form] | None = None,
+              current: int | None = None) -> None:
+        """A formula at given indices; ``names`` are what the uses may refer to, ``current`` the lemma under proof."""
+        if region.empty:
+            return
+        names = dict(env if names is None else names)
+        op = says[0]
+        if op == "and":
+            for part in says[1:]:
+                self._show(part, env, region, uses, place, names, current)
+        elif op == "forall":
+            _, name, low, high, body = says
+            if name in env or name in names or name in self.statement["sizes"] or name in _RESERVED or name.startswith("#"):
+                raise Unknown(f"index {name!r} bound twice")
+            terms = Terms(self.statement, region)
+            k: Form = {name: 1}
+            inner = region.and_(plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))
+            self._show(body, {**env, name: k}, inner, uses, place, {**names, name: k}, current)
+        elif op == "=":
+            for left, right in zip(says[1:], says[2:], strict=False):
+                self._equation(left, right, env, region, uses, place, names, current)
+        else:
+            raise Unknown(f"{op!r} at a generic index")
+
+    def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form],
+                  current: int | None) -> None:
+        terms = Terms(self.statement, region)
+        if terms.is_matrix(left) or terms.is_matrix(right):
+            shapes = [terms.shape(x, env) if terms.is_matrix(x) else (_ONE, _ONE) for x in (left, right)]
+            if any(plus(x, y, -1) for x, y in zip(*shapes, strict=True)):
+                raise Rejected(f"{place}: matrices of different sizes")
+            i, j = {"row": 1}, {"column": 1}
+            region = region.and_(plus(i, _ONE, -1), plus(shapes[0][0], i, -1), plus(j, _ONE, -1), plus(shapes[0][1], j, -1))
+            names = {**names, "row": i, "column": j}
+
+            def goal(t: Terms) -> list[Symbolic]:
+                x, y = (t.entry(s, t.region.reduce(i), t.region.reduce(j), env) for s in (left, right))
+                return [x - y]
+        else:
+            names = {**names, "z": {"z": 1}}
+
+            def goal(t: Terms) -> list[Symbolic]:
+                return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
+        self._close(region, goal, uses, names, place, current, in_values=self.in_values)
+
+    def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
+        """Equations, as left minus right side, that a lemma says at the places given."""
+        if "definition" in use:
+            with suppress(Unknown):  # it speaks of names of another part
+                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]))
+            return
+        number = use["lemma"]
+        if type(number) is not int or not 0 <= number < len(self.lemmas):
+            raise Rejected(f"there is no lemma {number} here")
+        lemma = self.lemmas[number]
+        try:
+            places = {name: terms.index(tree, names) for name, tree in use["at"].items()}
+        except Unknown:
+            return  # it speaks of names of another part
+        t = places[lemma["index"]]
+        if number == current:
+            if t != terms.region.reduce({INDEX: 1}):
+                raise Rejected("the hypothesis of an induction is known at its index alone")
+        elif not terms.region.holds(plus(t, {"": lemma.get("from", 0)}, -1)):
+            return
+        yield from self._said(terms, lemma["says"], {lemma["index"]: t}, places)
+
+    def _said(self, terms: Terms, says: Any, env: dict[str, Form], places: Mapping[str, Form]) -> Iterator[Symbolic]:
+        if says[0] == "and":
+            for part in says[1:]:
+                yield from self._said(terms, part, env, places)
+        elif says[0] == "forall":
+            _, name, low, high, body = says
+            if name not in places:
+                return
+            k = places[name]
+            if terms.region.holds(plus(k, terms.index(low, env), -1)) and terms.region.holds(plus(terms.index(high, env), k, -1)):
+                yield from self._said(terms, body, {**env, name: k}, places)
+        elif says[0] == "=":
+            for left, right in zip(says[1:], says[2:], strict=False):
+                if terms.has_z(left) or terms.has_z(right):
+                    if terms.in_values:
+                        yield from (terms.at_z(left, env, flip) - terms.at_z(right, env, flip) for flip in (False, True))
+                    elif "z" in places:
+                        yield _difference(terms, left, right, places["z"], env)
+                else:
+                    yield _difference(terms, left, right, {}, env)
+
+    # ------------------------------------------------------------------ one equation
+    def _close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
+               splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
+        """The goal follows from the uses in every part of the region."""
+        terms = Terms(self.statement, region, self.supported, self.rules, self.closed)
+        terms.limited, terms.in_values = limited, in_values
+        try:
+            wanted = goal(terms)
+            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current)]
+            for use in uses:
+                if "times" in use:  # a multiple of the first of its equations is taken off
+                    for x in islice(self._instances(terms, use, names, current), 1):
+                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
+        except Split as split:
+            if splits >= _MOST_SPLITS:
+                raise Rejected(f"{place}: too many cases") from None
+            for part in region.cases(split.form):
+                self._close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+            return
+        for x in wanted:
+            rest = _reduced(terms, x, known)
+            if rest.num:
+                where = " and ".join(f"{terms.form_text(f)} >= 0" for f in region.forms)
+                raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
+        for f in terms.field.factors:
+            if (text := terms.field.text(f)) not in self.denominators:
+                self.denominators.append(text)
+
+
+def _entry(terms: Terms, matrix: Any) -> Symbolic:
+    return terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), {})
+
+
+def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, Any]]:
+    """Name and term of each equation X[t] = term; the terms have none of the names."""
+    parts = says[1:] if says[0] == "and" else [says]
+    if any(p[0] != "=" or len(p) != 3 or p[1][0] != "at" or p[1][2:] != [["sym", index]] for p in parts) or (
+            {p[1][1] for p in parts} & {name for p in parts for name in _heads(p[2])}):
+        raise Rejected(f"{place}: only equations X[t] = term without X are rules")
+    for p in parts:
+        yield p[1][1], p[2]
+
+
+def _heads(tree: Any) -> set[str]:
+    if not isinstance(tree, list):
+        return set()
+    return ({tree[1]} if tree[:1] in (["at"], ["sym"]) else set()).union(*(_heads(x) for x in tree))
+
+
+def _difference(terms: Terms, left: Any, right: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
+    """Left minus right side, or its coefficient at m."""
+    if terms.in_values:
+        return terms.at_z(left, env) - terms.at_z(right, env)
+    if terms.has_z(left) or terms.has_z(right):
+        return terms.coefficient(left, m, env) - terms.coefficient(right, m, env)
+    if isinstance(left, list) and left[0] in ("nrows", "ncols"):
+        return terms.number(int(not terms.region.zero(plus(terms.index(left, env), terms.index(right, env), -1))))
+    return terms.value(left, env) - terms.value(right, env)
+
+
+def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic]) -> Symbolic:
+    """The goal after each known equation has been solved for an atom that it contains linearly with a constant factor."""
+    known = [x for x in known if x.num]
+    while known:
+        row = known.pop(0)
+        pivot = _pivot(terms, row)
+        if pivot is None:
+            continue
+        goal = _eliminated(terms, goal, row, pivot)
+        known = [y for x in known if (y := _eliminated(terms, x, row, pivot)).num]
+    return goal
+
+
+def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
+    """Numerator by powers of an atom."""
+    out: dict[int, dict[int, int]] = {}
+    for monomial, c in x.num.items():
+        e = next((e for k, e in enumerate(exponents(monomial)) if k == place), 0)
+        out.setdefault(e, {})[monomial - (e << (BITS * place))] = c
+    return out
+
+
+def _pivot(terms: Terms, row: Symbolic) -> int | None:
+    """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
+    found = []
+    present = {place for monomial in row.num for place, e in enumerate(exponents(monomial)) if e}
+    for place in sorted(present):
+        parts = _parts(row, place)
+        if set(parts) <= {0, 1} and 1 in parts:
+            lead, left = parts[1], 0
+            for index, e in row.den:
+                lead, times = row.field.cancel(lead, index, e)
+                left += e - times
+            if set(lead) == {0}:
+                found.append((left, _FIRST.index(terms.atoms[place][0]), place))
+    return min(found)[2] if found else None
+
+
+def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
+    """A multiple of x, by a power of the nonzero factor of the atom in the row, without the atom."""
+    mine, theirs = _parts(x, place), _parts(row, place)
+    if set(mine) <= {0}:
+        return x
+    field, top = x.field, max(mine)
+    lead, rest = (Symbolic(field, theirs.get(e, {}), 1, ()) for e in (1, 0))
+    out = terms.number(0)
+    for e, part in mine.items():
+        term = Symbolic(field, part, 1, ())
+        for _ in range(e):
+            term = term * -rest
+        for _ in range(top - e):
+            term = term * lead
+        out = out + term
+    return out

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: MIT
+"""Regions of integer parameters.
+
+Questions about linear forms in integer parameters (is k <= t - 1? is k = t?) are answered by
+Fourier-Motzkin elimination over the rationals, or left open: then the region is cut in two.
+
+Main definitions
+----------------
+`Region`
+    Linear inequalities between integer parameters.
+`Split`
+    Raised where the answer depends on the sign of a form.
+
+Notation: a form is {parameter: integer} with '' for the constant; ``@`` is the index of an induction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+__all__ = ["INDEX", "Form", "Region", "Split", "form_key", "plus"]
+
+Form = dict[str, int]
+INDEX = "@"  # the index of an induction, or of the outermost quantifier
+
+
+class Split(Exception):
+    """The answer depends on whether this form is >= 0."""
+
+    def __init__(self, form: Form) -> None:
+        super().__init__(form)
+        self.form = form
+
+
+def plus(x: Form, y: Form, factor: int = 1) -> Form:
+    out = dict(x)
+    for name, c in y.items():
+        out[name] = out.get(name, 0) + factor * c
+    return {name: c for name, c in out.items() if c}
+
+
+def form_key(form: Form) -> tuple:
+    return tuple(sorted(form.items()))
+
+
+class Region:
+    """Integer points with every given form >= 0; forced equations are solved for a parameter."""
+
+    def __init__(self, forms: list[Form], solved: Mapping[str, Form] | None = None) -> None:
+        self.solved = dict(solved or {})
+        self.forms = [self.reduce(f) for f in forms]
+        self.answers: dict[tuple, bool | None] = {}
+        for form in list(self.forms):
+            if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
+                value = {n: -c * form[name] for n, c in form.items() if n != name}
+                self.solved = {n: self._put(f, name, value) for n, f in self.solved.items()} | {name: value}
+                self.__init__(self.forms, self.solved)  # type: ignore[misc]
+                return
+
+    @staticmethod
+    def _unit(form: Form) -> str:
+        return max((n for n, c in form.items() if n and abs(c) == 1), key=lambda n: (n != INDEX, n), default="")
+
+    @staticmethod
+    def _put(form: Form, name: str, value: Form) -> Form:
+        return plus({n: c for n, c in form.items() if n != name}, value, form[name]) if name in form else form
+
+    def reduce(self, form: Form) -> Form:
+        """The form with solved parameters inserted."""
+        for name in [n for n in form if n in self.solved]:
+            form = self._put(form, name, self.solved[name])
+        return form
+
+    def _possible(self, extra: Form) -> bool:
+        """Some rational point has every form and this one >= 0, by Fourier-Motzkin elimination."""
+        forms = {form_key(f): f for f in [*self.forms, extra]}
+        while names := {n for f in forms.values() for n in f if n}:
+            name = min(names, key=lambda n: sum(n in f for f in forms.values()))
+            low = [f for f in forms.values() if f.get(name, 0) > 0]
+            high = [f for f in forms.values() if f.get(name, 0) < 0]
+            kept = [f for f in forms.values() if name not in f]
+            for a in low:
+                for b in high:
+                    kept.append(plus({n: -b[name] * c for n, c in a.items()}, b, a[name]))
+            forms = {form_key(f): f for f in kept}
+        return all(f.get("", 0) >= 0 for f in forms.values())
+
+    @property
+    def empty(self) -> bool:
+        return not self._possible({})
+
+    def decide(self, form: Form) -> bool | None:
+        """form >= 0: True, False, or None where it depends."""
+        form = self.reduce(form)
+        if set(form) <= {""}:
+            return form.get("", 0) >= 0
+        key = form_key(form)
+        if key not in self.answers:
+            below = plus({n: -c for n, c in form.items()}, {"": 1}, -1)
+            self.answers[key] = True if not self._possible(below) else None if self._possible(form) else False
+        return self.answers[key]
+
+    def holds(self, form: Form) -> bool:
+        """form >= 0; `Split` where it depends."""
+        answer = self.decide(form)
+        if answer is None:
+            raise Split(self.reduce(form))
+        return answer
+
+    def zero(self, form: Form) -> bool:
+        """form = 0; `Split` where it depends."""
+        return self.holds(form) and self.holds({n: -c for n, c in form.items()})
+
+    def and_(self, *forms: Form) -> Region:
+        return Region([*self.forms, *forms], self.solved)
+
+    def cases(self, form: Form) -> Iterator[Region]:
+        for part in (form, plus({n: -c for n, c in form.items()}, {"": 1}, -1)):
+            region = self.and_(part)
+            if not region.empty:
+                yield region
