@@ -36,6 +36,7 @@ from exactkf.finders.prove import PROOFS, candidates, every_size
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.kernel.trials import Trials
 from exactkf.language import Statement
 
 __all__ = ["STRENGTHS", "mutate_claim", "verify_claim", "verify_statement"]
@@ -222,9 +223,13 @@ def _refute(id: str, data: dict, instance: dict, found: Findings) -> None:
 
 
 def _accept(certificate: dict, found: Findings) -> bool:
-    """Replay a candidate with the checker; keep it if it is accepted."""
+    """Replay a candidate with the checker; keep it, and what it cancelled, if it is accepted."""
+    trials = Trials()
     try:
-        denominators = replay(certificate)
+        denominators = replay(certificate, trials)
+        if trials:
+            certificate = seal(certificate["id"], certificate["kind"], certificate["statement"], {**certificate["evidence"], "cancelled": trials.made})
+            denominators = replay(certificate)
     except (Rejected, NotACertificate) as error:
         found.evidence.append(f"{certificate['kind']} not accepted: {error}")
         return False

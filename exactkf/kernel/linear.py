@@ -9,13 +9,44 @@ diagonal is zero a congruence makes it nonzero first.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, sign
+from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, added, divide, sign
 from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Matrix", "block", "char_coefficients", "echelon", "inertia", "null_basis", "similar", "symplectic_form"]
+
+
+class _Row(Sequence):
+    """A row whose entries are found when they are asked for: often a proof needs few of them."""
+
+    __slots__ = ("_find", "_found", "_length")
+
+    def __init__(self, length: int, find: Callable[[int], Any]) -> None:
+        self._length, self._find, self._found = length, find, dict[int, Any]()
+
+    def __len__(self) -> int:
+        return self._length
+
+    def __getitem__(self, j: Any) -> Any:
+        if isinstance(j, slice):
+            return list(self)[j]
+        if j not in self._found:
+            if not 0 <= j < self._length:
+                raise IndexError(j)
+            self._found[j] = self._find(j)
+        return self._found[j]
+
+    def __iter__(self) -> Iterator[Any]:
+        return (self[j] for j in range(self._length))
+
+    def __add__(self, other: Any) -> list:
+        return [*self, *other]
+
+    def __radd__(self, other: Any) -> list:
+        return [*other, *self]
 
 
 class Matrix:
@@ -23,8 +54,9 @@ class Matrix:
 
     __slots__ = ("ncols", "nrows", "rows")
 
-    def __init__(self, rows: list[list], ncols: int | None = None) -> None:
-        self.rows, self.nrows = rows, len(rows)
+    def __init__(self, rows: Sequence[Any], ncols: int | None = None) -> None:
+        self.rows: Any = rows
+        self.nrows = len(rows)
         self.ncols = len(rows[0]) if rows else (ncols or 0)
         if any(len(r) != self.ncols for r in rows):
             raise Undefined("rows of different lengths")
@@ -32,6 +64,11 @@ class Matrix:
     @classmethod
     def build(cls, nrows: int, ncols: int, entry: Callable[[int, int], Any]) -> Matrix:
         return cls([[entry(i, j) for j in range(ncols)] for i in range(nrows)], ncols)
+
+    @classmethod
+    def lazy(cls, nrows: int, ncols: int, entry: Callable[[int, int], Any]) -> Matrix:
+        """As `build`, but each entry is found when it is first asked for; so are those of products from the left."""
+        return cls([_Row(ncols, partial(entry, i)) for i in range(nrows)], ncols)
 
     @classmethod
     def identity(cls, n: int) -> Matrix:
@@ -79,8 +116,11 @@ class Matrix:
             if other.is_scalar:
                 return self * other.rows[0][0]
             raise Undefined(f"sizes {self.nrows}x{self.ncols} and {other.nrows}x{other.ncols} do not multiply")
+        if self.nrows and isinstance(self.rows[0], _Row):
+            return Matrix.lazy(self.nrows, other.ncols, lambda i, j: _dot(self.rows[i], [r[j] for r in other.rows]))
         columns = list(zip(*other.rows, strict=True)) if other.nrows else [()] * other.ncols
-        return Matrix([[_dot(r, c) for c in columns] for r in self.rows], other.ncols)
+        sparse = [[(k, x) for k, x in enumerate(r) if x or type(x) is not int] for r in self.rows]
+        return Matrix([[added([x * y for k, x in r if (y := c[k]) or type(y) is not int]) for c in columns] for r in sparse], other.ncols)
 
     def __rmul__(self, other: Any) -> Matrix:
         return self.map(lambda x: other * x)
@@ -161,11 +201,7 @@ class Matrix:
 
 
 def _dot(xs: Any, ys: Any) -> Any:
-    acc: Any = 0
-    for x, y in zip(xs, ys, strict=True):
-        if not (isinstance(x, int) and x == 0 or isinstance(y, int) and y == 0):
-            acc = acc + x * y
-    return acc
+    return added([x * y for x, y in zip(xs, ys, strict=True) if (x or type(x) is not int) and (y or type(y) is not int)])
 
 
 class _Minors:

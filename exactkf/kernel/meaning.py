@@ -15,6 +15,7 @@ needs at least t = 0 and 1 (t = 0 for horizon 0).
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from math import isqrt
@@ -67,11 +68,23 @@ class World:
         if isinstance(tree, int):
             return tree
         op = tree[0]
-        if op == "sym" and not local and (found := self.values.get(tree[1])) is not None:
-            return found
+        if op == "sym":
+            name = tree[1]
+            return local[name] if local and name in local else self.values[name] if name in self.values else self.call(name, ())
         special = _SPECIAL.get(op)
         if special is not None:
             return special(self, tree, local or {})
+        if len(tree) == 3 and op in _OF_INTEGERS:
+            _, x, y = tree
+            if type(x) is not int:
+                x = self.value(x, local)
+            if type(y) is not int:
+                y = self.value(y, local)
+            if type(x) is int and type(y) is int:
+                return _OF_INTEGERS[op](x, y)
+            if self.symbolic and op in _NOT_GENERIC:
+                raise Unknown(f"{op!r} of quantities with variables")
+            return _PLAIN[op](x, y)
         if self.symbolic and op in _NOT_GENERIC:
             args = [self.value(arg, local) for arg in tree[1:]]
             if not all(isinstance(a, int) and not isinstance(a, bool) for a in args):
@@ -202,11 +215,17 @@ def truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 
 def _every(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
-    return all(truth(world, tree[4], inner) for inner in _range(world, tree, local))
+    for inner in _range(world, tree, local):  # noqa: SIM110 - a third faster than all()
+        if not truth(world, tree[4], inner):
+            return False
+    return True
 
 
 def _some(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
-    return any(truth(world, tree[4], inner) for inner in _range(world, tree, local))
+    for inner in _range(world, tree, local):  # noqa: SIM110
+        if truth(world, tree[4], inner):
+            return True
+    return False
 
 
 def _always(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
@@ -257,8 +276,9 @@ def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 
 def _mat(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
     _, i, j, nrows, ncols, body = tree
-    return Matrix.build(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
-                        lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
+    make = Matrix.lazy if world.symbolic else Matrix.build  # an instance is outside if any entry has no value
+    return make(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
+                lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
 
 
 def _col(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
@@ -507,3 +527,5 @@ _PLAIN: dict[str, Callable] = {
 #: operations whose value for symbols does not carry over to every value of the symbols
 _NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
                 "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "pos_circle", "nonneg_circle"}
+_OF_INTEGERS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "=": operator.eq, "!=": operator.ne,
+                "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}  # what _PLAIN does to two integers, sooner

@@ -16,12 +16,12 @@ A scalar is an int, a Fraction, a `exactkf.kernel.symbolic.Symbolic`, a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "divide", "rational", "rationals", "sign"]
+__all__ = ["Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "rational", "rationals", "sign"]
 
 
 class Undefined(Exception):
@@ -60,6 +60,15 @@ def divide(x: Any, y: Any) -> Any:
     if y == 0:
         raise Undefined("division by zero")
     return _rational(x, y) if isinstance(x, int) and isinstance(y, int) else x / y
+
+
+def added(terms: Sequence[Any]) -> Any:
+    """Sum of quantities of any kinds, 0 if there are none."""
+    if len(terms) > 2:
+        k = next((k for k, x in enumerate(terms) if hasattr(x, "plus")), None)
+        if k is not None and (found := terms[k].plus([*terms[:k], *terms[k + 1:]])) is not NotImplemented:
+            return found
+    return sum(terms[1:], terms[0]) if terms else 0
 
 
 def sign(x: Any) -> int:
@@ -134,11 +143,11 @@ class Laurent:
             return NotImplemented
         if not isinstance(other, Laurent):
             return Laurent({k: v * other for k, v in self.c.items()})
-        out: dict[int, Any] = {}
+        out: dict[int, list] = {}
         for i, x in self.c.items():
             for j, y in other.c.items():
-                out[i + j] = out[i + j] + x * y if i + j in out else x * y
-        return Laurent(out)
+                out.setdefault(i + j, []).append(x * y)
+        return Laurent({k: added(terms) for k, terms in out.items()})
 
     __rmul__ = __mul__
 
@@ -232,8 +241,6 @@ class Ratio:
         first = self.num.degree - top
         series: list[Any] = []
         for m in range(first + k + 1):
-            acc = self.num.get(self.num.degree - m)
-            for j in range(1, m + 1):
-                acc = acc - self.den.get(top - j) * series[m - j]
-            series.append(divide(acc, lead))
+            known = [-self.den.get(top - j) * series[m - j] for j in range(1, m + 1)]
+            series.append(divide(added([self.num.get(self.num.degree - m), *known]), lead))
         return series[first + k] if first + k >= 0 else 0

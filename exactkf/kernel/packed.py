@@ -68,12 +68,12 @@ def mul(p: Poly, q: Poly) -> Poly:
         p, q = q, p
     if _crowded(p, q):
         raise Unknown("degree too large for symbolic evaluation")
-    if len(p) == 1:
-        (i, x), = p.items()
-        return {i + j: x * y for j, y in q.items()}
-    out: Poly = {}
+    if not p:
+        return {}
+    (first, lead), *rest = p.items()
+    out = {first + j: lead * y for j, y in q.items()}
     get = out.get
-    for i, x in p.items():
+    for i, x in rest:
         for j, y in q.items():
             k = i + j
             out[k] = get(k, 0) + x * y
@@ -148,11 +148,11 @@ class Divisor:
         lead = [k for k in self.terms if k & field == top]
         return len(lead), lead[0] != top
 
-    def quotient(self, p: Poly) -> Poly | None:
-        """p over this polynomial if that is a polynomial with integer coefficients, else None."""
+    def quotient(self, p: Poly, told: bool = False) -> Poly | None:
+        """p over this polynomial if that is a polynomial with integer coefficients, else None; if `told` it is likely one."""
         if not self.lower:
             return self._quotient_by_lead(p, self.degree << self.place)
-        if not self._may_divide(p):
+        if not told and not self._may_divide(p):
             return None
         rest, out = _by_exponent(p, self.place), Poly()
         for e in range(max(rest), self.degree - 1, -1):

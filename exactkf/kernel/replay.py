@@ -42,6 +42,7 @@ from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
+from exactkf.kernel.trials import Trials
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
 
@@ -67,8 +68,11 @@ def seal(id: str, kind: str, statement: Mapping[str, Any], evidence: Mapping[str
     return {**made, "digest": digest(made)}
 
 
-def replay(certificate: Any) -> list[str]:
+def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
     """Replay a certificate; return the denominators it assumes nonzero.
+
+    A search hands in `trials` that remember which cancellations were possible; as evidence ``cancelled`` they save the
+    next replay the others.
 
     Raises
     ------
@@ -87,8 +91,9 @@ def replay(certificate: Any) -> list[str]:
         raise Rejected("digest: the certificate was altered after it was written")
     try:
         with rationals(Fraction):
-            _well_named(certificate["statement"], certificate["evidence"])
-            return _KINDS[certificate["kind"]](certificate["statement"], certificate["evidence"])
+            evidence = certificate["evidence"]
+            _well_named(certificate["statement"], evidence)
+            return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError, AssertionError) as error:
@@ -187,10 +192,11 @@ def _evaluation(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
 
 # ---------------------------------------------------------------------- evidence with symbols
 def _cases(statement: Mapping[str, Any], evidence: Mapping[str, Any], given_by: Mapping[str, Any] | None = None) -> Iterator[tuple[World, SymbolicField]]:
-    reached = False
+    told, reached = evidence.get("cancelled"), False
+    trials = told if isinstance(told, Trials) else Trials(told)
     for case in _sizes(statement, evidence):
         for values in _integers(statement, case):
-            field, reached = SymbolicField(), True
+            field, reached = SymbolicField(trials), True
             yield generic(statement, values, given_by, field.variable)[0], field
     _need(reached, "no case")
 
@@ -480,6 +486,8 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
               "step: only an equation X[t] = term can be solved for X[t]")
         del world.memory[eq[1][1], (t,)]
         solved = world.value(eq[2], {index: t})
+        if isinstance(solved, Matrix):
+            solved = solved.map(lambda x: x)  # every entry, before what is remembered changes
         divisors |= set() if k < len(parts) - len(evidence.get("also") or []) else _divisors(solved)
         world.memory = {key: v for key, v in world.memory.items() if key[0] in shapes and key[1] == (t,)}
         world.memory[eq[1][1], (t,)] = solved

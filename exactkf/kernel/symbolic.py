@@ -5,20 +5,22 @@ An element is an integer polynomial over a product of powers of recorded
 factors. Every factor ever divided by is kept in the field, so that the
 denominators of an identity are known; factors in one variable are split off
 when a denominator is recorded. No other gcd is taken: recorded factors are
-cancelled by exact division, after a quick test modulo a prime.
+cancelled by exact division, after a quick test modulo a prime, or where
+`exactkf.kernel.trials` tells that it succeeds.
 
 Numerators and factors are polynomials of `exactkf.kernel.packed`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from math import gcd
+from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, is_matrix
+from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, is_matrix
 from exactkf.kernel.packed import BITS, Divisor, Poly, add, content, exponents, mul
+from exactkf.kernel.trials import Trials
 
 __all__ = ["Symbolic", "SymbolicField"]
 
@@ -29,10 +31,12 @@ class SymbolicField:
     ``factors`` lists the polynomials divided by so far.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, trials: Trials | None = None) -> None:
         self.names: list[str] = []
         self.factors: list[Poly] = []
         self.divisors: list[Divisor] = []
+        self.trials = Trials() if trials is None else trials
+        self._products: dict[tuple, Divisor] = {}
 
     def variable(self, name: str) -> Symbolic:
         self.names.append(name)
@@ -40,10 +44,44 @@ class SymbolicField:
 
     def cancel(self, p: Poly, index: int, most: int) -> tuple[Poly, int]:
         """Divide by a recorded factor as often as possible, at most so many times; what is left, and how often."""
-        divisor, times = self.divisors[index], 0
+        trials, divisor, times = self.trials, self.divisors[index], 0
+        if trials.known:
+            times = trials.next(most)
+            return self._divided(p, [(index, times)]), times
         while times < most and any(p) and (q := divisor.quotient(p)) is not None:
             p, times = q, times + 1
+        trials.remember(times)
         return p, times
+
+    def _divided(self, p: Poly, powers: list[tuple[int, int]]) -> Poly:
+        """p over powers of recorded factors, those in the same variable at once."""
+        for divisor in self._grouped(powers):
+            q = divisor.quotient(p, told=True)
+            if q is None:
+                raise Rejected("cancelled: a factor does not divide")
+            p = q
+        return p
+
+    def _grouped(self, powers: Iterable[tuple[int, int]]) -> list[Divisor]:
+        """A product of powers of recorded factors as a product of few: those in the same variable are one."""
+        groups: dict[int, list[tuple[int, int]]] = {}
+        out = []
+        for index, e in powers:
+            divisor = self.divisors[index]
+            if divisor.univariate:
+                groups.setdefault(divisor.place, []).append((index, e))
+            else:
+                out += [divisor] * e
+        for group in groups.values():
+            key = tuple(group)
+            if key not in self._products:
+                product = {0: 1}
+                for index, e in group:
+                    for _ in range(e):
+                        product = mul(product, self.factors[index])
+                self._products[key] = Divisor(product)
+            out.append(self._products[key])
+        return out
 
     def factor(self, p: Poly) -> list[tuple[int, int]]:
         """Write a polynomial (up to a unit) as a product of recorded factors, recording a new one if need be."""
@@ -53,14 +91,22 @@ class SymbolicField:
             if times:
                 powers[index] = times
         for place in range(0, BITS * len(self.names), BITS):
-            for f in content(p, place):
+            for f in self._content(p, place):
                 index = self._record(f)
-                p, times = self.cancel(p, index, 1)
-                powers[index] = powers.get(index, 0) + times
+                p = self._divided(p, [(index, 1)])
+                powers[index] = powers.get(index, 0) + 1
         if any(p):
             index = self._record(p)
             powers[index] = powers.get(index, 0) + 1
         return sorted(powers.items())
+
+    def _content(self, p: Poly, place: int) -> list[Poly]:
+        """Factors of a polynomial in one variable, unless it is told that it has none."""
+        if self.trials.known:
+            return content(p, place) if self.trials.next(1) else []
+        found = content(p, place)
+        self.trials.remember(min(len(found), 1))
+        return found
 
     def _record(self, p: Poly) -> int:
         if p in self.factors:
@@ -71,9 +117,8 @@ class SymbolicField:
 
     def times_powers(self, p: Poly, powers: Iterable[tuple[int, int]]) -> Poly:
         """p times a product of powers of recorded factors."""
-        for index, e in powers:
-            for _ in range(e):
-                p = mul(p, self.factors[index])
+        for divisor in self._grouped((index, e) for index, e in powers if e):
+            p = mul(p, divisor.terms)
         return p
 
     def text(self, p: Poly) -> str:
@@ -102,9 +147,14 @@ class Symbolic:
 
     def _cancelled(self, den: dict[int, int], among: Iterable[int]) -> Poly:
         """Numerator, less the factors among those given that it has in common with a denominator, which is changed."""
-        num = self.num
+        field, num = self.field, self.num
+        if field.trials.known:
+            powers = [(index, times) for index in among if (times := field.trials.next(den[index]))]
+            for index, times in powers:
+                den[index] -= times
+            return field._divided(num, powers)
         for index in among:
-            num, times = self.field.cancel(num, index, den[index])
+            num, times = field.cancel(num, index, den[index])
             den[index] -= times
         return num
 
@@ -145,6 +195,29 @@ class Symbolic:
 
     __radd__ = __add__
 
+    def plus(self, others: Sequence[Any]) -> Any:
+        """Sum of this and others over one common denominator: what they have in common is cancelled once.
+
+        NotImplemented if one of them is no element of the field.
+        """
+        given = [self, *map(self._coerce, others)]
+        if any(x is None for x in given):
+            return NotImplemented
+        terms = [x for x in given if x is not None and x.num]
+        if len(terms) < 3:
+            return sum(terms[1:], terms[0]) if terms else self
+        q, den = lcm(*(x.q for x in terms)), dict[int, int]()
+        for x in terms:
+            for index, e in x.den:
+                den[index] = max(e, den.get(index, 0))
+        num: Poly = {}
+        for x in sorted(terms, key=lambda x: len(x.num)):
+            num = add(x._lift(den), num, q // x.q)
+        # an irreducible factor of its highest power in one denominator alone does not divide the sum
+        divisors, highest = self.field.divisors, [{*x.den} for x in terms]
+        among = [index for index, e in den.items() if not divisors[index].univariate or sum((index, e) in h for h in highest) > 1]
+        return Symbolic(self.field, num, q, ())._over(den, among)
+
     def __neg__(self) -> Symbolic:
         return Symbolic(self.field, {k: -v for k, v in self.num.items()}, self.q, self.den)
 
@@ -163,8 +236,8 @@ class Symbolic:
         if not self.den and not y.den:
             return Symbolic(self.field, mul(self.num, y.num), self.q * y.q, ())._primitive()
         mine, theirs = dict(self.den), dict(y.den)
-        p = self._cancelled(theirs, theirs.keys() - mine.keys())
-        q = y._cancelled(mine, mine.keys() - theirs.keys())
+        p = self._cancelled(theirs, sorted(theirs.keys() - mine.keys()))
+        q = y._cancelled(mine, sorted(mine.keys() - theirs.keys()))
         den = {index: e for index in mine | theirs if (e := mine.get(index, 0) + theirs.get(index, 0))}
         # an irreducible factor divides neither p nor q now
         return Symbolic(self.field, mul(p, q), self.q * y.q, ())._over(den, [index for index in den if not self.field.divisors[index].univariate])
@@ -172,6 +245,7 @@ class Symbolic:
     __rmul__ = __mul__
 
     def inverse(self) -> Symbolic:
+        """One over this."""
         if not self.num:
             raise Undefined("division by zero")
         num = self.field.times_powers({0: self.q}, self.den)

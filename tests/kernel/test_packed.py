@@ -12,9 +12,10 @@ from operator import sub, truediv
 import pytest
 
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.packed import BITS, Divisor, add, content, exponents, mul
 from exactkf.kernel.symbolic import SymbolicField
+from exactkf.kernel.trials import Trials
 
 
 def _random(rng, places=3, terms=4, degree=3):
@@ -120,3 +121,54 @@ def test_inverse_of_a_triangular_matrix():
     m.rows[2][2] = 0
     with pytest.raises(Undefined, match="singular"):
         m.inverse()
+
+
+def _quotients(field):
+    """A sum of three fractions whose common factor cancels, and its short form."""
+    x, y = field.variable("x"), field.variable("y")
+    terms = [x * x / (x - y), -2 * x * y / (x - y), y * y / (x - y)]
+    return terms[0].plus(terms[1:]), x - y
+
+
+def test_a_sum_of_many_terms_is_cancelled_once():
+    """x^2/(x - y) - 2xy/(x - y) + y^2/(x - y) is stored as x - y."""
+    total, short = _quotients(SymbolicField())
+    assert (total.num, total.den) == (short.num, ())
+
+
+def test_told_cancellations_give_the_same_fractions():
+    """What one field tells, another need not try."""
+    tried = SymbolicField(Trials())
+    expected, _ = _quotients(tried)
+    told = SymbolicField(Trials(tried.trials.made))
+    actual, _ = _quotients(told)
+    assert tried.trials.made and (actual.num, actual.den) == (expected.num, expected.den)
+
+
+def test_a_fraction_that_is_not_cancelled_has_its_value():
+    """If a field is told that nothing cancels, fractions are longer and equal."""
+    total, short = _quotients(SymbolicField(Trials([])))
+    assert total.den and total == short and not total == short + 1
+
+
+@pytest.mark.parametrize("times", [0, -1, 2, True, "1", 1.0, None])
+def test_a_factor_is_not_cancelled_an_impossible_number_of_times(times):
+    """Numbers other than one to the power of the factor are rejected, also if they are told."""
+    with pytest.raises(Rejected):
+        _quotients(_told_first(times))
+
+
+def _told_first(times):
+    """A field that is told a number for the first cancellation that another has found."""
+    tried = SymbolicField(Trials())
+    _quotients(tried)
+    return SymbolicField(Trials([tried.trials.made[0], times]))
+
+
+def test_entries_of_a_matrix_are_found_when_they_are_needed():
+    """A product of a matrix made entry by entry computes no row that is not asked for."""
+    asked = []
+    lazy = Matrix.lazy(2, 2, lambda i, j: asked.append(i) or 3 * i + j)
+    product = lazy * Matrix([[1], [1]])
+    assert (product.rows[1][0], asked) == (7, [1, 1])
+    assert (lazy * lazy).transpose() == Matrix([[3, 12], [4, 19]])
