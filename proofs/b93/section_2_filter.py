@@ -99,12 +99,6 @@ claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size o
       note="F stands for the coefficients of the noise over the gap. In the correction the rows of U, W, E are coefficients of standard Gaussian "
            "vectors: alpha_n = G F u + (I - GK) w with the generalized inverse G of the text and a vector w independent of the noise.")
 
-claim("B93-E19", "the sampled system",
-      (A * x + F * y == A * x + K * mu) & (C * (A * x + F * y) + e == C * (A * x + K * mu) + e), sizes=["d", "p", "q"],
-      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), K: matrix(d, d), x: vector(d), y: vector(p), mu: vector(d), e: vector(q)},
-      given=[given("S51", F * y == K * mu)],
-      by=[order(), instances(**SMALL, made_by={K: A, mu: inv(A) * F * y}), instances(**SMALL)],
-      note="S50 with the noise rewritten by S51; A stands for A_n = A^(T_n - T_(n-1)).")
 not_checked("B93-S52", "the sampled system satisfies H", MEASURE)
 
 O = symbols("O")[0]
@@ -202,7 +196,6 @@ claim("B93-S65", "a bound for the inverse of the image of the identity",
           instances(**SMALL, using={c: positive()}, made_by={A: c * I, b2: 1 / c**2, C: Zero(q, d), c2: 0}),
           instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL)],
       note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
-not_checked("B93-E21", "the distance of the image to the identity", "the second half of Lemma 2.3 for Q = Phi_1(I); it asserts nothing else")
 
 M_, N_, number = symbols("M N number")
 BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), P: matrix(d, d), Q: matrix(d, d), R: matrix(d, d), S: matrix(d, d), X: matrix(d, d)}
@@ -214,18 +207,6 @@ claim("B93-S68", "the composition of two maps is the map of the product, said to
       repair=repair("cross-reference", "That a product acts as the composition is (13); (12) defines the action.", COMPOSED, sizes=["d"], over=BLOCKS,
                     by=[order(), instances(d=(1, 2))]),
       note="13 is the number of the display that says so. Two factors are stated, in blocks; for more it is repeated.")
-
-claim("B93-S69", "two positive matrices in one basis",
-      (Pbar == T(K) * K) & (P == T(K) * D * K) & (P * inv(Pbar) == T(K) * D * inv(T(K))), sizes=["d"],
-      over={P: positive_definite(d), Pbar: positive_definite(d), L: nonsingular(d), U: matrix(d, d), D: diagonal(d)},
-      where=[let(K, T(U) * inv(L))],
-      given=[given("inv(Pbar) = LL*", Pbar == inv(T(L)) * inv(L)), given("U is orthogonal", (T(U) * U == I) & (U * T(U) == I)),
-             given("U diagonalises L*PL", T(L) * P * L == U * D * T(U))],
-      by=[order(), instances(d=(1, 2), using={W: matrix(d, d), E: diagonal(d)},
-                              made_by={U: (I - (W - T(W))) * inv(I + (W - T(W))), D: E * E + I, Pbar: inv(T(L)) * inv(L),
-                                       P: inv(T(L)) * U * D * T(U) * inv(L)})],
-      note="The third equation says that D has the eigenvalues that the distance is made of. That inv(Pbar) = LL* and L*PL = UDU* can be written so "
-           "is the spectral theorem.")
 
 claim("B93-S70", "the norm of K_n x",
       (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
@@ -271,22 +252,3 @@ claim("B93-S78", "the Lyapunov function along the backward recursion",
           instances(d=(1, 2))],
       note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
            "V_n <= tau V_(n+1).")
-
-claim("B93-S79", "the first vector of the backward recursion",
-      T(x0) * x0 <= al * be * T(x1) * P * x1, sizes=["d"],
-      over={P0: positive_definite(d), P: positive_definite(d), x0: vector(d), x1: vector(d), al: nonneg(), be: nonneg()},
-      given=[given("||inv(P_0)|| <= alpha", loewner(al * P0, Identity(d))), given("V_0 <= beta V_p", T(x0) * P0 * x0 <= be * T(x1) * P * x1)],
-      by=[order([T(x0) * (al * P0 - Identity(d)) * x0, al * (be * T(x1) * P * x1 - T(x0) * P0 * x0)]),
-          instances(d=(1, 2), made_by={al: 1, P0: Identity(d), P: Identity(d), be: 1, x1: x0}),
-          instances(d=(1, 2), made_by={al: 2, P0: Identity(d), P: Identity(d), be: 1, x1: x0})],
-      note="beta stands for the product of the tau_i; its hypothesis is S78 for each step. With V_p <= ||P_p|| |x_p|^2 it is the printed chain.")
-
-claim("B93-S80", "the closed loop at time p",
-      (T(x0) * x0 <= al * be * si * T(x1) * x1) & (x0 == T(B) * x1), sizes=["d"],
-      over={B: matrix(d, d), P: positive_semidefinite(d), x1: vector(d), al: nonneg(), be: nonneg(), si: nonneg()},
-      where=[let(x0, T(B) * x1)],
-      given=[given("S79", T(x0) * x0 <= al * be * T(x1) * P * x1), given("||P_p|| <= sigma", loewner(si * I, P))],
-      by=[order([al * be * (T(x1) * (si * I - P) * x1), 1 * (al * be * T(x1) * P * x1 - T(x0) * x0)]),
-          instances(d=(1, 2), made_by={B: I, al: 1, be: 1 / si, P: si * I}), instances(d=(1, 2), made_by={B: Zero(d, d)})],
-      note="B stands for B_p ... B_1 and beta for the product of the tau_i. The squared norm of B is the least c with |B*x|^2 <= c|x|^2; the printed "
-           "sum of logarithms is the logarithm of the product.")
