@@ -477,7 +477,8 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
     t = _GENERIC_T
     for d in recursions:
         _need(_fits(world.call(d[1], (0,)), shapes[d[1]]), f"step: {d[1]} at 0 does not have the shape of the state")
-    world.memory = {(name, (t,)): _fresh(shape, name, field) for name, shape in shapes.items()}
+    generic = {(name, (t,)): _fresh(shape, name, field) for name, shape in shapes.items()}
+    world.memory = dict(generic)
     parts = body[1:] if body[0] == "and" else [body]
     divisors: set[int] = set()
     for k in evidence.get("solve") or []:
@@ -493,7 +494,7 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
         world.memory[eq[1][1], (t,)] = solved
     for k in (t, t + 1):
         _residuals(world, said, {index: k})
-    known = len(field.factors)
+    known, reached = len(field.factors), [name for name in shapes if (name, (t + 1,)) in world.memory]
     before = [r for p in parts for r in _residuals(world, p, {index: t})]
     after = [r for p in parts for r in _residuals(world, p, {index: t + 1})]
     divisors |= set(range(known, len(field.factors)))
@@ -507,6 +508,10 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
         _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
     if not divisors <= set(range(known)):
         divisors -= _never_zero(statement, world, field, known, [d[1] for d in recursions])
+    if not divisors <= set(range(known)):  # a state has a value only if all its entries have, those not looked at above too
+        kept, world.memory = world.memory, dict(generic)
+        divisors -= {index for name in reached for index in _divisors(world.call(name, (t + 1,)))}
+        world.memory = kept
     _nothing_new(statement, world, field, known, divisors)
     for d in recursions:
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")

@@ -45,4 +45,4 @@ def test_ten_thousand_decisions_on_two_processors():
     times = [(seconds(lambda: decide_many(starts)), seconds(lambda: decide_many(starts, jobs=2))) for _ in range(4)]
     one, two = (min(t[k] for t in times) for k in (0, 1))
     print(f"\n10,000 decisions: one process {one:.2f} s, two {two:.2f} s, ratio {one / two:.2f}")
-    assert one >= 1.4 * two  # sending an answer back costs a quarter of finding it
+    assert one >= 1.7 * two
