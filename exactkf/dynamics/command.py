@@ -31,6 +31,10 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
         if path is not None:
             check_target(path, argument)
     drawings = [_picture(text) for text in pictures]
+    if drawings:
+        from exactkf.dynamics.pictures import require_matplotlib
+
+        require_matplotlib()
     data = _data(file, vectors)
     start = data.pop("pi0", None) if pi0 is None else pi0
     filter = filter_from(data)

@@ -11,6 +11,7 @@ Main definitions
 ``draw_alpha_plane``   the alpha plane of order two for fixed gamma: positive real, sign definite, indefinite
 ``draw_spectrum``      the eigenvalues of S and the unit circle
 ``save``               a figure as PNG or SVG
+``require_matplotlib`` what to install
 
 Main statements
 ---------------
@@ -25,6 +26,7 @@ BLM91 (3.10)-(3.13), Figures 1-3; BLZ94 section 8, Figures 8.1-8.6.
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,18 +43,28 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["draw_alpha_plane", "draw_gamma", "draw_plane", "draw_spectrum", "save"]
+__all__ = ["draw_alpha_plane", "draw_gamma", "draw_plane", "draw_spectrum", "require_matplotlib", "save"]
 
 # dark enough for print, and apart for readers who do not see red and green as different
 _POSITIVE, _DEFINITE, _NEGATIVE, _INK, _ORBIT = "#9ecae1", "#deebf7", "#fdd9b5", "#333333", "#b2182b"
 _LARGEST = 1e6  # a coordinate beyond it is off the picture
 
 
+def require_matplotlib() -> None:
+    """Say how to install matplotlib where it is missing.
+
+    Raises
+    ------
+    ExactkfError
+        If it is.
+    """
+    if find_spec("matplotlib") is None:
+        raise ExactkfError("pictures need matplotlib; install it with: pip install 'exactkf[plot]'")
+
+
 def _figure(width: float = 6.4, height: float = 4.8) -> tuple[Figure, Axes]:
-    try:
-        import matplotlib
-    except ImportError:
-        raise ExactkfError("pictures need matplotlib; install it with: pip install 'exactkf[plot]'") from None
+    require_matplotlib()
+    import matplotlib
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 

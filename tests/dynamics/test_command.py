@@ -67,3 +67,11 @@ def test_wrong_calls_are_one_line(args, says):
 def test_lists_split_at_outer_commas():
     """A comma inside parentheses belongs to its number."""
     assert split_list("g", " 1 ,root(x^2-2, 1, 2),(1,2)") == ["1", "root(x^2-2, 1, 2)", "(1,2)"]
+
+
+def test_missing_matplotlib_is_said_before_any_work(monkeypatch, tmp_path):
+    """Without matplotlib a picture is refused in one line, and nothing is printed."""
+    monkeypatch.setattr("exactkf.dynamics.pictures.find_spec", lambda name: None)
+    done = run("--alpha", 3, "--gamma", "1/2", "--picture", f"plane={tmp_path / 'p.png'}")
+    assert (done.exit_code, done.stdout) == (2, "")
+    assert done.stderr.startswith("exactkf: pictures need matplotlib") and done.stderr.count("\n") == 1
