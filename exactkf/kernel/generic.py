@@ -31,7 +31,7 @@ from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms"]
+__all__ = ["Terms", "connected"]
 
 _MOST_OPEN = 60  # definitions opened within each other
 
@@ -67,6 +67,8 @@ class Terms:
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.limited = False  # exponents are known for indices up to that of the induction
+        self.unused: set[str] = set()  # recursions that are not opened
+        self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
         if key not in self.places:
@@ -271,6 +273,8 @@ class Terms:
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
+                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                    raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         self.depth += 1
@@ -295,7 +299,7 @@ class Terms:
     def defining(self, name: str, args: tuple[Form, ...]) -> Symbolic:
         """Value of a function that is kept closed, less what defines it there."""
         d = self.definitions[name]
-        if d[0] != "let" or name not in self.recursive or name in self.in_z or not all(self.region.holds(a) for a in args):
+        if d[0] != "let" or name not in self.recursive or name in self.in_z or name in self.unused or not all(self.region.holds(a) for a in args):
             raise Unknown(f"no definition of {name} to be used there")
         return self.atom(("at", name, *map(form_key, args))) - self._open(d, args, self.value)
 
@@ -303,6 +307,8 @@ class Terms:
         """At an integer not before the start, or at the index of the induction plus a positive integer."""
         least = d[3] if d[0] == "rec" else 0
         c = last.get("", 0)
+        if d[1] in self.unused:
+            return False
         if set(last) <= {""}:
             return c >= least
         return d[1] not in self.closed and set(last) <= {INDEX, ""} and last[INDEX] == 1 and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1)
@@ -362,6 +368,8 @@ class Terms:
             return self.total(low, cut, summand) + self.total(plus(cut, {"": 1}), high, summand)
         finally:
             self.region = outer
+        if self.within and any(body.num):  # only what it is made of is looked at
+            return self.atom(("sum", (), ((name, 1),)))
         return self._indefinite(body, name, low, high)
 
     def _indefinite(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
@@ -627,6 +635,21 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
     if tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
+
+
+def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
+    """Names that a definition leads to and that lead back to it."""
+    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
+
+    def reached(start: str) -> set[str]:
+        todo, seen = [start], set[str]()
+        while todo:
+            new = calls[todo.pop()] - seen
+            seen |= new
+            todo.extend(new)
+        return seen
+
+    return {n for n in reached(name) if name in reached(n)}
 
 
 def _in_z(definitions: Mapping[str, Any]) -> set[str]:

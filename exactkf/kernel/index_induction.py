@@ -7,7 +7,10 @@ between bounds; the hypothesis of the induction and the lemmas before may be use
 places. In each region of the parameters the equation then has to follow from them by elimination
 of atoms that they contain linearly with a constant factor.
 
-Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed.
+Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed. So everything is said of
+elements of the field of rational functions in the variables, and carries over to every instance on which the conclusion
+has a value. In that field recursions must have values, and nothing that is divided by may be zero, in a lemma
+neither: `exactkf.kernel.defined` sees to that.
 
 Main definitions
 ----------------
@@ -27,6 +30,7 @@ from contextlib import suppress
 from itertools import islice
 from typing import Any
 
+from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.numbers import Rejected, Unknown
 from exactkf.kernel.packed import BITS, exponents
@@ -67,7 +71,7 @@ class _Proof:
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
-        names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
+        names = _RESERVED & {*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
         self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
@@ -77,6 +81,7 @@ class _Proof:
                 with suppress(Unknown):
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
+        self.witness, self.ill_founded = Witness(statement, self.sizes), ill_founded(statement, self.sizes)
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -272,7 +277,7 @@ class _Proof:
                splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
         """The goal follows from the uses in every part of the region."""
         terms = Terms(self.statement, region, self.supported, self.rules, self.closed)
-        terms.limited, terms.in_values = limited, in_values
+        terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
             known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current)]
@@ -293,6 +298,8 @@ class _Proof:
                 raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
         for f in terms.field.factors:
             if (text := terms.field.text(f)) not in self.denominators:
+                if not self.witness.is_not_zero(terms, f):
+                    raise Rejected(f"{place}: nothing tells that {text} is not zero")
                 self.denominators.append(text)
 
 

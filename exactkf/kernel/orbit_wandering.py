@@ -23,7 +23,7 @@ from operator import mul
 from typing import Any
 
 from exactkf.kernel.linear import Matrix, char_coefficients
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
 
 __all__ = ["are_related", "backward", "check_independent", "check_never_escapes", "check_never_singular", "check_torus", "common_order",
@@ -114,7 +114,7 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     """
     f, rest = wandering_factor(D), [Fraction(1)]
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
-        f, rest = [Fraction(c) for c in evidence["factor"]], f
+        f, rest = [fraction(c) for c in evidence["factor"]], f
         rest, left = divmod_poly(rest, f)
         _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
     k = count_circle(f)[1] // 2 if len(f) > 1 else 0
