@@ -23,8 +23,9 @@ from exactkf._errors import BadInput
 
 __all__ = ["BEHAVIOURS", "Answer", "Fact"]
 
-#: What an orbit can do.  ``dense`` (order one): it fills its hyperbola, or the line, densely.
-BEHAVIOURS = ("converges", "escapes", "periodic", "dense", "not convergent, not periodic", "undecided")
+#: What an orbit can do. ``eventually periodic``: from a step on, not from the start.
+#: ``dense`` (order one): it fills its hyperbola, or the line, densely.
+BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "not convergent, not periodic", "undecided")
 
 
 @dataclass(frozen=True)

@@ -330,8 +330,9 @@ def _returning(case: _Case, period: int) -> Answer:
     evidence: dict[str, Any] = {}
     if not case.rational:
         Q, S = start_pair(_question(case))
-        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, period, bits := (256 + 4 * period) << k))
-    return _answer(case, "periodic", evidence, never_escapes=True, period=period)
+        steps = start + period
+        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, steps, bits := (256 + 4 * steps) << k))
+    return _answer(case, "eventually periodic" if start else "periodic", evidence, never_escapes=True, period=period)
 
 
 def _wandering(case: _Case, max_steps: int) -> Answer:

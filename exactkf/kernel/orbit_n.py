@@ -98,7 +98,7 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
     required = _REQUIRED[behaviour]
     filled = {k for k in ("escape", "limit", "period", "torus_dimension", "enters_positive_real") if answer[k] is not None}
     _need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
-    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "not convergent, not periodic")),
+    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "eventually periodic", "not convergent, not periodic")),
           "never_escapes does not go with the behaviour")
     _CHECKS[behaviour](Q, S, answer, evidence)
 
@@ -326,13 +326,19 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
+    late = answer["behaviour"] == "eventually periodic"  # a start without the factor z that all later states have is not come back to
+    _need(late == (reduced.start > 0), f"the orbit returns to its state at step {reduced.start}")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
-    primes = [q for q in range(2, p + 1) if p % q == 0 and all(q % r for r in range(2, q))]
-    _need(all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
+    primes, rest = list[int](), p
+    degree = (len(D) - 1) * (len(D[-1].field.modulus) - 1 if isinstance(D[-1], Algebraic) else 1)
+    for q in range(2, degree + 2):  # a root of unity of an order that q divides has degree at least q - 1
+        while rest % q == 0:
+            primes, rest = [*primes, q], rest // q
+    _need(rest == 1 and all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
     if isinstance(D[-1], Algebraic):
-        _need(reduced.start == 0 and does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
+        _need(does_not_escape(Q, S, reduced.start + p, evidence["bits"]), "the orbit may escape within a period")
     else:
         count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
         _need(count == p + 1, "the orbit escapes within a period")
@@ -384,11 +390,12 @@ def _undecided(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
             q, s = modular_step(q, s, N)
 
 
-_CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic,
+_CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic, "eventually periodic": _periodic,
            "not convergent, not periodic": _wanders, "undecided": _undecided}
 # fields that go with a behaviour, and fields that may
 _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
     "escapes": ({"escape"}, set()), "converges": ({"enters_positive_real"}, {"limit", "period"}), "periodic": ({"period"}, set()),
+    "eventually periodic": ({"period"}, set()),
     "not convergent, not periodic": (set(), {"torus_dimension"}), "undecided": (set(), set()),
 }
 

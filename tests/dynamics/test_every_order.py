@@ -137,7 +137,7 @@ def signs_seen(d):
 
 def agrees(a, g, answer, steps=STEPS):
     """Assert that nothing in an exact orbit contradicts the answer."""
-    if answer.behaviour == "periodic":
+    if answer.behaviour.endswith("periodic") and answer.period:
         steps = max(steps, min(2 * answer.period, 260))
     states, escape = stepped(a, g, steps)
     if escape is not None or answer.escape is not None and answer.escape <= steps:
@@ -155,8 +155,10 @@ def agrees(a, g, answer, steps=STEPS):
         far = digits_ahead(a, g, 10**10, 12, answer=answer)
         assert all(abs(x - y) < fmpq(1, 10**5) for x, y in zip(far.a, limit, strict=True))
         assert all(abs(x) < fmpq(1, 10**5) for x in far.g)
-    elif answer.behaviour == "periodic":
+    elif answer.behaviour in ("periodic", "eventually periodic"):
         p, first = answer.period, structure(a, g).start
+        assert (first > 0) == (answer.behaviour == "eventually periodic")
+        assert all(states[k] != states[0] for k in range(1, len(states))) or not first
         assert states[first + p] == states[first] or len(states) <= first + p
         assert all(states[first + k] != states[first] for k in range(1, min(p, len(states) - first - 1)))
     elif answer.behaviour == "not convergent, not periodic":
