@@ -112,7 +112,7 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
     return Evidence("induction", hints)
 
 
-def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (),
+def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
                   in_values: bool = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
@@ -125,6 +125,8 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         The polynomial X[t] has exponents 0 .. t, which is shown before all else.
     closed : names of functions
         Not replaced by their definition except by a `use` of it.
+    whole : names of functions in z
+        Their coefficients are left as they are; as functions of z and 1/z (``in_values``) they are opened.
     uses : sequence of `use`
         Places at which the conclusion uses the lemmas.
     shift : int
@@ -138,6 +140,7 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
+                             **({"whole": [_name(x) for x in whole]} if whole else {}),
                              "uses": list(uses), "shift": shift, "in values": in_values}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
@@ -145,23 +148,26 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
-    (``z`` for the exponent in an equation of polynomials). In the step of a ``bare`` lemma exponents are of no account;
+    (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
     a ``direct`` one is shown at t for any t >= start, without induction.
     """
-    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses)}
+    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
+            **({"base": list(base)} if base else {})}
 
 
 def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
-    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``.
+    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
+    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
     if isinstance(number, Expr):
-        return {"definition": _name(number), "at": [to_expr(x).tree for x in args]}
+        place = {"place": {name: to_expr(x).tree for name, x in places.items()}} if places else {}
+        return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
     return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 

@@ -35,7 +35,7 @@ from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["generic_index"]
 
-_FIRST = ("value", "value at 1/z", "sum", "coeff", "entry", "at")  # atoms, in the order in which equations are solved for them
+_FIRST = ("value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _RESERVED = {INDEX, "z", "row", "column"}
@@ -46,7 +46,7 @@ Goal = Callable[[Terms], list[Symbolic]]
 
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
-    proof = _Proof(statement, evidence.get("closed") or ())
+    proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
     for name in evidence.get("supported") or []:
         proof.supported.append(name)
     for name in proof.supported:
@@ -60,8 +60,9 @@ def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> 
 class _Proof:
     """The lemmas shown so far."""
 
-    def __init__(self, statement: Mapping[str, Any], closed: Any) -> None:
-        self.statement, self.closed = statement, closed
+    def __init__(self, statement: Mapping[str, Any], closed: Any, whole: Any = ()) -> None:
+        self.statement, self.closed, self.whole = statement, closed, whole
+        self.always = {INDEX}
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
@@ -108,7 +109,7 @@ class _Proof:
             self._show(says, {index: {INDEX: 1}}, generic, lemma.get("uses", ()), place)
             self.lemmas.append(lemma)
             return
-        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), [], f"{place}, base")
+        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), lemma.get("base", ()), f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
         self.rules.update((name, (None, index, term)) for name, term in rules)
@@ -191,17 +192,26 @@ class _Proof:
                 self._show(part, env, region, uses, place, names, current)
         elif op == "forall":
             _, name, low, high, body = says
-            if name in env or name in names or name in self.statement["sizes"] or name in _RESERVED or name.startswith("#"):
-                raise Unknown(f"index {name!r} bound twice")
+            self._unbound(name, env, names)
             terms = Terms(self.statement, region)
             k: Form = {name: 1}
             inner = region.and_(plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))
             self._show(body, {**env, name: k}, inner, uses, place, {**names, name: k}, current)
+        elif op == "always":
+            _, name, body = says
+            self._unbound(name, env, names)
+            self.always.add(name)
+            self._show(body, {**env, name: {name: 1}}, region.and_({name: 1}), uses, place, {**names, name: {name: 1}}, current)
+            self.always.discard(name)
         elif op == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
                 self._equation(left, right, env, region, uses, place, names, current)
         else:
             raise Unknown(f"{op!r} at a generic index")
+
+    def _unbound(self, name: str, *taken: Mapping[str, Form]) -> None:
+        if any(name in names for names in taken) or name in self.statement["sizes"] or name in _RESERVED or name.startswith("#"):
+            raise Unknown(f"index {name!r} bound twice")
 
     def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form],
                   current: int | None) -> None:
@@ -228,7 +238,8 @@ class _Proof:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
             with suppress(Unknown):  # it speaks of names of another part
-                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]))
+                places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
+                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
             return
         number = use["lemma"]
         if type(number) is not int or not 0 <= number < len(self.lemmas):
@@ -250,6 +261,10 @@ class _Proof:
         if says[0] == "and":
             for part in says[1:]:
                 yield from self._said(terms, part, env, places)
+        elif says[0] == "always":
+            _, name, body = says
+            if name in places and terms.region.holds(places[name]):
+                yield from self._said(terms, body, {**env, name: places[name]}, places)
         elif says[0] == "forall":
             _, name, low, high, body = says
             if name not in places:
@@ -271,7 +286,8 @@ class _Proof:
     def _close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
                splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
         """The goal follows from the uses in every part of the region."""
-        terms = Terms(self.statement, region, self.supported, self.rules, self.closed)
+        terms = Terms(self.statement, region, self.supported, self.rules, self.closed, self.whole)
+        terms.always |= self.always
         terms.limited, terms.in_values = limited, in_values
         try:
             wanted = goal(terms)
@@ -290,7 +306,7 @@ class _Proof:
             rest = _reduced(terms, x, known)
             if rest.num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in region.forms)
-                raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
+                raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:3000]}")
         for f in terms.field.factors:
             if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
@@ -366,18 +382,15 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
 
 
 def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
-    """A multiple of x, by a power of the nonzero factor of the atom in the row, without the atom."""
+    """x with the value of the atom by the row inserted; the factor of the atom there is a number over denominators met already."""
     mine, theirs = _parts(x, place), _parts(row, place)
     if set(mine) <= {0}:
         return x
-    field, top = x.field, max(mine)
-    lead, rest = (Symbolic(field, theirs.get(e, {}), 1, ()) for e in (1, 0))
-    out = terms.number(0)
-    for e, part in mine.items():
-        term = Symbolic(field, part, 1, ())
-        for _ in range(e):
-            term = term * -rest
-        for _ in range(top - e):
-            term = term * lead
-        out = out + term
+    field = x.field
+    value = -Symbolic(field, theirs.get(0, {}), 1, ()) * Symbolic(field, theirs[1], 1, ()).inverse()
+    out, power = terms.number(0), terms.number(1)
+    for e in range(max(mine) + 1):
+        if e in mine:
+            out = out + Symbolic(field, mine[e], x.q, x.den) * power
+        power = power * value
     return out
