@@ -21,7 +21,6 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from itertools import count
 from typing import Any
 
 from exactkf.kernel.numbers import Unknown
@@ -40,7 +39,7 @@ class Indefinite:
     region: Region
     field: SymbolicField
     atoms: list[tuple]
-    fresh: count
+    nested: int
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
     entry: Callable[..., Symbolic]
@@ -68,7 +67,8 @@ class Indefinite:
                 x = body(self, self.region.reduce(plus(low, {"": k})))
                 out = out * x if times else out + x
             return out
-        name = f"#{next(self.fresh)}"
+        name = f"#{self.nested}"  # sums within this one have other names
+        self.nested += 1
         j = {name: 1}
         outer = self.region
         self.region = outer.and_(plus(j, low, -1), plus(high, j, -1))
@@ -90,6 +90,7 @@ class Indefinite:
             return below * above if times else below + above
         finally:
             self.region = outer
+            self.nested -= 1
         return self._quotient(generic, name, low, high) if times else self._indefinite(generic, name, low, high)
 
     def _indefinite(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:

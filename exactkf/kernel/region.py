@@ -17,6 +17,7 @@ Notation: a form is {parameter: integer} with '' for the constant; ``@`` is the 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 __all__ = ["INDEX", "Form", "Region", "Split", "form_key", "plus"]
 
@@ -72,18 +73,8 @@ class Region:
         return form
 
     def _possible(self, extra: Form) -> bool:
-        """Some rational point has every form and this one >= 0, by Fourier-Motzkin elimination."""
-        forms = {form_key(f): f for f in [*self.forms, extra]}
-        while names := {n for f in forms.values() for n in f if n}:
-            name = min(names, key=lambda n: sum(n in f for f in forms.values()))
-            low = [f for f in forms.values() if f.get(name, 0) > 0]
-            high = [f for f in forms.values() if f.get(name, 0) < 0]
-            kept = [f for f in forms.values() if name not in f]
-            for a in low:
-                for b in high:
-                    kept.append(plus({n: -b[name] * c for n, c in a.items()}, b, a[name]))
-            forms = {form_key(f): f for f in kept}
-        return all(f.get("", 0) >= 0 for f in forms.values())
+        """Some rational point has every form and this one >= 0."""
+        return _possible(frozenset([*map(form_key, self.forms), form_key(extra)]))
 
     @property
     def empty(self) -> bool:
@@ -119,3 +110,19 @@ class Region:
             region = self.and_(part)
             if not region.empty:
                 yield region
+
+
+@lru_cache(maxsize=1 << 16)
+def _possible(keys: frozenset[tuple]) -> bool:
+    """Some rational point has all these forms >= 0, by Fourier-Motzkin elimination."""
+    forms = {key: dict(key) for key in keys}
+    while names := {n for f in forms.values() for n in f if n}:
+        name = min(sorted(names), key=lambda n: sum(n in f for f in forms.values()))
+        low = [f for f in forms.values() if f.get(name, 0) > 0]
+        high = [f for f in forms.values() if f.get(name, 0) < 0]
+        kept = [f for f in forms.values() if name not in f]
+        for a in low:
+            for b in high:
+                kept.append(plus({n: -b[name] * c for n, c in a.items()}, b, a[name]))
+        forms = {form_key(f): f for f in kept}
+    return all(f.get("", 0) >= 0 for f in forms.values())
