@@ -30,7 +30,7 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
+    "Evidence", "combination", "evaluation", "example", "fact", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
     "steps", "use",
 ]
 
@@ -157,6 +157,26 @@ def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: 
     """
     return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
             **({"base": list(base)} if base else {})}
+
+
+def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+    """A lemma that turns a determinant, an inverse, a characteristic polynomial or coefficients at infinity into terms that can be opened.
+
+    ======================================  ========================================================  ================================
+    kind                                    says                                                      by
+    ======================================  ========================================================  ================================
+    ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
+    ``solve``                               inv(M) * v == x, or inv(M) == x
+    ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ======================================  ========================================================  ================================
+
+    See `exactkf.kernel.generic_facts` for why they hold.
+    """
+    made: dict[str, Any] = {"index": _name(index), "fact": kind, "says": to_expr(says).tree, "from": start, "uses": list(uses)}
+    if by is not None:
+        made["by"] = [_name(by[0]), to_expr(by[1]).tree] if isinstance(by, tuple) else to_expr(by).tree
+    return made
 
 
 def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:

@@ -27,6 +27,7 @@ from typing import Any
 
 from exactkf.kernel.indefinite import BOUND, Indefinite
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
@@ -153,6 +154,8 @@ class Terms(Indefinite):
             return self.value(tree[2] if self.condition(tree[1], env) else tree[3], env)
         if op == "coeff":
             return self.coefficient(tree[1], self.index(tree[2], env), env)
+        if op in ("det", "laurent"):
+            return self.opaque(tree, env)
         if op == "sum":
             return self._sum(tree, env, self.value)
         if op == "prod":
@@ -193,6 +196,8 @@ class Terms(Indefinite):
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
             return self.coefficient(tree[1], plus({}, m, -1), env)
+        if op == "charpoly" and not self.has_z(tree[1]):
+            return self.opaque(tree, env, m)
         if op == "if":
             return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
         if op == "sum":
@@ -258,6 +263,11 @@ class Terms(Indefinite):
             if tree[1] not in self.recursive and tree[1] in self.definitions:
                 return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
         raise Unknown(f"{op!r} as a function of z")
+
+    def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
+        """The value of a term that is not opened, or its coefficient or entry at a place."""
+        text, forms = opaque(tree, env, self.index)
+        return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
 
     def has_z(self, tree: Any) -> bool:
         return _mentions_z(tree, self.in_z)
@@ -352,8 +362,10 @@ class Terms(Indefinite):
     def is_matrix(self, tree: Any) -> bool:
         if isinstance(tree, int):
             return False
-        if tree[0] in ("mat", "col", "I", "O", "T", "block"):
+        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
             return True
+        if tree[0] in ("^", "subst"):
+            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
         if tree[0] in ("sym", "at"):
             d = self.definitions.get(tree[1])
             kinds = {name: kind[0] for name, kind in self.statement["over"]}
@@ -394,8 +406,12 @@ class Terms(Indefinite):
             if d[0] == "rec":
                 return self.shape(d[4][0], {})
             return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
-        if op == "/":
+        if op in ("/", "^"):
             return self.shape(tree[1], env)
+        if op == "inv":
+            return self.shape(tree[1], env)[::-1]
+        if op == "subst":
+            return self.shape(tree[2], env)
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -437,6 +453,8 @@ class Terms(Indefinite):
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if op in ("inv", "^", "subst"):
+            return self._chain([tree], i, j, env)
         if op in ("sym", "at"):
             if tree[1] in self.sequences:
                 return self.atom(("at", tree[1], form_key(i)))
@@ -451,8 +469,13 @@ class Terms(Indefinite):
         """A product as products of size 1 x 1, and what is left; sizes that fit are checked."""
         one: tuple[Form, Form] = ({"": 1}, {"": 1})
         scalars, chain, shape = list[list](), list[Any](), one
-        for x in tree[1:]:
+        todo = list(tree[1:])
+        while todo:
+            x = todo.pop(0)
             mine = self.shape(x, env)
+            if not isinstance(x, int) and x[0] == "*" and mine != one:  # (AB)C = A(BC); a product of size 1 x 1 is a number
+                todo = [*x[1:], *todo]
+                continue
             if chain and shape != one and mine != one:
                 if self.region.reduce(plus(shape[1], mine[0], -1)):
                     raise Undefined("sizes do not fit")
@@ -466,10 +489,33 @@ class Terms(Indefinite):
         return scalars, chain
 
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
+        """Entry (i, j) of a product; one with an inverse or a power is not opened, and p(F) is the sum of p_k F^k."""
+        if len(parts) == 1 and not self.is_matrix(parts[0]):
+            return self.value(parts[0], env)
+        for k, part in enumerate(parts):
+            if not isinstance(part, int) and part[0] == "subst":
+                return self._polynomial_in(parts, k, i, j, env)
+        if any(not isinstance(x, int) and x[0] in ("inv", "^") for x in parts):
+            return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
         if len(parts) == 1:
-            return self.entry(parts[0], i, j, env) if self.is_matrix(parts[0]) else self.value(parts[0], env)
+            return self.entry(parts[0], i, j, env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
+
+    def _polynomial_in(self, parts: list, at: int, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
+        """A product with p(F) as its factor at a place, for a polynomial p = X_t with exponents 0 .. t."""
+        _, p, matrix = parts[at]
+        if p[0] != "at" or p[1] not in self.supported or self.limited:
+            raise Unknown("a value of a polynomial whose degree is not known")
+        degree, name = self.index(p[-1], env), f"@{len(env)}"
+
+        def term(terms: Terms, k: Form) -> Symbolic:
+            power = [*parts[:at], ["^", matrix, ["sym", name]], *parts[at + 1:]]
+            return terms.coefficient(p, k, env) * terms._chain(power, i, j, {**env, name: k})
+
+        if not self.region.holds(degree):
+            raise Unknown("a polynomial of negative index")
+        return self.total({}, degree, term)
 
 
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
@@ -479,6 +525,8 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 
 
 def _atom_text(key: tuple) -> str:
+    if key[0] == "opaque":
+        return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"
     if key[0] in BOUND:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
         body = " + ".join("*".join([*([str(c)] if c != 1 or not m else []), *(_atom_text(k) for k, e in m for _ in range(e))]) for m, c in monomials)
@@ -521,7 +569,9 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return False
     if tree[0] in ("coeff", "laurent"):
         return False
-    if tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+    if tree[0] == "subst":
+        return _mentions_z(tree[2], in_z)
+    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
 

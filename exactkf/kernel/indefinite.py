@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Sums and products with generic ends, by indefinite ones.
 
+FIXME, UNSOUND (found in review, see test_a_product_that_vanishes_is_no_denominator): P may be divided by only where no factor can vanish identically:
+all atoms of the factor free variables (then by density), or the factor a denominator of a recursion of the statement. Fix before anything else.
+
 For a summand f(j) let F be any sequence with F(j) = F(j - 1) + f(j): then f(lo) + .. + f(hi) is F(hi) - F(lo - 1),
 for hi = lo - 1 too. For a factor f(j) let P be any sequence with P(j) = P(j - 1) f(j) and no zero: then
 f(lo) ... f(hi) is P(hi)/P(lo - 1). Such a P exists where no factor between the ends is zero: f outside of them
@@ -186,6 +189,8 @@ class Indefinite:
         forms = [dict(x) for x in key[2:]]
         if key[0] in BOUND:
             return (self._sum_to if key[0] == "sum" else self._product_to)(key[1], forms[0])
+        if key[0] == "opaque":
+            return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
