@@ -190,6 +190,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     psd, pd, loewner, >=, >           semidefinite by their form; they add up to the matrix under the hypotheses
     invertible(X)                     its inverse; or none, or semidefinite ones, as for the equation v = 0 under Xv = 0
     rank(X) == its rows or columns    none, or semidefinite ones, in the same way
+    rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse

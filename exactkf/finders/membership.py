@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -26,6 +27,7 @@ from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.recursion import Induction, inductions
+from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
 
@@ -219,15 +221,25 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
         if terms:
             yield from ({"null": label} for label in labels)
             yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
+            yield from ({"null": ["I", size]} for size in _size_of(case, terms[0]))
         yield {}
         return
-    if not rank:
+    if not rank or len(terms) == 4:
         yield {}
     if rank or op == "invertible":
         yield {"vector": True}
         if terms:
             yield {"vector": True, "null": "null vector"}
             yield from ({"vector": True, "null": ["sym", f"v.{k}"]} for k in range(3))
+
+
+def _size_of(case: dict, term: Any) -> Iterator[Any]:
+    """Number of rows of a term, if that can be said."""
+    with suppress(Unknown, Undefined):
+        reader = Reader(case)
+        found = reader.read(term)
+        if isinstance(found, Blocks):
+            yield size_tree(reader.total(found.rows))
 
 
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:

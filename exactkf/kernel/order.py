@@ -21,11 +21,12 @@
    only for v = 0;
 9. AT = TB with a nonsingular T makes A and B similar, and then they have one
    characteristic polynomial;
-10. the determinant of a product of square matrices is the product of theirs, that
+10. the rank of BC is the number of columns of B if B has a left and C a right inverse;
+11. the determinant of a product of square matrices is the product of theirs, that
    of a transpose the same, of a block triangular matrix that of its diagonal blocks.
 
-A conclusion is taken apart by `leaves`: conjunctions, implications and
-equivalences become equations, statements of order and of invertibility, each
+A conclusion is taken apart by `leaves`: conjunctions, implications,
+equivalences and inequations become equations, statements of order and of invertibility, each
 with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
@@ -101,6 +102,11 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
     elif formula[0] == "<=>":
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
+    elif formula[0] == "!=" and len(formula) == 3:  # a = b would make equal what a hypothesis, the last of this form, says to differ
+        differ = [f for _, f, _ in statement["given"] if f[0] == "!=" and len(f) == 3]
+        if not differ:
+            raise Unknown("no hypothesis of the form x != y")
+        yield from _leaves(_assume(statement, label, ["=", *formula[1:]]), ["=", *differ[-1][1:]])
     else:
         yield statement, formula
 
@@ -155,6 +161,8 @@ class Leaf:
             found = [reader.read(formula[1])]
             if not isinstance(found[0], Blocks) or reader.total(found[0].rows) != reader.total(found[0].cols):
                 raise Unknown("invertibility of scalars or of matrices that are not square")
+        elif op == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
+            found = self._factored_rank(formula, terms)
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
         elif op in ("similar", "cospectral"):
@@ -207,6 +215,17 @@ class Leaf:
             raise Unknown("matrices of another size than T with AT = TB")
         found = [reader._plus(reader._times(sides[0], t), reader._times(t, sides[1]), -1)]
         return [*found, *(reader._plus(reader._times(t, reader.read(s)), Blocks.unit(t.rows), -1) for s in terms[1:])]
+
+    def _factored_rank(self, formula: Any, terms: Any) -> list[Blocks]:
+        """X = BC with LB = I and CN = I: the rank is the number of columns of B, as LXN = I of that size."""
+        reader = self.reader
+        if len(terms) != 4:
+            raise Unknown("a rank is shown by X = BC with a left inverse of B and a right inverse of C")
+        x, b, c, left, right = (reader.read(tree) for tree in (formula[1][1], *terms))
+        if not all(isinstance(m, Blocks) for m in (x, b, c, left, right)) or reader.total(b.cols) != reader.size(formula[2]):
+            raise Unknown("the first factor has not as many columns as the rank")
+        return [reader._plus(x, reader._times(b, c), -1), reader._plus(reader._times(left, b), Blocks.unit(b.cols), -1),
+                reader._plus(reader._times(c, right), Blocks.unit(c.rows), -1)]
 
     def _factored(self, factors: Any) -> list[Blocks]:
         """Matrices less the products of their factors; determinants are then products."""
