@@ -69,6 +69,7 @@ from proofs.nwl92.notation import (
     Zd,
     Ze,
     Zm,
+    block_identities,
     every_size,
     excess,
     excess_term,
@@ -202,6 +203,9 @@ U_TWICE, FREE_TWICE = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
 LEFT_INVERSE = [let(Ze, block([[W, T(L)], [L, Tb]]))]
 WHICH = (Zm * Ze * Zm == Zm, R * T(L) * T(H) == D)
 LEFT_INVERSES = {**SETTING, L: matrix(n, p)}
+
+
+
 claim("NWL92-SA1", "a left inverse of H that is a block of a symmetric (1)-inverse satisfies (A.9)",
       WHICH[0] >> WHICH[1],
       sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, PRINTED_D],
