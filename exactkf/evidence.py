@@ -31,7 +31,7 @@ from exactkf.language import Expr, to_expr
 
 __all__ = [
     "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
-    "steps", "use",
+    "steps", "use", "within",
 ]
 
 
@@ -178,8 +178,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = ()) -> Evidence:
-    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank and similarity.
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
     Where the list is empty the engine tries the matrix itself, those of the hypotheses, and inverses of nonsingular variables.
@@ -193,6 +193,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
+    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -204,10 +205,48 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         Shown first, and assumed for what follows.
     factors : sequence of (matrix, its factors)
         For determinants: that of the matrix is the product of theirs.
+    inside : sequence of `within`
+        What belongs to the proof of one leaf.
     """
+    inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
+    stable, passed = [], 0
+    for w in sorted(inside, key=lambda w: w["number"]):
+        passed += len(w["lemmas"])
+        if w["help"]:
+            stable.append([w["number"] + passed, w["help"]])
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
-                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors)})
+                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
+                              "inside": inner, "stable": stable})
+
+
+def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
+           solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None) -> dict[str, Any]:
+    """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
+
+    Parameters
+    ----------
+    lemmas : formulas
+        Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
+    vector : "right" or "left"
+        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
+        X outside the open unit disc, is zero; X' instead of X for "left". The vector is ``sym("v.0")``, ``sym("v.1")`` ... by blocks;
+        an eigenvector is ``sym("v.0")`` + i ``sym("w.0")`` with eigenvalue ``sym("eigen.re")`` + i ``sym("eigen.im")``.
+    stein : term
+        A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
+    unique : pair of terms
+        Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
+    solutions : mapping of name to (M, Q)
+        Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q.
+    """
+    help_: dict[str, Any] = {}
+    if stein is not None:
+        help_["stein"] = to_expr(stein).tree
+    if unique:
+        help_["unique"] = [to_expr(m).tree for m in unique]
+    if solutions:
+        help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
+    return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": help_}
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

@@ -77,7 +77,7 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
 
 
 def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0,
-               factors: Any = ()) -> list[dict] | None:
+               factors: Any = (), inside: Any = (), stable: Any = ()) -> list[dict] | None:
     """For every leaf of the lemmas and the conclusion the terms of a proof, or None.
 
     Parameters
@@ -92,13 +92,19 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         As in `search_membership`; where lemmas lead the way it is larger.
     factors : sequence of (matrix, its factors)
         For determinants.
+    inside : sequence of [number, vector, lemmas]
+        See `exactkf.kernel.order.leaves`.
+    stable : sequence of [number, {"solutions", "stein", "unique"}]
+        What the proof of a leaf, counted as the sums are, makes of stable matrices.
     """
     out = []
-    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas else degree
-    for k, (case, formula) in enumerate(leaves(statement, lemmas)):
+    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas or inside else degree
+    helped = {number: help_ for number, help_ in stable}
+    for k, (case, formula) in enumerate(leaves(statement, lemmas, inside)):
         asked = [sums[k]] if k < len(sums) and sums[k] else []
         for terms in asked or _own_terms(case, formula):
-            found = _complete(case, formula, terms, {"roots": roots, "factors": factors}, bool(asked), degree, seconds)
+            more = {"roots": roots, "factors": factors, **helped.get(k, {})}
+            found = _complete(case, formula, terms, more, bool(asked), degree, seconds)
             if found is not None:
                 break
         else:
@@ -142,11 +148,25 @@ def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> li
         roots = [[name, made.at(t, case)] for name, t in given.get("roots", ())]
         own = [made.at(t, case) for t in given.get("lemmas", ())]
         factors = [[made.at(t, case), [made.at(x, case) for x in parts]] for t, parts in given.get("factors", ())]
-        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds, factors=factors)
+        inside = [[k, vector, [made.at(t, case) for t in inner]] for k, vector, inner in given.get("inside", ())]
+        stable = [[k, _help_at(made, case, help_)] for k, help_ in given.get("stable", ())]
+        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds, factors=factors, inside=inside, stable=stable)
         if found is None:
             return None
-        proofs.append({"parts": found, "lemmas": own})
+        proofs.append({"parts": found, "lemmas": own, **({"inside": inside} if inside else {})})
     return proofs
+
+
+def _help_at(made: Induction, case: dict, help_: dict) -> dict:
+    """What the proof of a leaf makes of stable matrices, in the index of one of the bases or of the step."""
+    out: dict[str, Any] = {}
+    if "stein" in help_:
+        out["stein"] = made.at(help_["stein"], case)
+    if "unique" in help_:
+        out["unique"] = [made.at(m, case) for m in help_["unique"]]
+    if "solutions" in help_:
+        out["solutions"] = [[name, made.at(m, case), made.at(q, case)] for name, m, q in help_["solutions"]]
+    return out
 
 
 def _shapes(statement: dict) -> Iterator[dict]:
@@ -198,7 +218,7 @@ def _nonsingular(case: dict) -> list:
 
 def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
-    more = {key: [list(x) for x in value] for key, value in more.items() if value}
+    more = {key: value if key == "stein" else [list(x) for x in value] for key, value in more.items() if value}
     for way in _ways(case, formula, terms if asked else []):
         try:
             leaf = Leaf(case, formula, terms, **more, **way)

@@ -222,9 +222,10 @@ def root_identities(R: Expr, V: Expr, H: Expr, W: Expr, U: Expr, p: Any) -> tupl
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 
 
-def chained(*steps: tuple[list, list], sums: tuple = ()) -> Evidence:
+def chained(*steps: tuple[list, list], sums: tuple = (), inside: list | tuple = ()) -> Evidence:
     """Lemmas with what each needs, one list after the other, then what the leaves of the conclusion need."""
-    return order(*(needs for _, several in steps for needs in several), *sums, lemmas=[lemma for lemmas, _ in steps for lemma in lemmas])
+    return order(*(needs for _, several in steps for needs in several), *sums, lemmas=[lemma for lemmas, _ in steps for lemma in lemmas],
+                 inside=inside)
 
 
 def every_size(*sums: list, second: bool = False, also: tuple = ()) -> Evidence:
