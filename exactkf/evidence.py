@@ -30,7 +30,7 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "null_vector", "order", "positivity",
     "steps", "use", "within",
 ]
 
@@ -211,17 +211,26 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
     stable, passed = [], 0
     for w in sorted(inside, key=lambda w: w["number"]):
+        stable.extend([w["number"] + passed + n, help_] for n, help_ in w["help"])
         passed += len(w["lemmas"])
-        if w["help"]:
-            stable.append([w["number"] + passed, w["help"]])
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
                               "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
                               "inside": inner, "stable": stable})
 
 
+def null_vector(block: int = 0) -> Expr:
+    """The vector v of `within`, or a block of it."""
+    return Expr(("sym", f"v.{block}"))
+
+
+#: real and imaginary part of the eigenvector of `within`, and of its eigenvalue
+EIGENVECTOR = (null_vector(), Expr(("sym", "w.0")))
+EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
+
+
 def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
-           solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None) -> dict[str, Any]:
+           solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
     Parameters
@@ -230,14 +239,15 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
     vector : "right" or "left"
         Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
-        X outside the open unit disc, is zero; X' instead of X for "left". The vector is ``sym("v.0")``, ``sym("v.1")`` ... by blocks;
-        an eigenvector is ``sym("v.0")`` + i ``sym("w.0")`` with eigenvalue ``sym("eigen.re")`` + i ``sym("eigen.im")``.
+        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
     stein : term
         A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
     unique : pair of terms
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
     solutions : mapping of name to (M, Q)
-        Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q.
+        Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
+    on : int, optional
+        The lemma, counted from 0, that ``stein``, ``unique``, ``solutions`` are for; else they are for the leaf.
     """
     help_: dict[str, Any] = {}
     if stein is not None:
@@ -246,7 +256,7 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         help_["unique"] = [to_expr(m).tree for m in unique]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
-    return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": help_}
+    return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

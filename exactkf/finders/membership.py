@@ -188,6 +188,8 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
     inverses = [["inv", x] for x in _nonsingular(case)]
     if op in ("=", "symmetric", "symplectic"):
         return [[], inverses] if inverses else [[]]
+    if op == "schur":
+        return [[]]
     if op in ("similar", "cospectral"):
         return [*([x[1], x] for x in inverses), *([x, x[1]] for x in inverses)]
     if op == "invertible":
@@ -239,9 +241,11 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
         yield {}
     if op in ("=", "symmetric", "symplectic") and not rank:
         if terms:
+            units = [{"null": ["I", size]} for size in _size_of(case, terms[0])]
+            yield from (way for way in units if way["null"][1] == 1)
             yield from ({"null": label} for label in labels)
             yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
-            yield from ({"null": ["I", size]} for size in _size_of(case, terms[0]))
+            yield from (way for way in units if way["null"][1] != 1)
         yield {}
         return
     if not rank or len(terms) == 4:
@@ -262,6 +266,17 @@ def _size_of(case: dict, term: Any) -> Iterator[Any]:
             yield size_tree(reader.total(found.rows))
 
 
+#: what is tried by itself before all assumptions are: lemmas of the leaf, and what its proof brings in
+_NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
+
+
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
-    found = system_of(leaf.reader, leaf.assumed(k), degree).express(leaf.goals[k][0], time.perf_counter() + seconds)
-    return None if isinstance(found, Stuck) else found
+    goal, assumed = leaf.goals[k][0], leaf.assumed(k)
+    tries = [assumed]
+    if any(name.startswith(("inner lemma", "solution")) for name in assumed):
+        tries.insert(0, {name: relation for name, relation in assumed.items() if name.startswith(_NEAREST)})
+    for number, some in enumerate(tries, 1):
+        found = system_of(leaf.reader, some, degree).express(goal, time.perf_counter() + (seconds if number == len(tries) else min(seconds, 2.0)))
+        if not isinstance(found, Stuck):
+            return found
+    return None

@@ -194,6 +194,8 @@ class Leaf:
             found = residual_blocks(reader, formula)
         elif op in ("similar", "cospectral"):
             found = [reader.read(x) for x in formula[1:]]
+        elif op == "schur":
+            self._stable(formula[1])
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]

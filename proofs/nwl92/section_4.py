@@ -27,7 +27,7 @@ parts: lam = a + ib, v = v1 + iv2.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, induction, instances, order, steps
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -67,6 +67,7 @@ from proofs.nwl92.notation_system import (
     F_BLOCK,
     FIRST_TWO,
     GAINS,
+    GRAM,
     H0,
     IMPLIED_RANK,
     INVERSE,
@@ -219,7 +220,7 @@ not_checked("NWL92-E4.40", "a left eigenvector of LA with |lam| >= 1", "the assu
 
 a0, b0, B0 = symbols("a0 b0 B0")
 NORM = 1 + a0 * a0 + b0 * b0
-EIGENVECTOR = {v1: T(two.upper(1, 1)) * inv(B0), v2: T(two.lower(1, 1)) * inv(B0)}
+DRAWN_VECTOR = {v1: T(two.upper(1, 1)) * inv(B0), v2: T(two.lower(1, 1)) * inv(B0)}
 
 
 def eigenvalues(drawn_by, unstable, also=None):
@@ -227,7 +228,7 @@ def eigenvalues(drawn_by, unstable, also=None):
     outside = 1 + a0 * a0 if unstable else a0 * (1 / NORM)
     free = {a0: scalar(), b0: scalar()}
     return [drawn_by(Identity(1) * a, made_by=also, before={a: outside, b: 0 * b0}, using=free, count=8, l=(1, 2), n=1),
-            drawn_by(block([[a, -b], [b, a]]), made_by={**EIGENVECTOR, **(also or {})}, before={a: outside, b: b0 * (1 if unstable else 1 / NORM)},
+            drawn_by(block([[a, -b], [b, a]]), made_by={**DRAWN_VECTOR, **(also or {})}, before={a: outside, b: b0 * (1 if unstable else 1 / NORM)},
                      using=free, count=8, l=2, n=2)]
 
 
@@ -339,14 +340,43 @@ claim("NWL92-S38", "vL and v(L K) are not zero",
       note=("A row vector w other than zero with w[lam E - A, Q, -S; lam C, -S', R] = 0 is what stabilizability rules out for |lam| >= 1. "
             "The sign of S in (4.44) is dealt with there."))
 
+#: a left eigenvector (vr + i vi)' of LA with eigenvalue lr + i li outside the open disc
+(vr, vi), (lr, li) = EIGENVECTOR, EIGENVALUE
+EXCESS = lr * lr + li * li - 1
+
+
+def stable_gains(*solved_by, unique=None):
+    """LA is stable for each (P, blocks of its (1)-inverse, L, K) that solves (4.31); then the conclusion, an equation perhaps ``unique`` as in `within`.
+
+    For an eigenvector v outside the open disc the Riccati equation makes v(L K)G zero. The certificate of stabilizability is a right inverse
+    N of (E; C) up to G, so that v(L K) = vN, and vL is an eigenvector of A Na for the same eigenvalue; as A Na is stable, vL = 0. So lam v = vLA = 0.
+    """
+    identities, needs, inside = [], [], []
+    for P, (W1, W2, W3, U1, U2, T0), *_ in solved_by:
+        more, most = two.block_identities(noise_by_form(P, n), F_BLOCK, block([[W1, W2], [T(W2), W3]]), vstack(U1, U2), T0, n, l + p, GRAM)
+        identities, needs = identities + more, needs + most
+    for number, (P, _, L, K) in enumerate(solved_by, len(identities)):
+        gain = hstack(L, K)
+        noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * P * v for v in (vr, vi)]
+        energy = sum((T(v) * gain * NOISE_G * T(gain) * v for v in (vr, vi)), EXCESS * (T(vr) * P * vr + T(vi) * P * vi))
+        ends = [T(L) * v for v in (vr, vi)]
+        inside.append(within(
+            number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)),
+            *(T(v) * L == T(v) * Na for v in (vr, vi)), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
+            hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=7))
+        needs += [[], noise, noise, [], [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
+                  [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
+    stable = [schur(L * A) for _, _, L, _ in solved_by]
+    return order(*needs, lemmas=[*identities, *stable], inside=[*inside, within(len(identities) + len(stable), unique=unique)])
+
+
+BOUND = sym("Bound")
 Closed = sym("Closed")
 ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
 claim("NWL92-S37", "LA is stable for every nonnegative solution",
       schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
       given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[steps("NWL92-E4.38", "NWL92-E4.43", facts=["a matrix that is not stable has a complex left eigenvector with |lam| >= 1"],
-                prose=("For a left eigenvector v with |lam| >= 1 the corrected (4.41) gives v(L K)G = 0, as one side is not positive and the other "
-                       "not negative; with (4.43) v(L K) annihilates the rows of the stabilizability matrix, but it is not zero (NWL92-S38).")),
+      by=[stable_gains((P, INVERSE, L, K)),
           example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]}),
           solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
       note=CERTIFICATES)
@@ -367,8 +397,7 @@ SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], *
 claim("NWL92-S39", "there is at most one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
-      by=[steps("NWL92-E4.45", facts=["X = MXN' has the solution zero alone if M and N are stable"],
-                prose="Both L A are stable (NWL92-S37), so that (4.45) leaves only P1 - P2 = 0."),
+      by=[stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
           example({**PAIR_OF_SOLUTIONS, **ZEROS}),
           *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME],
       note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
@@ -506,7 +535,7 @@ claim("NWL92-E4.48", "the limit of the error covariance with constant gains, as 
       by=[example({**STEADY, W: [["3/4", 0], [0, 0]]}), instances(l=2, n=2, p=2)],
       repair=repair("other", MISSING, iff(W == constant_gain(W), W == P), sizes=["l", "n", "p"], over={**ERROR_OVER, P: positive_semidefinite(n)},
                     given=[given("(4.31)", P == constant_gain(P)), given("LA stable", schur(L * A))],
-                    by=[steps(facts=["X = MXM' has the solution zero alone if M is stable"], prose="The difference of two solutions solves X = (LA)X(LA)'."),
+                    by=[order(inside=[within(number, unique=(L * A, T(L * A))) for number in (0, 1)]),
                         example({**STEADY, A: [[0, 0], [0, 0]], W: [[0, 0], [0, 0]], P: [[1, 0], [0, 1]]}),
                         example({"l": 1, "n": 1, "p": 1, A: [[1]], Q: [[0]], S: [[0]], R: [[0]], L: [[1]], K: [[0]], W: [[1]], P: [[0]]}),
                         example({**STEADY, W: [["3/4", 0], [0, 0]]}), example({**STEADY, W: [["3/4", 0], [0, 1]]}),
