@@ -92,8 +92,8 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
 
     Parameters
     ----------
-    also : sequence of formulas in t
-        What the induction carries along beside the conclusion.
+    also : sequence of formulas in t, or of such sequences
+        What the induction carries along beside the conclusion; for every size, a list for each conjunct where they differ.
     base, step : `order`, or a sequence of them
         Terms for the leaves of base and step, in the values at t, where the engine does not find them; one for each
         conjunct of the conclusion, or one for all. For every size.
@@ -103,7 +103,8 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
         lhs - rhs at t + 1 = sum of left * (lhs - rhs of the equation so numbered, at t) * right.
     """
     rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
-    hints: dict[str, Any] = {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows}
+    hints: dict[str, Any] = {"sizes": _ranges(sizes), "cofactors": rows,
+                             "also": tuple(tuple(to_expr(e).tree for e in some) if isinstance(some, (list, tuple)) else to_expr(some).tree for some in also)}
     for key, given in (("base", base), ("step", step)):
         if given:
             hints[key] = tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given))

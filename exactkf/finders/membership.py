@@ -26,7 +26,7 @@ from exactkf.finders.completion import Stuck, system_of
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.recursion import Induction, inductions
+from exactkf.kernel.recursion import Induction, along, inductions
 from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
@@ -126,9 +126,9 @@ def find_induction(statement: dict, hints: Any = None, seconds: float = 5.0) -> 
         conjuncts = []
         for number, part in enumerate(inductions(statement)):
             try:
-                made = Induction(part, hints.get("also", ()), shapes)
+                made = Induction(part, along(hints.get("also", ()), number), shapes)
                 proofs = _prove_cases(made, hints, number, seconds)
-            except (Unknown, Undefined, KeyError, TypeError):
+            except (Unknown, Undefined, KeyError, TypeError, IndexError):
                 proofs = None
             if proofs is None:
                 break
