@@ -30,7 +30,7 @@ from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["FAMILIES", "Induction", "inductions"]
+__all__ = ["FAMILIES", "Induction", "along", "inductions"]
 
 #: types of variables that take an index
 FAMILIES = {"sequence": "scalar", "signal": "scalar", "sequence_of": "", "signal_of": ""}
@@ -54,6 +54,12 @@ def inductions(statement: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         yield from inductions({**statement, "given": [*statement["given"], premise], "says": says[2]})
     else:
         yield {**statement}
+
+
+def along(also: Any, conjunct: int) -> Any:
+    """What an induction shows along with a conjunct: formulas for all conjuncts, or a list of formulas for each of them."""
+    each = bool(also) and all(not some or not isinstance(some[0], str) for some in also)
+    return also[conjunct] if each else also
 
 
 class Induction:
