@@ -201,7 +201,7 @@ def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, de
         try:
             leaf = Leaf(case, formula, terms, **more, **way)
             blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
-        except (Unknown, Undefined):
+        except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
             continue
         if None not in blocks:
             return {"sum": terms, "blocks": blocks, **more, **way}
@@ -219,6 +219,7 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
         if terms:
             yield from ({"null": label} for label in labels)
             yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
+            yield from ({"null": ["sym", d[1]]} for d in case["where"] if d[0] == "let" and not d[2])
         yield {}
         return
     if not rank:
