@@ -205,3 +205,13 @@ claim("B93-E6", "the recursion of the filter",
                     given=[h for h in STEP_GIVEN if h[0] != "P0 is the error covariance before"], by=[order(), LOUD, STEP_MADE]),
       note="P_n is the conditional covariance (3) itself, not the value of a recursion; ys is an arbitrary record of "
            f"observations. {AS_ONE_STEP} The means follow the same recursion, because P C*C A - PRA = 0.")
+
+# ---------------------------------------------------------------- the two steps of the textbook
+Pm, xm, x1, y1 = symbols("Pm xm x1 y1")
+claim("B93-X0", "prediction and correction give the Riccati map and the recursion of the filter",
+      (P1 == Phi(P0)) & (K == P1 * T(C)) & (x1 == (A - P1 * R * A) * x0 + P1 * T(C) * y1), sizes=["d", "p", "q"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P0: positive_semidefinite(d), x0: vector(d), y1: vector(q)},
+      where=[*ONE_STEP, ONE_PHI, let(Pm, A * P0 * T(A) + S), let(xm, A * x0), let(K, Pm * T(C) * inv(C * Pm * T(C) + Identity(q))),
+             let(P1, Pm - K * C * Pm), let(x1, xm + K * (y1 - C * xm))],
+      by=[order(), instances(d=(1, 2, 3), p=(1, 2), q=(1, 2))],
+      note="Not in the paper, which writes (5) and (6) down without the usual form of the filter: prediction xm, Pm, gain K, correction by the innovation.")
