@@ -43,12 +43,15 @@ _DEEPEST, _MOST_NODES = 60, 30000
 def inductions(statement: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """One statement for each conjunct of the conclusion; the premise of an implication becomes a hypothesis.
 
-    A conjunct that has no value puts the instance outside the statement, so each may be shown by itself.
+    A conjunct that has no value puts the instance outside the statement, so each may be shown by itself. Those before it
+    are then true, with a value at every index of their range, and may be used: for an indexed one that is a hypothesis
+    ``forall``, at the indices that are in its range. One ``always`` is not used, as it says nothing where an orbit has ended.
     """
     says = statement["says"]
     if says[0] == "and":
         for part in says[1:]:
             yield from inductions({**statement, "says": part})
+            statement = {**statement, "given": [*statement["given"], [f"shown {len(statement['given'])}", part, "standing"]]}
     elif says[0] == "=>":
         premise = [f"premise {len(statement['given'])}", says[1], "standing"]
         yield from inductions({**statement, "given": [*statement["given"], premise], "says": says[2]})
