@@ -25,7 +25,7 @@ from exactkf.finders.completion import Stuck, system_of
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.recursion import Induction, inductions
+from exactkf.kernel.recursion import Induction, before, inductions
 
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
 
@@ -115,19 +115,30 @@ def find_induction(statement: dict, hints: Any = None, seconds: float = 5.0) -> 
     """
     hints = hints or {}
     for shapes in [hints["shapes"]] if hints.get("shapes") else _shapes(statement):
-        conjuncts = []
-        for number, part in enumerate(inductions(statement)):
-            try:
-                made = Induction(part, hints.get("also", ()), shapes)
-                proofs = _prove_cases(made, hints, number, seconds)
-            except (Unknown, Undefined, KeyError, TypeError):
-                proofs = None
-            if proofs is None:
+        first, rest = [], statement
+        for lemma in hints.get("before", ()):
+            alone, formula, rest = before(rest, lemma["says"])
+            also = list(lemma.get("also", ()))
+            first.append({"says": lemma["says"], "also": also, "proofs": _prove_part(alone, [formula, *also], shapes, lemma, 0, seconds)})
+            if first[-1]["proofs"] is None:
                 break
-            conjuncts.append(proofs)
         else:
-            return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes}
+            conjuncts = []
+            for number, part in enumerate(inductions(rest)):
+                conjuncts.append(_prove_part(part, hints.get("also", ()), shapes, hints, number, seconds))
+                if conjuncts[-1] is None:
+                    break
+            else:
+                lemmas = {"before": first} if first else {}
+                return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes, **lemmas}
     return None
+
+
+def _prove_part(part: dict, also: Any, shapes: Any, hints: Any, number: int, seconds: float) -> list | None:
+    try:
+        return _prove_cases(Induction(part, also, shapes), hints, number, seconds)
+    except (Unknown, Undefined, KeyError, TypeError):
+        return None
 
 
 def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> list | None:
