@@ -21,7 +21,7 @@ the update of P is a multiple of eps.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import Evidence, example, first, identity, induction, instances, order, steps
+from exactkf.evidence import Evidence, example, first, identity, induction, instances, order
 from exactkf.language import (
     Expr,
     Identity,
@@ -141,8 +141,6 @@ Phi0, Phi1, M0, M1, V0, V1, H0, H1, K0, K1 = symbols("Phi0 Phi1 M0 M1 V0 V1 H0 H
 Zn, Zp = Zero(n, 1), Zero(p, 1)
 w = T(Phi)*z
 
-FACT = "A nonnegative definite A with x'Ax = 0 has Ax = 0."
-
 TERMS = [T(z)*Phi*(I - K*M)*P*T(I - K*M)*T(Phi)*z, T(z)*Phi*K*V*T(K)*T(Phi)*z, T(z)*H*z]
 SUM_ZERO = (TERMS[0] + TERMS[1] + TERMS[2])*Identity(1) == Zero(1, 1)
 
@@ -165,7 +163,19 @@ TWO_STEPS = {
     Phi1: matrix(n, n), M1: matrix(p, n), V1: positive_definite(p), H1: positive_semidefinite(n),
 }
 FROM_TWO = [let(P1, step(P, Phi0, M0, V0, H0)), let(P2, step(P1, Phi1, M1, V1, H1)), let(K0, gain(P, M0, V0))]
-w1, w0 = T(Phi1)*z, T(Phi0)*T(Phi1)*z
+w1, w0 = T(Phi1)*z, T(Phi0)*(T(Phi1)*z)
+GAIN_1 = gain(P1, M1, V1)
+
+
+def two_terms(phi: Expr, kk: Expr, pp: Expr, mm: Expr, vv: Expr, hh: Expr) -> list[Expr]:
+    """The next covariance as a sum of nonnegative terms."""
+    return [phi*(I - kk*mm)*pp*T(I - kk*mm)*T(phi), phi*kk*vv*T(kk)*T(phi), hh]
+
+
+LAST, FORMER = two_terms(Phi1, GAIN_1, P1, M1, V1, H1), two_terms(Phi0, K0, P, M0, V0, H0)
+#: one step back, P_{m-1} at Phi_{m-1}'z; and another
+WAY_BACK = [psd(P1), V1*T(GAIN_1)*w1 == Zp, T(GAIN_1)*w1 == Zp, P1*T(I - GAIN_1*M1)*w1 == Zn, P1*w1 == Zn,
+            V0*T(K0)*w0 == Zp, T(K0)*w0 == Zp, P*T(I - K0*M0)*w0 == Zn]
 
 claim("D71-S19", "a null vector carried back two steps",
       (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*z == Zp) & (P*T(Phi0)*z == Zn),
@@ -178,11 +188,12 @@ claim("D71-S19", "a null vector carried back two steps",
           "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' "
                     "is missing",
           (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
-          sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
-          by=[steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken twice."),
+          sizes=["n", "p"], over={**TWO_STEPS, P1: matrix(n, n)}, where=FROM_TWO[1:],
+          given=[standing("P_{m-1}", P1 == step(P, Phi0, M0, V0, H0)), given("P_m z = 0", P2*z == Zn)],
+          by=[order(FORMER, LAST, [inv(V1)], LAST, [], FORMER, [inv(V0)], FORMER, FORMER, lemmas=WAY_BACK),
               instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
                         made_by={P: annihilating(w0, Y, Y1), H0: annihilating(w1, Y1, Y2),
-                                 H1: annihilating(z, Y2, Y)})]),
+                                 H1: annihilating(z, Y2, Y), P1: step(P, Phi0, M0, V0, H0)})]),
       note="P is P_{m-2}, with the data of the instants m-2 and m-1 named 0 and 1.")
 
 Rd = sym("Rd")
