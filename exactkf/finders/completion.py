@@ -300,7 +300,7 @@ class System:
         leading = [key for key in p if self._word(key) == lead]
         pick = leading if len(leading) == 1 else list(p)
         factor = ""
-        for name in self.reader.units:
+        for name in sorted(self.reader.units):
             if ("scalar", name) not in self.chars:
                 continue
             ch, inverse = self._scalar_char(name), self._scalar_char(name, True)
