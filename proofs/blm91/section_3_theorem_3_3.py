@@ -11,7 +11,7 @@ If q and q* have only first components, the algorithm is the scalar one: each or
 its periodic points of every period p >= 3.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, not_checked
 from exactkf.evidence import example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
