@@ -129,11 +129,13 @@ claim("BLM91-T4.1.0b", "one value of pi_0 ends at each step", iff(ended, x == 1 
           instances(40, m=(1, 2, 3, 4), made_by=EDGE_X), instances(30, m=(1, 2)), instances(20, m=(2, 3), made_by={x: 1})],
       note=KNOTE + " For alpha_0 = 0, |gamma_0| = 1, where kappa is not defined, every solution ends.")
 RICCATI = (*MAP, KAPPA, PHI)
-claim("BLM91-T4.1.1a", "convergence exactly for |kappa| <= 1", iff(whole, kap**2 <= 1) & (fx - x == phi_(x) / (1 - x)), over={**POINT, x: scalar()}, where=[*STEP_X, let(whole, phi_(1 - al0 / kap) <= 0)],
+GAP = ((al0 / (1 - pit[m]) - lam) ** 2 + (1 - lam**2)) * (1 - pit[m])
+claim("BLM91-T4.1.1a", "convergence exactly for |kappa| <= 1", iff(whole, kap**2 <= 1) & (pit[m + 1] - pit[m] == GAP), sizes=["m"], over={**POINT, x: scalar()}, where=[*RICCATI, LAMBDA, let(whole, phi_(1 - al0 / kap) <= 0)],
       by=[steps("BLM91-E4.11", "BLM91-E5.4", "BLM91-E5.1", "BLM91-X.2", facts=["a quadratic polynomial takes its least value at its vertex"],
-                prose="a limit is a fixed point or the pole, hence a real zero of phi; these exist for |kappa| <= 1 only, and then every solution that does not end converges (T4.1.1c); for |kappa| > 1 a solution is periodic with period at least 2 or dense"),
-          instances(60), example(alpha0="1/2", gamma0="1/2", x=0), example(alpha0=2, gamma0=2, x=0)],
-      note="alpha_0 not 0; for alpha_0 = 0, |gamma_0| not 1 the solution is gamma_0^2 after one step. special: phi has real zeros.")
+                prose="for |kappa| > 1, 1/kappa = lambda, the increment is at least (1 - lambda^2)|1 - pi_t| in modulus, and grows beyond all bounds where pi_t comes near 1: no convergence. "
+                      "For |kappa| <= 1 phi has real zeros, and every solution that does not end converges to one of them (T4.1.1c)"),
+          instances(60, m=(0, 1, 2)), example(m=1, alpha0="1/2", gamma0="1/2", x=0), example(m=1, alpha0=2, gamma0=2, x=0)],
+      note="alpha_0 not 0; for alpha_0 = 0, |gamma_0| not 1 the solution is gamma_0^2 after one step. special: phi has real zeros. m is the time.")
 FIXED = (KAPPA, PHI, function(f, [y], (al0 - ga0) ** 2 * y + (ga0 + (al0 - ga0) * y) ** 2 / (1 - y)))
 claim("BLM91-T4.1.1b", "the zeros of phi are fixed points", (f(LOW_) == LOW_) & (f(HIGH_) == HIGH_) & ((Z - LOW_) * (Z - HIGH_) == Z**2 - 2 * (1 - al0 / kap) * Z + ga0**2), over={**POINT, p: nonzero()}, where=FIXED, given=[ROOT],
       by=[identity(given_by=LINE, using={y: scalar()}, fact="lines through a point of a conic reach every other point of it"), instances(40, using={y: scalar()}, made_by=LINE)],
@@ -158,11 +160,11 @@ claim("BLM91-T4.1.2a", "periodic exactly for rational angles", forall(t, 1, 6, i
           instances(40), *(example(numerator=k_, denominator=2, u=u_, x=y_) for k_ in (1, 0, -1) for u_ in (2, "1/3") for y_ in (0, 3)), example(numerator=5, denominator=4, u="-1/2", x=0)],
       note="1/kappa is any fraction with terms up to 13; among those with |kappa| > 1 the rational angles are 1/kappa = 1/2, -1/2 (period 3) and 0 (period 2): back(t). u runs through the points of the hyperbola. "
            "The equilibria of part 1), which would have period 1, are not counted as periodic. alpha_0 not 0.")
-BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
+BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1), standing("the solution exists", defined(pit[d]))]
-claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), x: integer(2, 3)}, where=BY_ANGLE, given=LOW,
+claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), u: integer(2, 3), x: scalar()}, where=BY_ANGLE, given=LOW,
       by=[steps("BLM91-E5.4", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
-          instances(8), example(d=2, n_angle=1, x=2), example(d=3, n_angle=1, x=3), example(d=5, n_angle=2, x=2)],
+          instances(8), example(d=2, n_angle=1, u=2, x=2), example(d=3, n_angle=1, u=3, x=3), example(d=5, n_angle=2, u=2, x=2)],
       note="1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. (4.7) is run in the number field.")
 claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & (hitsN >= 1), over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar()},
       where=[*ON_FRACTION, let(hitsN, sum_of(t, 1, 60, when(abs(pit[t]) > 3, 1, 0))), let(whole, forall(t, 1, 8, pit[t] != x))],

@@ -17,7 +17,6 @@ ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
 ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
 FINITE = [standing("|kappa| > 1", abs(lam) < 1)]
-DRAW_L = dict(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y})
 
 # ---------------------------------------------------------------------- escaping slopes
 ENDS = (AS_FRACTION, A_LAMBDA, let(v, A**(-m) * rows([[0], [1]])), SLOPES, let(flag, leaves(m, be)))
@@ -86,14 +85,15 @@ claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == la
 
 # ---------------------------------------------------------------------- periods; omega = pi q/p, theta = pi (p - 2q)/p
 ANGLES = {q: integer(1, 4)}
-ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 EXISTS = standing("the orbit exists", defined(ga[p]))
-same, mirror, pair = symbols("same mirrored both")
+pair = sym("both")
 claim("BLM91-S84", "periods of alpha, of a and of the point",
-      forall(t, 1, p, ((al[t] == al0) >> (same(t) | mirror(t))) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), sizes=["p"], over=ANGLES,
-      where=[*ROTATION, *ORBIT, function(same, [t], ga[t] == ga0), function(mirror, [t], ga[t] == -ga0), function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
-      by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=5, q=1), example(p=6, q=1), example(p=8, q=3)],
-      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. Every angle omega = pi q/p with p <= 10, one point each; for every point: alpha and gamma are the same functions of a.")
+      forall(t, 1, p, (ga[t] ** 2 - ga0**2 == (al[t] - al0) * (al[t] + al0 - 2 * lam)) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), over={p: integer(3, 8), **ANGLES, u: scalar()},
+      where=[*ROTATION, *ORBIT, function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
+      by=[steps("BLM91-E3.13", "BLM91-F8", prose="the orbit stays on the hyperbola, where alpha tells gamma^2 as in the first equation, so that gamma or -gamma is back with alpha; a tells b, hence alpha and gamma"),
+          instances(12), *(example(p=p_, q=q_, u=u_) for p_, q_, u_ in ((3, 1, 2), (4, 1, 2), (5, 2, 2), (6, 1, "1/3"), (8, 3, 3)))],
+      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. omega = pi q/p, and u runs through the points of the hyperbola.")
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
@@ -105,7 +105,7 @@ claim("BLM91-S87", "theta from omega, and the period of alpha",
       where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even). Every angle with p <= 40.")
 claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
-      where=[let(q, 1), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
+      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
       note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, p <= 40; for every p by (X.2). Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
       where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))], by=[evaluation()],
