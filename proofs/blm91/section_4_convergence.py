@@ -19,8 +19,8 @@ from exactkf.evidence import combination, example, identity, induction, instance
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-p, y, Pi, Lam, Pm, f, pit, phi_, ended, nonneg_, back, many, gcd, d, nn, whole, near, inside = symbols(
-    "p y Pi Lambda P f pi_t phi ends phi_nonnegative back divides gcd d n_angle special near inside")
+p, y, Pi, Lam, Pm, f, pit, phi_, ended, back, many, gcd, d, nn, whole, near, inside = symbols(
+    "p y Pi Lambda P f pi_t phi ends back divides gcd d n_angle special near inside")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n)}
 
 
@@ -58,9 +58,9 @@ claim("BLM91-E4.7", "the scalar Riccati equation", always(t, Pi[t][1, 1] == pit[
 claim("BLM91-E4.8", "alpha_0 is the first coordinate of (2.33)", (q[0][1] == al0) & (al0 - ga0 == a[1]) & (qs[0][1] == ga0), over={a: vector(1), g: vector(1)},
       where=[let(n, 1), *stripped(g + a, g), let(ga0, g[1]), let(al0, a[1] + ga0)], by=[identity(), instances()], note="The display defines alpha_0; checked is that it is q_0 of the algorithm.")
 POPOV = (let(al0, a + ga0), let(az, Z + a), let(num, az * recip(az) + ga0 * recip(az) + ga0 * az))
-claim("BLM91-S43", "the parameters of stochastic systems", iff(inside, schur(az) & pos_on_circle(num)), over=SCALAR, where=[*POPOV, let(inside, abs(al0) + abs(ga0) < 1)],
+claim("BLM91-S43", "the parameters of stochastic systems", iff(abs(al0) + abs(ga0) < 1, schur(az) & pos_on_circle(num)), over=SCALAR, where=POPOV,
       by=[steps("BLM91-S26", facts=["a system (1.1) with positive real Phi_+ exists"], prose="the Popov condition is (1 - |alpha|)^2 > gamma^2, and |a| < 1 leaves the diamond"), instances(60),
-          instances(40, using={u: scalar(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}), example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="9/10", gamma0=0)],
+          instances(40, using={u: scalar(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}), example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="9/10", gamma0=0), example(a=1, gamma0=0), example(a="3/2", gamma0=-1), example(a=-1, gamma0=1)],
       note="Come from a stochastic system is read as in Section II: |a| < 1 and the Popov condition, here multiplied by |z + a|^2. The closed diamond without strictness would have degenerate systems too.")
 MAP = (let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
 KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
@@ -116,11 +116,11 @@ claim("BLM91-E4.13", "kappa from the point", kap == 2 * al0 / NORM, over={al0: s
 
 # ---------------------------------------------------------------------- Theorem 4.1
 UM = sym("U_before")
-ENDING = (*MAP, KAPPA, PHI, LAMBDA, CHEBYSHEV, function(UM, [t], when(t == 0, 0, Ut[t - 1])), let(ended, leaves(m, pit)), let(nonneg_, phi_(x) >= 0))
+ENDING = (*MAP, KAPPA, PHI, LAMBDA, CHEBYSHEV, function(UM, [t], when(t == 0, 0, Ut[t - 1])), let(ended, leaves(m, pit)))
 EDGE_X = {x: 1 - al0 * UM(m - 1) / Ut[m - 1]}
 A_STEP = standing("a step", m >= 1)
 KNOTE = "alpha_0 not 0; x is pi_0. The solution ends at step m: pi_(m-1) exists and is 1."
-claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> nonneg_, sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
+claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> (phi_(x) >= 0), sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
       by=[steps("BLM91-E5.4", "BLM91-E4.11", prose="phi(pi) = (1 - pi)^2 (alpha - alpha_+)(alpha - alpha_-), and slopes between alpha_+ and alpha_- stay between them"),
           instances(40, m=(1, 2, 3), made_by=EDGE_X), instances(30, m=(1, 2)), example(m=1, alpha0="1/2", gamma0=0, x="1/2")], note=KNOTE)
 claim("BLM91-T4.1.0b", "one value of pi_0 ends at each step", iff(ended, x == 1 - al0 * UM(m - 1) / Ut[m - 1]), sizes=["m"], over={**POINT, x: scalar()},

@@ -30,7 +30,7 @@ claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1
                     where=[*ENDS, let(al1, v[2, 1] / v[1, 1])], given=IRRATIONAL,
                     by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'"),
                         instances(20, m=(1, 2, 3, 4), made_by={x: ALPHA_M}), instances(20, m=(2, 3, 4), made_by={x: BEFORE}), instances(20, m=(1, 2, 3))]),
-      note="On fractions 1/kappa = lambda with terms up to 13; the angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1.")
+      note="On fractions 1/kappa = lambda with terms up to 13; the angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
 claim("BLM91-S77", "the escaping slopes are countably many, all different",
       forall(i, 1, m, forall(j, 1, m, iff(Ut[i] * Ut[j - 1] == Ut[j] * Ut[i - 1], i == j))), sizes=["m"], over=FRACTIONS, where=[AS_FRACTION, CHEBYSHEV],
       given=[standing("|kappa| > 1", abs(lam) < 1), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
@@ -136,7 +136,7 @@ claim("BLM91-E5.9", "periods for kappa > 1", iff(flag(p), exists(q, 1, p - 1, (g
       by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
       repair=repair("factor", "the lower bound is pi/4, not 1/4: p = 6, q = 1 has pi/6 > 1/4, and period 6 does not occur for kappa > 1",
                     forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p <= 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND], by=[evaluation(m=40), instances(m=(4, 6, 8))]),
-      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is evaluated for all p <= 40.")
+      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is evaluated for all p <= 40. Lemma 5.1 and (5.10) show that pi/4 is meant.")
 claim("BLM91-E5.10", "periods for kappa < -1", forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (0 <= q) & (4 * q <= p)))), sizes=["m"], where=[GCD, REALIZED, BELOW],
       by=[evaluation(m=40), instances(m=(4, 5, 8))],
       note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) <= 0 for some q prime to p. (5.10) is divided by pi. " + BOTH + " Evaluated for all p <= 40.")
