@@ -43,7 +43,7 @@ RIGHT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d 
 ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
-LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, as the paper says before Theorem 3.5. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
+LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
@@ -105,7 +105,7 @@ there = sym("lambda_xy")
 ALL_FOUR = (*ORDER, *WITH, EXCEPT, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
 claim("BLM91-C3.8", "Corollary 3.8", (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u)) & forall(d, 3, m, iff(below(d), d >= 4) & iff(above(d), far(d))), sizes=["m"],
       over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS],
-      by=[steps("BLM91-C3.8.3", "BLM91-C3.8.4", "BLM91-X.2", "BLM91-X.3", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4"),
+      by=[steps("BLM91-C3.8.3", "BLM91-C3.8.4", "BLM91-X.2", "BLM91-X.3", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, the q of X.12 for kappa > 1"),
           instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2)],
       note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, tried up to m, is C3.8.3 and C3.8.4.")
 
