@@ -14,12 +14,13 @@ Jordan block for each eigenvalue, half of each block is dominant, the other half
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Z,
     Zero,
+    always,
     block,
     bottom,
     charpoly,
@@ -45,9 +46,9 @@ from exactkf.language import (
     rank,
     rational,
     real_roots,
+    rec,
     rows,
     scalar,
-    size_of,
     standing,
     substitute,
     symbols,
@@ -58,7 +59,7 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.notation import OBSERVER, F, P, a0, g, g0, h, i, j, k, m, monic_of, n, strict_of, symmetric_part
-from proofs.blz94.section_6 import A, S
+from proofs.blz94.section_6 import PAIR_A, PAIR_G, PAIR_H, PAIR_P, PAIR_USING, S11, S12, S21, S22, A, S
 
 X, Y, R, U, V, K, L, N, Q, W, M, E, B = symbols("X Y R U V K L N Q W M E B")
 p, q, s, u, v, w, x, y, z, c, l, T_ = symbols("p q s u v w x y z c l Theta")
@@ -68,20 +69,11 @@ _S = let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))], [g * T(g) * inv(T(A)), 
 _UR = given("SU = UR", S * vstack(X, Y) == vstack(X, Y) * R)
 _LAGRANGE = given("U is Lagrangian", T(X) * Y == T(Y) * X)
 
-#: n = 2: A, g, h, P with P = diag(0, w^2) a solution of the algebraic Riccati equation, in another basis of the state space (E),
-#: and another basis of the subspace (B); from the circle with parameters s, v
-_C, _CC = (1 - s**2) / (1 + s**2), (1 - v**2) / (1 + v**2)
+#: the solution of `section_6` for n = 2, and a basis B of its subspace
 _SOLUTION = {
-    "using": {s: scalar(), v: scalar(), w: nonzero(), u: nonzero(), x: scalar(), y: scalar(), E: nonsingular(n), B: nonsingular(n)},
-    "made_by": {
-        A: E * matrix_of(i, j, n, n, when(i < n, when(i == j, u, 0), when(j == n, _C * _CC, x))) * inv(E),
-        g: E * column(i, n, when(i == n, 2 * s * w / (1 + s**2), 0)),
-        h: inv(T(E)) * column(i, n, when(i == n, 2 * v / ((1 + v**2) * w), y)),
-        X: inv(T(E)) * B,
-        Y: E * matrix_of(i, j, n, n, when(i == n, when(j == n, w**2, 0), 0)) * B,
-        R: inv(B) * T(E) * (inv(T(A)) - inv(T(A)) * h * T(h) * E * matrix_of(i, j, n, n, when(i == n, when(j == n, w**2, 0), 0)) * T(E))
-           * inv(T(E)) * B,
-    },
+    "using": {**PAIR_USING, B: nonsingular(n)},
+    "made_by": {A: PAIR_A, g: PAIR_G, h: PAIR_H, X: inv(T(E)) * B, Y: PAIR_P * inv(T(E)) * B,
+                R: inv(B) * T(E) * (inv(T(A)) - inv(T(A)) * h * T(h) * PAIR_P) * inv(T(E)) * B},
 }
 #: the equilibrium g = 0, U = Im(I; 0)
 _AT_REST = {"using": {B: nonsingular(n)}, "made_by": {g: 0 * h, X: B, Y: 0 * B, R: inv(B) * inv(T(A)) * B}}
@@ -91,22 +83,24 @@ _PAIR = example(n=2, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], X=[[1, 0], [0, 0]],
                 z=[1, 0])
 
 # ---------------------------------------------------------------------- (A-20)-(A-28)
+_M = block([[S11, S12], [S21, S22]])
+_SU = {S11: (X * R - S12 * Y) * inv(X), S21: (Y * R - S22 * Y) * inv(X)}
 claim("BLZ94-EA.20", "the intersection of U with Im(I; 0), and when it is invariant",
-      (rank(vstack(X, Y) * K) == 2 * n - rank(block([[X, Identity(n)], [Y, Zero(n, n)]])))
-      & iff(rank(hstack(vstack(X, Y) * K, M * vstack(X, Y) * K)) == size_of(T(K)), rank(vstack(Y, Y * R)) == rank(Y)), sizes=["n"],
-      over={X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n), M: matrix(2 * n, 2 * n)}, where=[let(K, kernel_basis(Y))],
-      given=[given("dim U = n", rank(vstack(X, Y)) == n), given("MU = UR", M * vstack(X, Y) == vstack(X, Y) * R)],
-      by=[steps(prose="The vectors of U are (X; Y)z, with one z each. Such a vector lies in Im(I; 0) if and only if Yz = 0, and M takes it to "
-                      "(X; Y)Rz."),
-          instances(30, n=(2, 3), using={u: vector(n), v: vector(n), c: scalar(), Q: matrix(n, n), N: matrix(n, n), E: nonsingular(n)},
-                    made_by={X: E, Y: u * T(v) * E, M: block([[Identity(n), Zero(n, n)], [u * T(v), Identity(n)]]) * block([[E * R * inv(E), Q], [Zero(n, n), N]])
-                             * block([[Identity(n), Zero(n, n)], [-(u * T(v)), Identity(n)]])}),
-          instances(12, n=(2, 3), using={u: vector(n), v: vector(n), c: scalar(), Q: matrix(n, n), N: matrix(n, n)},
-                    made_by={X: Identity(n), Y: u * T(v), R: Q * u * T(v) + c * Identity(n),
-                             M: block([[Identity(n), Zero(n, n)], [u * T(v), Identity(n)]])
-                             * block([[Q * u * T(v) + c * Identity(n), Q], [Zero(n, n), N]])
-                             * block([[Identity(n), Zero(n, n)], [-(u * T(v)), Identity(n)]])})],
-      note="K is a basis of the null space of Y. M is any matrix, in the text S.")
+      iff(vstack(X, Y) * z == vstack(x, Zero(n, 1)), (Y * z == Zero(n, 1)) & (x == X * z))
+      & iff(_M * vstack(X, Y) * K == vstack(X, Y) * K * L, R * K == K * L), sizes=["n", "k"],
+      over={S11: matrix(n, n), S12: matrix(n, n), S21: matrix(n, n), S22: matrix(n, n), X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n),
+            K: matrix(n, k), L: matrix(k, k), z: vector(n), x: vector(n)},
+      given=[given("dim U = n", rank(vstack(X, Y)) == n), given("SU = UR", _M * vstack(X, Y) == vstack(X, Y) * R)],
+      by=[order(),
+          example(n=1, k=1, S11=[[1]], S12=[[0]], S21=[[0]], S22=[[1]], X=[[0]], Y=[[0]], R=[[2]], K=[[1]], L=[[1]], z=[0], x=[0]),
+          instances(8, n=(1, 2), k=(1, 2), using={E: nonsingular(n)}, made_by={X: E, **_SU}),
+          instances(8, n=(2, 3), k=(1, 2), using={E: nonsingular(n), B: nonsingular(n), Q: matrix(n, n)},
+                    made_by={X: E, Y: matrix_of(i, j, n, n, when(j == 1, 0, Q[i, j])), z: column(i, n, when(i == 1, 3, 0)), x: X * z, **_SU}),
+          instances(12, n=(2, 3), k=(1, 2), using={E: nonsingular(n), B: nonsingular(n), Q: matrix(n, n)},
+                    made_by={X: E, K: B * matrix_of(i, j, n, k, when(i == j, 1, 0)),
+                             R: B * matrix_of(i, j, n, n, when(j <= k, when(i <= k, L[i, j], 0), Q[i, j])) * inv(B), **_SU})],
+      note="W consists of the (X; Y)z with Yz = 0. The columns of K stand for a basis of ker Y: SW lies in W if S(X; Y)K = (X; Y)KL for some L, and ker Y is "
+           "invariant under R if RK = KL; it is the same L. S is any matrix in four blocks.")
 
 claim("BLZ94-EA.22", "what invariance and the Lagrangian property give at z with Yz = 0",
       (g * T(g) * inv(T(A)) * X * z == Y * R * z) & ((T(z) * T(X) * g) * (T(g) * inv(T(A)) * X * z) == 0), sizes=["n"],
@@ -118,24 +112,24 @@ claim("BLZ94-EA.22", "what invariance and the Lagrangian property give at z with
           instances(n=(1, 2), using={**_AT_REST["using"]}, made_by=_AT_REST["made_by"])])
 
 claim("BLZ94-SA9", "a product of two linear forms that vanishes has a factor that vanishes",
-      (p == Zero(k, 1)) | (q == Zero(k, 1)), sizes=["k"], over={p: vector(k), q: vector(k)},
-      given=[given("at z = p", (T(p) * p) * (T(q) * p) == 0), given("at z = p + q", (T(p) * (p + q)) * (T(q) * (p + q)) == 0)],
-      by=[steps(facts=["a sum of squares of real numbers is zero only if they all are"],
-                prose="If p is not zero, the first hypothesis gives q'p = 0; the second is then (p'p)(q'q) = 0."),
-          instances(k=(1, 2, 3), using={c: scalar()}, made_by={q: 0 * p}),
-          instances(k=(1, 2, 3), made_by={p: 0 * q}),
-          example(k=2, p=[1, 0], q=[0, 1]), example(k=1, p=[1], q=["-1"]), example(k=2, p=[1, 0], q=["-1", 1])],
-      note="z are the coordinates of a vector of ker Y in a basis, p and q the two linear forms in them. Of all z in (A-23) only two are used.")
+      q == Zero(k, 1), sizes=["k"], over={p: vector(k), q: vector(k), c: scalar()},
+      given=[given("at z = p", (T(p) * p) * (T(q) * p) == 0), given("at z = p + q", (T(p) * (p + q)) * (T(q) * (p + q)) == 0),
+             given("p is not zero", c * (T(p) * p) == 1)],
+      by=[order([Identity(k)]), example(k=2, p=[1, 0], q=[0, 1], c=1), example(k=1, p=[1], q=["-1"], c=1), example(k=2, p=[1, 0], q=["-1", 1], c=1),
+          example(k=1, p=[0], q=[1], c=0), instances(k=(1, 2, 3), made_by={q: 0 * p, c: 1 / (T(p) * p)})],
+      note="z are the coordinates of a vector of ker Y in a basis, p and q the two linear forms in them: if p does not vanish, q does. Of all z in (A-23) "
+           "only two are used. c is the inverse of p'p.")
 
+_HAT = block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])
 claim("BLZ94-EA.25", "the inverse of S, and invariance under the inverse",
-      (inv(S) == inv(_HAT := block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])) * T(S) * _HAT)
+      (inv(S) == inv(_HAT) * T(S) * _HAT) & invertible(R)
       & (inv(S) * vstack(X, Y) == vstack(X, Y) * N) & (T(S) * vstack(-Y, X) == vstack(-Y, X) * N) & (Y * N * z == Zero(n, 1)), sizes=["n"],
-      over={**LOOP, X: matrix(n, n), Y: matrix(n, n), R: nonsingular(n), z: vector(n)}, where=[_S, let(N, inv(R))],
-      given=[_UR, given("Yz = 0", Y * z == Zero(n, 1)), given("g'Xz = 0", T(g) * X * z == 0)],
-      by=[order(), _PAIR,
+      over={**LOOP, X: matrix(n, n), Y: matrix(n, n), R: matrix(n, n), z: vector(n)}, where=[_S, let(N, inv(R))],
+      given=[_UR, given("dim U = n", rank(vstack(X, Y)) == n), given("Yz = 0", Y * z == Zero(n, 1)), given("g'Xz = 0", T(g) * X * z == 0)],
+      by=[order(), _PAIR, example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[0]], z=[1]),
           instances(n=(2,), using=_SOLUTION["using"], made_by={**_SOLUTION["made_by"], z: inv(B) * column(i, n, when(i < n, 1, 0))}),
           instances(n=(1, 2), using=_AT_REST["using"], made_by=_AT_REST["made_by"])],
-      note="Theorem and proof ask for alpha_n not zero, which is det A not zero. The matrix R of S on U is nonsingular as S is.")
+      note="Theorem and proof ask for alpha_n not zero, which is det A not zero.")
 
 claim("BLZ94-EA.28", "invariance under S and under its inverse are the same for Im(U; 0)",
       iff(M * L == L * T_, inv(M) * L == L * inv(T_)), sizes=["l", "k"],
@@ -193,16 +187,16 @@ claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian subspace Im(X; Y)",
 
 # ---------------------------------------------------------------------- Lemma 6.12
 claim("BLZ94-E6.34", "what invariance of Im(U; 0) means",
-      (inv(T(A)) * U == U * T_) & (g * T(g) * inv(T(A)) * U == Zero(n, k)) & forall(m, 1, n, T(U) * inv(A) ** m * g == Zero(k, 1)),
-      sizes=["n", "k"], over={**LOOP, U: matrix(n, k), T_: matrix(k, k)}, where=[_S],
-      given=[given("S(U; 0) = (U; 0)T", S * vstack(U, Zero(n, k)) == vstack(U, Zero(n, k)) * T_)],
-      by=[steps(prose="The blocks of the hypothesis are the first two equations. g'A'^(-1)U is zero since gg'A'^(-1)U is, and U'A^(-m) = "
-                      "T'U'A^(-m+1)."),
+      always(m, (inv(T(A)) * U == U * T_) & (g * T(g) * inv(T(A)) * U == Zero(n, k)) & (T(U) * w[m] == Zero(k, 1))),
+      sizes=["n", "k"], over={**LOOP, U: matrix(n, k), T_: matrix(k, k), q: scalar()}, where=[_S, rec(w, m, inv(A) * g, inv(A) * w[m])],
+      given=[given("S(U; 0) = (U; 0)T", S * vstack(U, Zero(n, k)) == vstack(U, Zero(n, k)) * T_),
+             standing("g is zero, or g'g has an inverse", (g == Zero(n, 1)) | (q * (T(g) * g) == 1))],
+      by=[induction(),
           instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero(), u: nonzero()},
                     made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), 0), when(j == n, u, Q[i, j]))) * inv(E),
-                             g: E * column(i, n, when(i == n, 1, 0)), T_: 1 / c * Identity(k),
-                             U: inv(T(E)) * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,))],
-      note="U'A^(-n)(g, Ag, ..., A^(n-1)g) has the columns U'A^(-m)g, m = n, ..., 1.")
+                             g: E * column(i, n, when(i == n, 1, 0)), T_: 1 / c * Identity(k), q: 1 / (T(g) * g),
+                             U: inv(T(E)) * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,), made_by={g: 0 * h})],
+      note="w_m is A^(-m-1)g, and U'A^(-n)(g, Ag, ..., A^(n-1)g) has the columns U'w_m, m = n - 1, ..., 0.")
 
 _CONTROL = matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])
 claim("BLZ94-S53", "(F, g) is reachable if and only if a and b are coprime",
