@@ -176,16 +176,25 @@ claim("BLZ94-S51", "a basis of the codominant subspace", (M * E == E * R) & (T(E
 
 # ---------------------------------------------------------------------- Lemma 6.10
 _GAIN = g - F * P * h
+#: a solution of order one, with the limit v, beside a part that h does not see
+_ONE = (1 / v - u**2 * v) / (1 - u**2)
+
+
+def _pair(first, second):
+    return matrix_of(i, j, n, n, when(i == j, when(i == 1, first, second), 0))
+
+
 claim("BLZ94-X.7", "two solutions of the Riccati equation with the same closed loop differ by nothing that h can see",
       always(t, (P - Q) * w[t] == Zero(n, 1)), sizes=["n"],
       over={F: nonsingular(n), g: matrix(n, 1), h: matrix(n, 1), P: symmetric_matrix(n), Q: symmetric_matrix(n), Gamma: nonsingular(n), q: scalar()},
       where=[rec(w, t, h, T(Gamma) * w[t])],
       given=[given("closed loop", Gamma == F - q * _GAIN * T(h)), given("the same gain", F * P * h == F * Q * h),
              given("(6.1) for P", F * P * T(F) - P + q * _GAIN * T(_GAIN) == Zero(n, n)), given("(6.1) for Q", F * Q * T(F) - Q + q * _GAIN * T(_GAIN) == Zero(n, n))],
-      by=[induction(), instances(n=(2,), using={B: nonsingular(n), u: nonzero(), v: nonzero()},
-                    made_by={F: B * matrix_of(i, j, n, n, when(i == j, when(i == 1, 1, u), 0)) * inv(B), h: inv(T(B)) * column(i, n, when(i == 1, 0, 1)),
-                             P: v * B * matrix_of(i, j, n, n, when((i == 1) & (j == 1), 1, 0)) * T(B), g: 0 * h, Gamma: F, Q: u * B * matrix_of(i, j, n, n, when((i == 1) & (j == 1), 1, 0)) * T(B)}),
-          instances(6, n=(1, 2), made_by={P: 0 * F, g: 0 * h, Gamma: F, Q: 0 * F})],
+      by=[induction(),
+          instances(n=(2,), using={B: nonsingular(n), u: scalar(), v: nonzero(), x: scalar(), y: scalar()},
+                    made_by={F: B * _pair(1, u * (_ONE - v) - _ONE) * inv(B), g: B * column(i, n, when(i == 1, 0, u * (_ONE - v))),
+                             h: inv(T(B)) * column(i, n, when(i == 1, 0, 1)), P: B * _pair(x, 1 - _ONE / v) * T(B), Q: B * _pair(y, 1 - _ONE / v) * T(B),
+                             q: v / _ONE, Gamma: F - q * _GAIN * T(h)})],
       note="Not printed. If (h, F) is observable, so is the closed loop, h, G'h, G'^2 h, ... span the space and P = Q.")
 
 _OBSERVED = rank(matrix_of(i, j, n, n, (T(h) * A ** (i - 1))[1, j])) == n
