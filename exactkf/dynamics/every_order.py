@@ -45,6 +45,7 @@ from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
 from exactkf.dynamics.spectral_factor import spectral_factor
+from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
     aperiodic_modulus,
     apparent_orders,
@@ -52,7 +53,6 @@ from exactkf.dynamics.wandering import (
     modulus_without_escape,
     no_escape_modulo,
     prime_without_singularity,
-    torus_evidence,
 )
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.intervals import does_not_escape

@@ -39,10 +39,10 @@ from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_wandering import are_related, backward, check_independent, check_never_singular, has_infinite_order, modular_step, wandering_factor
+from exactkf.kernel.orbit_wandering import backward, check_never_singular, has_infinite_order, modular_step
 
 __all__ = ["aperiodic_modulus", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "prime_without_singularity",
-           "primes", "torus_evidence"]
+           "primes"]
 
 _SMALL, _PRIME_BOUND = 60, 30_000
 _PADIC_BOUND = 2000
@@ -189,77 +189,3 @@ def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:
                 return None
             orders.append(turn.denominator)
     return orders
-
-
-def torus_evidence(D: Sequence[Fraction]) -> tuple[int | None, dict[str, Any], str]:
-    """Return the dimension of the torus, evidence for the checker, and a reason if the dimension is not decided.
-
-    Parameters
-    ----------
-    D : sequence of rationals, length 2m + 1
-        The coefficients of z^m D.
-    """
-    full = [fmpq(c.numerator, c.denominator) for c in map(Fraction, wandering_factor(list(D)))]
-    f, k = fmpq_poly([1]), 0
-    for factor, _ in fmpq_poly(full).factor()[1]:
-        on = count_roots(factor).on
-        if on:
-            f, k = f * factor, k + on // 2
-    evidence: dict[str, Any] = {"factor": [str(c) for c in f.coeffs()]}
-    if k <= 1:
-        return k, evidence, ""
-    coefficients = [Fraction(int(c.p), int(c.q)) for c in f.coeffs()]
-    if len(coefficients) == 5:
-        relation = _relation(f)
-        if relation is not None and are_related(coefficients, relation):
-            return 1, {**evidence, "relation": relation}, ""
-    found = _places(f, coefficients, k)
-    if found is not None:
-        return k, {**evidence, "prime": found[0], "places": found[1]}, ""
-    return None, {}, (f"the {k} wandering roots on the circle could be shown neither independent nor dependent "
-                      f"by places up to {_PLACE_BOUND}, so the dimension of the torus is between 1 and {k}")
-
-
-def _relation(f: fmpq_poly) -> list[int] | None:
-    """Return small positive exponents a, b such that l^a m^b seems to be a root of unity for two zeros of `f`, by lattice reduction."""
-    bits = 200
-    with precision(bits + 60):
-        on = [z for z in zeros(f.numer())[1] if z.imag > 0]
-        angles = [z.log().imag / (2 * arb.pi()) for z in on]
-        scaled = [(x * arb(2) ** bits).mid().floor().unique_fmpz() for x in angles]
-    if len(scaled) != 2 or None in scaled:
-        return None
-    rows: Any = [[1, 0, 0, scaled[0]], [0, 1, 0, scaled[1]], [0, 0, 1, fmpz(2) ** bits]]
-    first = fmpz_mat(rows).lll().tolist()[0]
-    a, b = abs(int(first[0])), abs(int(first[1]))
-    return [a, b] if 0 < a < 100 and 0 < b < 100 and abs(int(first[3])) < 1 << (bits // 2) else None
-
-
-def _places(f: fmpq_poly, coefficients: list[Fraction], k: int) -> tuple[int, list[list]] | None:
-    """Return a prime and places that show to the checker that `k` of the zeros are independent."""
-    integral = f.numer()
-    if k > 3:
-        return None
-    q = 11 if len(coefficients) == 5 else 47
-    free = next((place for p in primes(3) if p < _PLACE_BOUND and (p - 1) % q and (place := _place(integral, p))), None)
-    places: list[list] = [free] if free else []
-    for p in range(2 * q + 1, _PLACE_BOUND if free else 0, 2 * q):
-        if fmpz(p).is_prime() and (place := _place(integral, p)):
-            places.append(place)
-            if len(places) > 2:
-                try:
-                    check_independent(coefficients, k, q, places)
-                except Undefined:
-                    continue
-                return q, places
-    return None
-
-
-def _place(f: fmpz_poly, p: int) -> list | None:
-    """Return `p` and the zeros modulo `p`, if there are as many simple ones as the degree."""
-    if int(f.leading_coefficient()) % p == 0:
-        return None
-    modulo = nmod_poly([int(c) % p for c in f.coeffs()], p)
-    if _z_power(p, modulo, p) != nmod_poly([0, 1], p) % modulo or modulo.gcd(modulo.derivative()).degree() > 0:
-        return None
-    return [p, sorted(int(-factor[0] / factor[1]) for factor, _ in modulo.factor()[1])]

@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
-from itertools import permutations, product
 from math import gcd, isqrt, lcm
 from operator import mul
 from typing import Any
@@ -25,9 +24,10 @@ from typing import Any
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
+from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
-__all__ = ["are_related", "backward", "check_independent", "check_never_escapes", "check_never_singular", "check_torus", "common_order",
-           "determinant", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
+__all__ = ["backward", "check_never_escapes", "check_never_singular", "check_torus", "common_order", "determinant", "has_infinite_order",
+           "modular", "modular_step", "wandering_factor"]
 
 
 def _residue(x: Any, N: int) -> int:
@@ -87,14 +87,21 @@ def _modular_rest(f: list[int], modulus: list[int], p: int) -> list[int]:
 
 
 @cache
-def _totient(k: int) -> int:
-    return sum(1 for i in range(1, k + 1) if gcd(i, k) == 1)
+def _orders(degree: int) -> tuple[int, ...]:
+    """The orders of all roots of unity of at most this degree."""
+    stop = 2 * degree * degree + 3  # phi(k) >= sqrt(k/2)
+    totient = list(range(stop))
+    for p in range(2, stop):
+        if totient[p] == p:
+            for k in range(p, stop, p):
+                totient[k] -= totient[k] // p
+    return tuple(k for k in range(1, stop) if totient[k] <= degree)
 
 
 @cache
 def common_order(degree: int) -> int:
     """A common multiple of the orders of all roots of unity of at most this degree."""
-    return lcm(*(k for k in range(1, 2 * degree * degree + 3) if _totient(k) <= degree))  # phi(k) >= sqrt(k/2)
+    return lcm(*_orders(degree))
 
 
 def has_infinite_order(D: list, p: Any) -> bool:
@@ -109,8 +116,9 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
 
     The closure of the planes S_m^t Im(I; 0) accumulates on an orbit of the closure H of
     (l_1^t, ..., l_k^t), where the l_i are the zeros of D on the upper half circle of odd
-    multiplicity; by statement 1 the stabilizer in H is finite.  So d = k - rank of the
-    lattice of relations prod l_i^{e_i} = 1.
+    multiplicity; by statement 1 the stabilizer in H is finite.  So d is the largest number of l_i
+    between which there is no relation prod l_i^{e_i} = 1: as many are shown to have none, and each of the
+    others to have one with them (`exactkf.kernel.torus`).
     """
     f, rest = wandering_factor(D), [Fraction(1)]
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
@@ -120,12 +128,17 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     k = count_circle(f)[1] // 2 if len(f) > 1 else 0
     if k <= 1:
         _need(d == k, f"the dimension is {k}")
-    elif evidence.get("relation") is not None:
-        _need(k == 2 and len(f) == 5 and d == 1, "a relation of two roots leaves dimension one")
-        _need(are_related(f, evidence["relation"]), "the relation does not hold")
-    else:
-        _need(d == k and gcd_poly(f, f[::-1]) == [c / f[-1] for c in f], f"the dimension is {k}")
-        check_independent(f, k, evidence["prime"], evidence["places"])
+        return
+    numbers = CircleNumbers.of(f, evidence["zeros"])
+    _need(len(numbers.zeros) == k, f"there are {k} zeros")
+    free = evidence["independent"]["of"]
+    _need(all(type(i) is int and 0 <= i < k for i in free) and len(set(free)) == len(free) == d > 0, f"{d} of the zeros are to be named")
+    if d > 1:
+        check_independent(numbers, free, evidence["independent"]["bits"], evidence["independent"]["basis"])
+    for i in set(range(k)) - set(free):
+        exponents = next((r[1] for r in evidence["relations"] if r[0] == i), [])
+        _need(len(exponents) == d + 1 and all(type(e) is int for e in exponents) and exponents[-1] != 0, f"no relation for the zero {i}")
+        _need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
 
 
 def wandering_factor(D: list) -> list:
@@ -142,122 +155,17 @@ def wandering_factor(D: list) -> list:
         if k % 2 and len(f) > 1:
             odd = _times(odd, f)
         w, g, k = y, divmod_poly(g, y)[0], k + 1
-    for order in range(1, 2 * len(D) ** 2 + 3):  # take out roots of unity
-        if _totient(order) <= len(odd) - 1:
-            common = gcd_poly(odd, [Fraction(-1)] + [Fraction(0)] * (order - 1) + [Fraction(1)])
+    for order in _orders(len(odd) - 1):  # take out roots of unity
+        power = _power_of_z(order, odd)
+        if len(odd) > 1 and len(common := gcd_poly(odd, [power[0] - 1, *power[1:]])) > 1:
             odd = divmod_poly(odd, common)[0]
     return odd
 
 
-def _power_sums(f: list, count: int) -> list[Fraction]:
-    """Sums of powers 0, ..., count of the zeros, by Newton's identities."""
-    n = len(f) - 1
-    e = [Fraction(f[n - i]) / f[n] * (-1) ** i for i in range(n + 1)]
-    p = [Fraction(n)]
-    for k in range(1, count + 1):
-        acc = Fraction(0)
-        for i in range(1, min(k - 1, n) + 1):
-            acc += (-1) ** (i - 1) * e[i] * p[k - i]
-        if k <= n:
-            acc += (-1) ** (k - 1) * k * e[k]
-        p.append(acc)
-    return p
-
-
-def are_related(f: list, exponents: Any) -> bool:
-    r"""Whether l_1^a l_2^b or l_1^b l_2^a, up to inverses, is a root of unity; f has zeros l_1, l_2 and their inverses.
-
-    The products l^a m^b over all pairs of zeros number 16.  Pairs with m = l or 1/l give powers
-    l^(a+b), l^(a-b), roots of unity only for a = b.  Other roots of unity show a relation.
-    """
-    a, b = exponents
-    _need(type(a) is int and type(b) is int and 0 < a < 100 and 0 < b < 100 and len(f) == 5, "a relation is a pair of positive exponents")
-    big = _power_sums(f, 16 * max(a, b))
-    products = _from_power_sums([big[a * j] * big[b * j] for j in range(17)])
-    trivial = 4 * (a == b)
-    found = 0
-    for order in range(1, 2 * 16 * 16 + 3):
-        if _totient(order) <= 16:
-            common, rest = _cyclotomic(order), products
-            while len(gcd_poly(rest, common)) == len(common):
-                rest, found = divmod_poly(rest, common)[0], found + len(common) - 1
-    return found > trivial
-
-
-def _from_power_sums(p: list[Fraction]) -> list:
-    """The monic polynomial whose zeros have the given sums of powers."""
-    n = int(p[0])
-    e = [Fraction(1)]
-    for k in range(1, n + 1):
-        e.append(sum(((-1) ** (i - 1) * e[k - i] * p[i] for i in range(1, k + 1)), Fraction(0)) / k)
-    return [(-1) ** (n - i) * e[n - i] for i in range(n + 1)]
-
-
-def _cyclotomic(order: int) -> list:
-    f = [Fraction(-1)] + [Fraction(0)] * (order - 1) + [Fraction(1)]
-    for d in range(1, order):
-        if order % d == 0:
-            f = divmod_poly(f, gcd_poly(f, [Fraction(-1)] + [Fraction(0)] * (d - 1) + [Fraction(1)]))[0]
-    return f
-
-
-def check_independent(f: list, k: int, prime: Any, places: Any) -> None:
-    r"""Any k of the zeros l_1, ..., l_K, one of each pair l, 1/l, are multiplicatively independent.
-
-    Else a relation prod l_i^{e_i} = c exists with coprime e_i, k of them at most not zero, and a
-    root of unity c.  Reduce the splitting field of f at a place where f has 2K simple zeros modulo p, p = 1 modulo the prime q:
-    with discrete logarithms modulo q, sum e_i log l_i = 0 modulo q, for c is a q-th power if q
-    does not divide its order.  That it does not is seen at a place with p != 1 modulo q, which
-    shows that the splitting field has no root of unity of order q.  Which zero modulo p is which
-    is not known, so every signed choice is tried: for every e != 0 modulo q, up to a factor, some
-    place must exclude all of them.
-    """
-    _need(type(prime) is int and 2 < prime < 200 and all(prime % r for r in range(2, prime)), "the exponents' modulus is not an odd prime")
-    logarithms, free = [], False
-    for p, zeros in places:
-        _check_place(f, p, zeros)
-        if (p - 1) % prime:
-            free = True
-        else:
-            logarithms.append(_signed_choices(_discrete(zeros, p, prime), k))
-    _need(free, "no place shows that there is no root of unity of that order")
-    for e in product(range(prime), repeat=k):
-        if next((x for x in e if x), 0) == 1:
-            _need(any(all(sum(map(mul, e, logs)) % prime for logs in choices) for choices in logarithms), f"exponents {e} are not excluded")
-
-
-def _signed_choices(logs: list[int], k: int) -> list[tuple[int, ...]]:
-    """Every k of the logarithms in every order with every sign, up to a common sign."""
-    return [tuple(map(mul, chosen, (1, *signs))) for chosen in permutations(logs, k) for signs in product((1, -1), repeat=k - 1)]
-
-
-def _check_place(f: list, p: Any, zeros: Any) -> None:
-    _need(type(p) is int and 2 < p < 10**8 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not an odd prime")
-    residues = _monic_modulo(f, p)
-    distinct = {x for x in zeros if type(x) is int and 0 <= x < p}
-    _need(len(distinct) == len(zeros) == len(f) - 1 and all(_horner(residues, x, p) == 0 for x in zeros), f"modulo {p} there are not enough zeros")
-
-
-def _horner(f: list[int], x: int, p: int) -> int:
-    acc = 0
-    for c in reversed(f):
-        acc = (acc * x + c) % p
-    return acc
-
-
-def _discrete(zeros: list[int], p: int, q: int) -> list[int]:
-    """Discrete logarithms modulo q of one zero of each pair l, 1/l."""
-    chosen: list[int] = []
-    for x in zeros:
-        if x not in chosen and pow(x, -1, p) not in chosen:
-            chosen.append(x)
-    _need(2 * len(chosen) == len(zeros), "the zeros do not come in pairs")
-    u = next(v for c in range(2, p) if (v := pow(c, (p - 1) // q, p)) != 1)
-    table, v = {}, 1
-    for i in range(q):
-        table[v] = i
-        v = v * u % p
-    return [table[pow(x, (p - 1) // q, p)] for x in chosen]
+def _power_of_z(k: int, modulus: list) -> list:
+    """z^k modulo a polynomial, padded to its degree."""
+    out = divmod_poly([Fraction(0)] * k + [Fraction(1)], modulus)[1]
+    return [*out, *[Fraction(0)] * max(1, len(modulus) - 1 - len(out))]
 
 
 # ---------------------------------------------------------------------- powers of the symplectic matrix

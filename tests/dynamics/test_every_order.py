@@ -17,7 +17,7 @@ from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide, limit_digits
 from exactkf.dynamics.order_one import decide_order_one
 from exactkf.dynamics.structure import structure
-from exactkf.dynamics.wandering import torus_evidence
+from exactkf.dynamics.torus import torus_evidence
 from exactkf.exact import cyclotomic_real, sqrt_field
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import is_schur
