@@ -23,7 +23,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
+from flint import arb, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
 
 from exactkf._errors import Unsupported
 from exactkf.exact.balls import precision
@@ -63,7 +63,7 @@ def torus_evidence(D: Sequence[Fraction]) -> tuple[int | None, dict[str, Any], s
         # a zero left behind early has its relation with fewer zeros
         padded = [[i, [*e[:-1], *[0] * (len(free) + 1 - len(e)), e[-1]]] for i, e in relations]
     except (Undefined, Unsupported) as error:
-        return None, {}, f"the relations between the {k} wandering roots on the circle are too large ({error}), so the dimension of the torus is between 1 and {k}"
+        return None, {}, f"the relations between the {k} wandering roots on the circle are too large ({error}), so it is between 1 and {k}"
     return len(free), {**evidence, "zeros": zeros, "independent": found, "relations": padded}, ""
 
 

@@ -33,7 +33,7 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    the last one that is not zero, a part of an invariant isotropic subspace, which 1 forbids;
    so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.
 6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N,
-   which is finite, 1 - g^2 is never zero.
+   which is finite, 1 - g^2 is never zero.  Other congruences are in `exactkf.kernel.orbit_sieve`.
 
 References
 ----------
@@ -50,7 +50,8 @@ from typing import Any, NamedTuple
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import does_not_escape, is_schur
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
-from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
+from exactkf.kernel.orbit_sieve import check_never_singular, readings
+from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
 __all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
@@ -350,16 +351,24 @@ def power_of_z(k: int, modulus: list) -> list:
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
-    _need(all(isinstance(x, Fraction) for x in Q), "only rational data are decided here")
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _need(has_infinite_order(D, evidence["aperiodic"]), "S may be of finite order")
-    if "before" in evidence:
-        check_never_singular(reduced.Q, reduced.S, evidence["modulus"], evidence["before"])
-    else:
+    _aperiodic(D, *evidence["aperiodic"])
+    if "modulus" in evidence:
+        _need(all(isinstance(x, Fraction) for x in Q), "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
+    else:
+        check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
+        _need(all(isinstance(x, Fraction) for x in Q), "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
+
+
+def _aperiodic(D: list, p: Any, *roots: Any) -> None:
+    """The zeros of D are not distinct roots of unity."""
+    _need(type(p) is int and p > 1, "a modulus is an integer above one")
+    degree = max((len(x.field.modulus) - 1 for x in D if isinstance(x, Algebraic)), default=1)
+    _need(all(has_infinite_order(d, (len(D) - 1) * degree, p) for d in readings([divide(c, D[-1]) for c in D], p, *roots)), "S may be of finite order")
 
 
 def _nonconvergent(Q: list, S: list) -> Reduced:

@@ -4,7 +4,6 @@ r"""Orbits of the fast filter that neither converge nor repeat: what is checked 
 Main definitions
 ----------------
 `check_never_escapes`  the orbit modulo N is finite, and 1 - g^2 is a unit all the way
-`check_never_singular` the same in the p-adic integers, for orbits that come from an escape
 `has_infinite_order`   the zeros of D are not distinct roots of unity
 `check_torus`          the dimension of the torus that the orbit fills
 
@@ -17,17 +16,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
-from math import gcd, isqrt, lcm
-from operator import mul
+from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
-__all__ = ["backward", "check_never_escapes", "check_never_singular", "check_torus", "common_order", "determinant", "has_infinite_order",
-           "modular", "modular_step", "wandering_factor"]
+__all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
 
 
 def _residue(x: Any, N: int) -> int:
@@ -56,11 +52,6 @@ def check_never_escapes(Q: list, S: list, N: Any) -> None:
         seen.add(state)
         _need(gcd(1 - s[-2] * s[-2], N) == 1, f"1 - g^2 is no unit modulo {N}")
         q, s = modular_step(q, s, N)
-
-
-def _monic_modulo(D: list, p: int) -> list[int]:
-    residues = modular([Fraction(c) / Fraction(D[-1]) for c in D], p)
-    return residues
 
 
 def _modular_power(base: list[int], k: int, modulus: list[int], p: int) -> list[int]:
@@ -104,10 +95,12 @@ def common_order(degree: int) -> int:
     return lcm(*_orders(degree))
 
 
-def has_infinite_order(D: list, p: Any) -> bool:
-    """The zeros of D are not distinct roots of unity: else z^N = 1 modulo D, also modulo p."""
-    modulus = _monic_modulo(D, p)
-    return _modular_power([0, 1], common_order(len(D) - 1), modulus, p) != [1]
+def has_infinite_order(D: list[int], degree: int, p: int) -> bool:
+    """The zeros of D are not distinct roots of unity: else z^N = 1 modulo D, also modulo p.
+
+    D is monic and read modulo p, and its zeros have at most the given degree over the rational numbers.
+    """
+    return _modular_power([0, 1], common_order(degree), D, p) != [1]
 
 
 # ---------------------------------------------------------------------- the torus
@@ -166,81 +159,6 @@ def _power_of_z(k: int, modulus: list) -> list:
     """z^k modulo a polynomial, padded to its degree."""
     out = divmod_poly([Fraction(0)] * k + [Fraction(1)], modulus)[1]
     return [*out, *[Fraction(0)] * max(1, len(modulus) - 1 - len(out))]
-
-
-# ---------------------------------------------------------------------- powers of the symplectic matrix
-def _forward(X: list, Y: list, q: list, g: list, inverse: Any, N: int) -> tuple[list, list]:
-    """(X; Y) -> (A'^-1 (X - hh'Y); gg'X' + AY) modulo N, A = J - qh', row by row; `inverse` is 1/q_m."""
-    m = len(q)
-    W = [[x - y for x, y in zip(X[0], Y[0], strict=True)], *X[1:]]
-    last = [-x * inverse for x in W[0]]  # row i of A'V is row i - 1 of V; row 0 is -q'V
-    above = W[1:]
-    for i in range(m - 1):
-        last = [x - q[i] * inverse * y for x, y in zip(last, above[i], strict=True)]
-    new_x = [[x % N for x in row] for row in [*above, last]]
-    along = [sum(map(mul, g, column)) for column in zip(*new_x, strict=True)]
-    new_y = [[(g[i] * s - q[i] * y + (Y[i + 1][j] if i + 1 < m else 0)) % N for j, (s, y) in enumerate(zip(along, Y[0], strict=True))] for i in range(m)]
-    return new_x, new_y
-
-
-def backward(X: list, Y: list, q: list, g: list) -> tuple[list, list]:
-    """The plane before, over the rationals: Y = A^-1 (Y' - gg'X'), X = A'X' + hh'Y."""
-    m = len(q)
-    along = [sum(map(mul, g, column)) for column in zip(*X, strict=True)]
-    R = [[y - g[i] * s for y, s in zip(Y[i], along, strict=True)] for i in range(m)]
-    top = [-r / q[-1] for r in R[-1]]  # A v = r: v_{i+1} = r_i + q_i v_1
-    new_y = [top, *([r + q[i] * t for r, t in zip(R[i], top, strict=True)] for i in range(m - 1))]
-    new_x = [[-sum(map(mul, q, column)) for column in zip(*X, strict=True)], *X[:-1]]
-    new_x[0] = [x + y for x, y in zip(new_x[0], new_y[0], strict=True)]
-    return new_x, new_y
-
-
-def determinant(rows: list, N: int | None = None) -> Any:
-    """By the division-free recursion of Berkowitz, modulo N if given."""
-    value = char_coefficients(Matrix(rows))[0] * (-1) ** len(rows)
-    return value if N is None else value % N
-
-
-def check_never_singular(Q: list, S: list, p: Any, before: Any) -> None:
-    r"""det X_t is not zero for t >= 0, (X_t; Y_t) the powers of S_m applied to (I; 0), so that nothing escapes.
-
-    With M = S_m^L = I + pB over the p-adic integers, det X_{r + Ls} is f_0 + p f_1 s + p^2 u(s), u a
-    power series with integral coefficients, for p^j binomial(s, j) has the coefficients of p^j / j!,
-    divisible by p for j = 1 and by p^2 for j > 1, p >= 5.  Where it is not zero modulo p it never vanishes.  Where it
-    vanishes for some s_0, here at a time before the start, it has no other zero if it is not zero
-    modulo p^2 at s_0 + 1.
-    """
-    _need(type(p) is int and 3 < p < 10**6 and all(p % r for r in range(2, isqrt(p) + 1)), "the modulus is not a prime above three")
-    m, N = len(Q) - 1, p * p
-    q, g = modular(Q[-2::-1], N), modular(S[-2::-1], N)
-    _need(q[-1] % p != 0, "S is singular modulo p")
-    inverse = pow(q[-1], -1, N)
-    eye = [[int(i == j) for j in range(2 * m)] for i in range(2 * m)]
-    X, Y, t, found = eye[:m], eye[m:], 0, {}
-    while t == 0 or any((x - e) % p for row, unit in zip([*X, *Y], eye, strict=True) for x, e in zip(row, unit, strict=True)):
-        value = determinant([row[:m] for row in X], N)
-        if value % p == 0:
-            found[t] = value
-        X, Y = _forward(X, Y, q, g, inverse, N)
-        t += 1
-    explained = _singular_before(Q, S, before)
-    for r, value in found.items():
-        _need(any((r + k) % t == 0 and r + k == t for k in explained) and value != 0, f"nothing excludes an escape at times {r} modulo {t}")
-
-
-def _singular_before(Q: list, S: list, before: Any) -> list[int]:
-    """The times -k at which X is singular, of those named, checked exactly."""
-    _need(all(type(k) is int and 0 < k < 1000 for k in before), "times before the start are positive numbers")
-    m = len(Q) - 1
-    q, g = Q[-2::-1], S[-2::-1]
-    X: list = [[Fraction(i == j) for j in range(m)] for i in range(m)]
-    Y: list = [[Fraction(0)] * m for _ in range(m)]
-    found = []
-    for k in range(1, max(before, default=0) + 1):
-        X, Y = backward(X, Y, q, g)
-        if k in before and determinant(X) == 0:
-            found.append(k)
-    return found
 
 
 def _times(p: list, q: list) -> list:

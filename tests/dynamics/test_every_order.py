@@ -388,7 +388,7 @@ def test_edits_are_rejected(answer: Answer, path, value):
 
 
 @pytest.mark.parametrize(("answer", "path", "value"), [
-    (WANDERS, ("modulus",), 2), (WANDERS, ("modulus",), 1), (WANDERS, ("aperiodic",), 1), (CONVERGES, ("factor", 0), "1"),
+    (WANDERS, ("places", 0, 0), 4), (WANDERS, ("places", 0, 1), 1), (WANDERS, ("places",), []), (WANDERS, ("aperiodic",), [1]), (CONVERGES, ("factor", 0), "1"),
     (CONVERGES, ("field",), None),
 ])
 def test_broken_evidence_is_rejected(answer: Answer, path, value):
