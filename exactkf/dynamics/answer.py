@@ -23,8 +23,9 @@ from exactkf._errors import BadInput
 
 __all__ = ["BEHAVIOURS", "Answer", "Fact"]
 
-#: What an orbit can do.  ``dense`` (order one): it fills its hyperbola, or the line, densely.
-BEHAVIOURS = ("converges", "escapes", "periodic", "dense", "not convergent, not periodic", "undecided")
+#: What an orbit can do.  ``eventually periodic``: it repeats, but never comes back to its start.  ``dense`` (order one): it fills its hyperbola,
+#: or the line, densely.
+BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "not convergent, not periodic", "undecided")
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,8 @@ class Answer:
         Where the orbit starts.
     period : int or None
         The least period; one at an equilibrium.
+    preperiod : int or None
+        The first step to which an orbit that is eventually periodic comes back.
     torus_dimension : int or None
         The dimension of the torus that the orbit fills.
     enters_positive_real : int or None
@@ -93,6 +96,7 @@ class Answer:
     monotone_from: int | None = None
     region: str = ""
     period: int | None = None
+    preperiod: int | None = None
     torus_dimension: int | None = None
     enters_positive_real: int | None = None
     facts: tuple[Fact, ...] = ()

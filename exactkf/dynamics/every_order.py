@@ -20,7 +20,7 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
   condition on the initial subspace is left over: coprime data never meet the codominant subspace (BLZ94 Lemma 6.12).
 * If `D` changes sign on the circle the orbit never converges.  It is periodic if and only if the zeros
   of `D` are distinct roots of unity; its period is then the least common multiple of their
-  orders.  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
+  orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
 * Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
   a question about zeros of linear recurring sequences, for which no general method is known.
 
@@ -214,6 +214,8 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
     fields: dict[str, Any] = {"never_escapes": True, "enters_positive_real": entry}
     if all(x == 0 for x in case.g):
         fields["period"] = 1
+    elif len(case.D) == 1:
+        case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     if case.rational:
         factor = spectral_factor(case.D) if len(case.D) > 1 else None
         w = list(factor.coefficients) if factor else [fmpq(1)]
@@ -326,14 +328,18 @@ def _returning(case: _Case, period: int) -> Answer:
     for t, (Q, S) in zip(range(start + period), _pairs(case), strict=False):
         if Q[-1] * Q[-1] == S[-2] * S[-2]:
             return _escaped(case, t)
-    since = f" from step {start} on" if start else ""
     case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: "
-                           f"the orbit has the period {period}{since}.",
-                           f"$S^{{{period}}} = I$: the orbit has the period ${period}${since}."))
+                           f"the orbit has the period {period}{f' from step {start} on' * (start > 0)}.",
+                           f"$S^{{{period}}} = I$: the orbit has the period ${period}${f' from step ${start}$ on' * (start > 0)}."))
+    if start:
+        case.facts.append(Fact(f"It does not come back to a state before step {start}: up to there the common factor of a and b grows with every step.",
+                               f"$\\deg (a, b)$ grows until step ${start}$, so no state before it comes back."))
     evidence: dict[str, Any] = {}
     if not case.rational:
-        Q, S = start_pair(_question(case))
-        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, period, bits := (256 + 4 * period) << k))
+        reduced = reduce_pair(*start_pair(_question(case)))
+        evidence["bits"] = next(bits for k in range(12) if does_not_escape(reduced.Q, reduced.S, period, bits := (256 + 4 * period) << k))
+    if start:
+        return _answer(case, "eventually periodic", evidence, never_escapes=True, period=period, preperiod=start)
     return _answer(case, "periodic", evidence, never_escapes=True, period=period)
 
 
