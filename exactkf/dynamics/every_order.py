@@ -34,17 +34,18 @@ BLZ94 Theorem 7.1, Corollary 7.2, Lemmas 6.7-6.12, Proposition 8.1.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cached_property
 from math import lcm
 from typing import Any, NamedTuple
 
 from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.answer import Answer, Fact
+from exactkf.dynamics.answer import Answer, Fact, later
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
-from exactkf.dynamics.spectral_factor import spectral_factor
+from exactkf.dynamics.spectral_factor import Factor, spectral_factor
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
     Readings,
@@ -185,12 +186,13 @@ def _describe(case: _Case, shape: str) -> None:
 
 
 # ---------------------------------------------------------------------- answers
-def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | Callable[[], dict[str, Any]], reason: str = "", **fields: Any) -> Answer:
     n = len(case.a)
-    draft = Answer(n, behaviour, facts=tuple(case.facts), reason=reason, **fields)
-    statement = {"question": _question(case), "answer": draft.decided()}
-    certificate = seal("orbit", "orbit", statement, evidence)
-    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=certificate, **fields)
+    def sealed(answer: Answer) -> dict[str, Any]:
+        found = evidence() if callable(evidence) else evidence
+        return seal("orbit", "orbit", {"question": _question(case), "answer": answer.decided()}, found)
+
+    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=later(sealed), **fields)
 
 
 def _question(case: _Case) -> dict[str, Any]:
@@ -216,24 +218,38 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         fields["period"] = 1
     elif len(case.D) == 1:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
-    if case.rational:
-        factor = spectral_factor(case.D) if len(case.D) > 1 else None
-        w = list(factor.coefficients) if factor else [fmpq(1)]
-        field = factor.field if factor else None
-        full = _product(w, case.reduced.removed)
-        alpha = [number_json(x) for x in reversed(full[:-1])]
-        evidence: dict[str, Any] = {"field": field_json(field), "factor": [element_json(x) for x in w]}
-        fields["limit"] = {"alpha": alpha, "gamma": "0"}
-    elif len(case.D) == 1:
-        field = case.a[0].field
-        full = [x * field(1) for x in case.reduced.removed]
-        evidence = {"field": field_json(field), "factor": [["1"]]}
-        fields["limit"] = {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
-    else:
-        evidence = {}
+    found = _Limit(case)
+    if case.rational or len(case.D) == 1:
+        fields["limit"] = later(lambda _: found.limit)
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    return _answer(case, "converges", evidence, **fields)
+    return _answer(case, "converges", lambda: found.evidence if "limit" in fields else {}, **fields)
+
+
+class _Limit:
+    """The limit of an orbit that converges, found when it is asked for."""
+
+    def __init__(self, case: _Case) -> None:
+        self.case = case
+
+    @cached_property
+    def factor(self) -> Factor:
+        """The spectral factor of D."""
+        if len(self.case.D) > 1:
+            return spectral_factor(self.case.D)
+        field = None if self.case.rational else self.case.a[0].field
+        return Factor(field, (fmpq(1) if field is None else field(1),))
+
+    @property
+    def limit(self) -> dict[str, Any]:
+        """The limit as an answer has it."""
+        full = _product(self.factor.coefficients, self.case.reduced.removed)
+        return {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """The spectral factor in its field, for the checker."""
+        return {"field": field_json(self.factor.field), "factor": [element_json(x) for x in self.factor.coefficients]}
 
 
 def _product(p: Sequence[Any], q: Sequence[Any]) -> list:
