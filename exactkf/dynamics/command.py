@@ -125,6 +125,8 @@ def _headline(answer: Answer) -> str:
             return "the orbit is an equilibrium"
         case "periodic":
             return f"the orbit is periodic with period {answer.period}"
+        case "eventually periodic":
+            return f"the orbit has the period {answer.period} from step {answer.preperiod} on, and does not come back to its start"
         case "dense":
             return "the orbit never repeats and is dense in its invariant curve"
         case "converges":
