@@ -30,8 +30,8 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "fact", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
-    "steps", "use",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
+    "lemma", "null_vector", "order", "positivity", "steps", "use", "within",
 ]
 
 
@@ -82,6 +82,7 @@ def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
 
 def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[Any, int, Any]]] = (),
               base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = (),
+              before: Sequence[Mapping[str, Any]] = (),
               shapes: Mapping[Expr | str, tuple[Sequence[Any], Sequence[Any]]] | None = None, **sizes: Iterable[int] | int) -> Evidence:
     """Base and step for a conclusion ``always(t, ...)`` or ``forall(t, a, b, ...)`` along recursions of the statement.
 
@@ -92,24 +93,36 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
 
     Parameters
     ----------
-    also : sequence of formulas in t
-        What the induction carries along beside the conclusion.
+    also : sequence of formulas in t, or of such sequences
+        What the induction carries along beside the conclusion; for every size, a list for each conjunct where they differ.
     base, step : `order`, or a sequence of them
         Terms for the leaves of base and step, in the values at t, where the engine does not find them; one for each
         conjunct of the conclusion, or one for all. For every size.
+    before : sequence of `first`
+        Lemmas, each by an induction of its own, that what comes after them may use. For every size.
     shapes : mapping of recursion to (row sizes, column sizes)
         Blocks of its values, where those of the initial value are not fine enough. For every size.
     cofactors : for each equation, of the conclusion and of ``also``, a list of ``(left, number, right)``
         lhs - rhs at t + 1 = sum of left * (lhs - rhs of the equation so numbered, at t) * right.
     """
     rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
-    hints: dict[str, Any] = {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows}
-    for key, given in (("base", base), ("step", step)):
-        if given:
-            hints[key] = tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given))
+    hints: dict[str, Any] = {"sizes": _ranges(sizes), "cofactors": rows,
+                             "also": tuple(tuple(to_expr(e).tree for e in some) if isinstance(some, (list, tuple)) else to_expr(some).tree for some in also)}
+    hints |= _base_and_step(base, step)
+    if before:
+        hints["before"] = tuple(before)
     if shapes:
         hints["shapes"] = {_name(k): [[to_expr(x).tree for x in side] for side in v] for k, v in shapes.items()}
     return Evidence("induction", hints)
+
+
+def first(says: Expr, *, also: Sequence[Any] = (), base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = ()) -> dict[str, Any]:
+    """A formula, or ``forall`` of one, to be shown before the conclusion of an `induction`; base, step and also as there."""
+    return {"says": to_expr(says).tree, "also": tuple(to_expr(e).tree for e in also), **_base_and_step(base, step)}
+
+
+def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
+    return {key: tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given)) for key, given in (("base", base), ("step", step)) if given}
 
 
 def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
@@ -204,8 +217,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = ()) -> Evidence:
-    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank and similarity.
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
     Where the list is empty the engine tries the matrix itself, those of the hypotheses, and inverses of nonsingular variables.
@@ -216,8 +229,10 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     psd, pd, loewner, >=, >           semidefinite by their form; they add up to the matrix under the hypotheses
     invertible(X)                     its inverse; or none, or semidefinite ones, as for the equation v = 0 under Xv = 0
     rank(X) == its rows or columns    none, or semidefinite ones, in the same way
+    rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
+    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -229,10 +244,58 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         Shown first, and assumed for what follows.
     factors : sequence of (matrix, its factors)
         For determinants: that of the matrix is the product of theirs.
+    inside : sequence of `within`
+        What belongs to the proof of one leaf.
     """
+    inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
+    stable, passed = [], 0
+    for w in sorted(inside, key=lambda w: w["number"]):
+        stable.extend([w["number"] + passed + n, help_] for n, help_ in w["help"])
+        passed += len(w["lemmas"])
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
-                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors)})
+                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
+                              "inside": inner, "stable": stable})
+
+
+def null_vector(block: int = 0) -> Expr:
+    """The vector v of `within`, or a block of it."""
+    return Expr(("sym", f"v.{block}"))
+
+
+#: real and imaginary part of the eigenvector of `within`, and of its eigenvalue
+EIGENVECTOR = (null_vector(), Expr(("sym", "w.0")))
+EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
+
+
+def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
+           solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
+    """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
+
+    Parameters
+    ----------
+    lemmas : formulas
+        Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
+    vector : "right" or "left"
+        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
+        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
+    stein : term
+        A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
+    unique : pair of terms
+        Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
+    solutions : mapping of name to (M, Q)
+        Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
+    on : int, optional
+        The lemma, counted from 0, that ``stein``, ``unique``, ``solutions`` are for; else they are for the leaf.
+    """
+    help_: dict[str, Any] = {}
+    if stein is not None:
+        help_["stein"] = to_expr(stein).tree
+    if unique:
+        help_["unique"] = [to_expr(m).tree for m in unique]
+    if solutions:
+        help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
+    return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

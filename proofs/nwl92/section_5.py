@@ -29,7 +29,7 @@ is said through a left inverse, full row rank through a right inverse.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.evidence import combination, example, identity, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -388,9 +388,9 @@ w, h, h2 = symbols("w h h2")
 LYAPUNOV = given("(5.27)", YFX == T(Y) * G * Y + T(J) * YFX * J)
 NULL_W = given("F'Yw = 0", T(F) * Y * w == Zero(n, 1))
 STABLE = given("J stable", schur(J))
-NULL_ENERGY = steps("NWL92-E5.27", facts=["a symmetric solution of a Lyapunov equation with stable J and nonnegative right side is nonnegative"],
-                    prose=("w'Y'F = 0, so that w times (5.27) times w leaves 0 = (Yw)'G(Yw) + (Jw)'Y'FX(Jw); both terms are nonnegative, hence zero, "
-                           "and G >= 0 gives GYw = 0."))
+#: Y'FX is nonnegative, as J is stable; w'Y'F = 0, so that w times (5.27) times w leaves 0 = (Yw)'G(Yw) + (Jw)'Y'FX(Jw)
+NONNEGATIVE, FORMS = psd(YFX), [T(Y) * G * Y, T(J) * YFX * J]
+NULL_ENERGY = order([T(Y) * G * Y], FORMS, lemmas=[NONNEGATIVE], inside=[within(0, stein=T(J))])
 
 #: a system in which F'Y is singular: the second state neither noise nor gain; k = 2, n = 2
 d0, d1, d2 = symbols("d0 d1 d2")
@@ -539,7 +539,7 @@ claim("NWL92-S50", "Y'FX solves (5.39) and is nonnegative",
       repair=repair("cross-reference", "the Lyapunov equation is (5.27); (5.39) is the Riccati equation",
                     (YFX == T(Y) * G * Y + T(J) * YFX * J) & psd(YFX), sizes=["k", "n"], over=EIGENSPACE,
                     given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE],
-                    by=[example({**UNRELATED, F: [[2]]}), example({**UNRELATED, J: [[1]]}),
+                    by=[order([], [T(Y) * G * Y], inside=[within(1, stein=T(J))]), example({**UNRELATED, F: [[2]]}), example({**UNRELATED, J: [[1]]}),
                         example({"k": 1, "n": 1, F: [[1]], K: [[2]], G: [[3]], X: [[-1]], Y: [[1]], J: [[2]]}), spaces()]),
       note="(5.39) is taken without its stray factor F.")
 
