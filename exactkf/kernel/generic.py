@@ -32,7 +32,7 @@ from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms"]
+__all__ = ["Terms", "connected"]
 
 _MOST_OPEN = 60  # definitions opened within each other
 
@@ -70,6 +70,8 @@ class Terms(Indefinite):
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
+        self.unused: set[str] = set()  # recursions that are not opened
+        self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
         if key not in self.places:
@@ -288,6 +290,8 @@ class Terms(Indefinite):
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
+                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                    raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         self.depth += 1
@@ -312,7 +316,7 @@ class Terms(Indefinite):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive:
+        if d is None or name not in self.recursive or name in self.unused:
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
@@ -330,6 +334,8 @@ class Terms(Indefinite):
         """At an integer not before the start, or at an index that is >= 0, as that of the induction, plus a positive integer."""
         least = d[3] if d[0] == "rec" else 0
         c = last.get("", 0)
+        if d[1] in self.unused:
+            return False
         if set(last) <= {""}:
             return c >= least and (d[0] == "let" or d[1] not in self.whole or c < least + len(d[4]))
         return (d[1] not in self.closed | self.whole and len(last) == 2 and any(last.get(x) == 1 for x in self.always)
@@ -583,6 +589,21 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
     if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
+
+
+def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
+    """Names that a definition leads to and that lead back to it."""
+    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
+
+    def reached(start: str) -> set[str]:
+        todo, seen = [start], set[str]()
+        while todo:
+            new = calls[todo.pop()] - seen
+            seen |= new
+            todo.extend(new)
+        return seen
+
+    return {n for n in reached(name) if name in reached(n)}
 
 
 def _in_z(definitions: Mapping[str, Any]) -> set[str]:

@@ -43,6 +43,7 @@ class Indefinite:
     field: SymbolicField
     atoms: list[tuple]
     nested: int
+    within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
     entry: Callable[..., Symbolic]
@@ -94,6 +95,8 @@ class Indefinite:
         finally:
             self.region = outer
             self.nested -= 1
+        if self.within and any(generic.num):  # only what it is made of is looked at
+            return self.atom(("sum", (), ((name, 1),)))
         return self._quotient(generic, name, low, high) if times else self._indefinite(generic, name, low, high)
 
     def _indefinite(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
@@ -128,6 +131,8 @@ class Indefinite:
 
     def _quotient(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
         """P(high)/P(low - 1) for a polynomial in the index of the product."""
+        if body.num == {0: 1} and body.q == 1 and not body.den:
+            return body
         if body.den or body.q != 1 or not body.num:
             raise Unknown("a product of quotients, or of zeros")
         made, low, high = self._renamed([(tuple(self._atoms_of(monomial)), c) for monomial, c in body.num.items()], name, low, high)

@@ -7,7 +7,10 @@ between bounds; the hypothesis of the induction and the lemmas before may be use
 places. In each region of the parameters the equation then has to follow from them by elimination
 of atoms that they contain linearly with a constant factor.
 
-Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed.
+Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed. So everything is said of
+elements of the field of rational functions in the variables, and carries over to every instance on which the conclusion
+has a value. In that field recursions must have values, and nothing that is divided by may be zero, in a lemma
+neither: `exactkf.kernel.defined` sees to that.
 
 Main definitions
 ----------------
@@ -24,6 +27,7 @@ from contextlib import suppress
 from itertools import islice
 from typing import Any
 
+from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
 from exactkf.kernel.indefinite import BOUND
@@ -66,7 +70,8 @@ class _Proof:
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
-        names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
+        self.not_zero: set[frozenset] = set()
+        names = _RESERVED & {*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
         self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
@@ -76,6 +81,7 @@ class _Proof:
                 with suppress(Unknown):
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
+        self.witness, self.ill_founded = Witness(statement, self.sizes), ill_founded(statement, self.sizes)
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -265,7 +271,7 @@ class _Proof:
         """The goal follows from the uses in every part of the region."""
         terms = Terms(self.statement, region, self.supported, self.rules, self.closed, self.whole)
         terms.always |= self.always
-        terms.limited, terms.in_values = limited, in_values
+        terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
             granted = {name for x in wanted for name in _inverses(terms, x)}
@@ -284,9 +290,17 @@ class _Proof:
             rest = _reduced(terms, x, known)
             if rest.num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in region.forms)
-                raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:3000]}")
-        for f in terms.field.factors:
-            if (text := terms.field.text(f)) not in self.denominators:
+                raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
+        for f in list(terms.field.factors):
+            key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
+            if key in self.not_zero:
+                continue
+            text = terms.field.text(f)
+            equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
+            if not self.witness.is_not_zero(terms, f) and not (equal and self.witness.is_not_zero(terms, equal)):
+                raise Rejected(f"{place}: nothing tells that {text} is not zero")
+            self.not_zero.add(key)
+            if text not in self.denominators:
                 self.denominators.append(text)
 
 

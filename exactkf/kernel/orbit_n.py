@@ -50,7 +50,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import does_not_escape, is_schur
-from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
+from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_sieve import check_never_singular, readings
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
@@ -109,16 +109,16 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
 def _number(x: Any, field: AlgebraicField | None) -> Any:
     if isinstance(x, list):
         _need(field is not None, "an algebraic number needs the field")
-        return field.element([Fraction(c) for c in x])  # type: ignore[union-attr]
+        return field.element([fraction(c) for c in x])  # type: ignore[union-attr]
     _need(isinstance(x, str), "a number is a string p/q")
-    return field.element([Fraction(x)]) if field is not None else Fraction(x)
+    return field.element([fraction(x)]) if field is not None else fraction(x)
 
 
 def _field(data: Any) -> AlgebraicField | None:
     if data is None:
         return None
     modulus, lo, hi = data
-    return AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    return AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
 
 
 def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
@@ -311,8 +311,8 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
 def _same(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
-        return value == Fraction(claimed)
-    p, (lo, hi) = [Fraction(c) for c in claimed["minpoly"]], (Fraction(x) for x in claimed["interval"])
+        return value == fraction(claimed)
+    p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
     _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
     return value > lo and value < hi and _eval(p, value) == 0
 

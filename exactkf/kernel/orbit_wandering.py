@@ -19,7 +19,7 @@ from functools import cache
 from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
@@ -115,7 +115,7 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     """
     f, rest = wandering_factor(D), [Fraction(1)]
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
-        f, rest = [Fraction(c) for c in evidence["factor"]], f
+        f, rest = [fraction(c) for c in evidence["factor"]], f
         rest, left = divmod_poly(rest, f)
         _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
     k = count_circle(f)[1] // 2 if len(f) > 1 else 0

@@ -46,6 +46,7 @@ from exactkf.kernel.definite import apart, are_transposed, definiteness, exists,
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.stable import is_stable, no_eigenvector
+from exactkf.kernel.wellformed import check_arguments
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
 __all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
@@ -82,9 +83,18 @@ def _outer_leaves(statement: Mapping[str, Any], lemmas: Any) -> Iterator[tuple[d
     own = [statement["says"]]
     for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
+            _well_formed(lemma)
             yield from _leaves({**case, "lemma": True}, lemma)
             case = {**_assume({**case, "lemma": True}, f"lemma {len(case['given'])}", lemma), "lemma": False}
         yield from _leaves(case, statement["says"])
+
+
+def _well_formed(lemma: Any) -> None:
+    """What is shown is what is used afterwards: as many arguments as the operation takes; its terms are seen to where they are read."""
+    check_arguments(lemma)
+    if lemma[0] in ("and", "=>", "<=>"):
+        for part in lemma[1:]:
+            _well_formed(part)
 
 
 def _cases(statement: dict, rest: list) -> Iterator[dict]:
@@ -272,6 +282,8 @@ class Leaf:
             right = reader.det(product)
             for part in parts[1:]:
                 factor = reader.read(part)
+                if reader.total(factor.rows) != reader.total(product.rows):  # a 1 x 1 factor of a larger matrix is a number
+                    raise Unknown("factors of different sizes")
                 product, right = reader._times(product, factor), multiply(right, reader.det(factor))
             out.append(reader._plus(whole, product, -1))
             self.shown[f"det {n}"] = Relation(add(reader.det(whole), right, -1), None, None)
