@@ -110,7 +110,17 @@ def _well_named(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> No
         _need(isinstance(name, str) and name.isidentifier() and name != "horizon", f"{name!r} is no name for a size, a variable or a definition")
     _need(len(set(names)) == len(names), "two things have one name")
     for name, kind in over:
+        _need(all(n.isidentifier() for n in _names(kind[1:])), f"the type of {name} has a size that is no name")
         _need((kind[-1][0] if kind[0] in ("sequence_of", "signal_of") else kind[0]) in TYPES, f"{name} is of a type that does not exist")
+
+
+def _names(tree: Any) -> Iterator[str]:
+    """Names in a term."""
+    if isinstance(tree, list):
+        if tree[:1] == ["sym"]:
+            yield tree[1]
+        for part in tree:
+            yield from _names(part)
 
 
 # ---------------------------------------------------------------------- evidence on instances
