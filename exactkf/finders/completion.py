@@ -150,8 +150,20 @@ class System:
     # ------------------------------------------------------------------ goals
     def express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         """Terms [c, left, name, right] (with scalars as a fifth entry, where there are) that add up to the goal."""
+        found = self._express(self.encode(goal), deadline)
+        units = [n for n in sorted(self.reader.units) if any(e < 0 for s, _ in goal for m, e in s if m == n)]
+        if not isinstance(found, Stuck) or not units:
+            return found
+        cleared, factor = self._without_units(self.encode(goal), [(1, "", "", "", "")])  # no longer divided by scalars that do not vanish
+        again = self._express(cleared, deadline)
+        if isinstance(again, Stuck):
+            return found
+        back = {n: -e for n, e in self.decode(factor[0][4])[0]}
+        return [[*term[:4], _times_scalars(term[4] if len(term) > 4 else [], back)] for term in again]
+
+    def _express(self, goal: dict[str, Any], deadline: float) -> list[list] | Stuck:
         self.deadline = deadline
-        rest, used = self._reduce(self.encode(goal))
+        rest, used = self._reduce(goal)
         while rest:
             if time.perf_counter() > deadline:
                 return self._stuck("out of time", rest)
@@ -408,6 +420,14 @@ def system_of(reader: Reader, assumed: Mapping[str, Relation], degree: int) -> S
 
 
 # ---------------------------------------------------------------------- scalars and numbers
+def _times_scalars(scalars: list[list], more: Mapping[str, int]) -> list[list]:
+    """A product of powers, as the terms have it."""
+    powers = dict(more)
+    for n, e in scalars:
+        powers[n] = powers.get(n, 0) + e
+    return [[n, e] for n, e in sorted(powers.items()) if e]
+
+
 def _product(s: str, t: str) -> str:
     if not s or not t:
         return s or t

@@ -96,11 +96,11 @@ class Reader:
         op = tree[0]
         if op == "sym" and tree[1] in self.statement["sizes"]:
             return {tree[1]: 1}
-        if op in ("+", "-"):
+        if op in ("+", "-", "neg"):
             out: dict[str, int] = {}
             for k, part in enumerate(tree[1:]):
                 for n, c in self._linear(part).items():
-                    out[n] = out.get(n, 0) + (-c if op == "-" and k else c)
+                    out[n] = out.get(n, 0) + (-c if op == "neg" or (op == "-" and k) else c)
             return out
         if op == "*" and len(tree) == 3 and isinstance(tree[1], int):
             return {n: tree[1] * c for n, c in self._linear(tree[2]).items()}
@@ -232,9 +232,12 @@ class Reader:
         return Relation({((), word): 1, (((self.scalar_name(word), 1),), ()): -1}, _ONE_ROW, _ONE_ROW)
 
     def _read_power(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        if not isinstance(tree[2], int):
-            raise Unknown("an exponent that is no number")
         base = self.read(tree[1], local)
+        if not isinstance(tree[2], int):
+            if isinstance(base, Blocks) or list(base.values()) != [1] or any(word for _, word in base):
+                raise Unknown("a power, with a size in the exponent, of what is no product of scalars")
+            ((scalars, _),) = base
+            return self._to_size(scalars, self.size(tree[2]))
         base = self._inverse(base) if tree[2] < 0 else base
         if tree[2] == 0:
             raise Unknown("power zero")
@@ -242,6 +245,22 @@ class Reader:
         for _ in range(abs(tree[2]) - 1):
             acc = self._times(acc, base)
         return acc
+
+    def _to_size(self, scalars: Any, size: Size) -> Poly:
+        """A product of scalars to the power of a size: t^(2k - n + 1) is (t^k)^2 (t^n)^-1 t, where t^k is a scalar of its own.
+
+        A size is not negative, so that t^k has a value; to divide by it t must not vanish.
+        """
+        out: dict[str, int] = {}
+        for name, e in scalars:
+            for n, c in size:
+                if e * c < 0 and name not in self.units:
+                    raise Unknown(f"{name} is divided by, and may vanish")
+                power = f"{name}^{n}" if n else name
+                out[power] = out.get(power, 0) + e * c
+                if name in self.units:
+                    self.units.add(power)
+        return {(tuple(sorted((n, e) for n, e in out.items() if e)), ()): 1}
 
     def _read_transpose(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return self.transpose(self.read(tree[1], local))
@@ -360,6 +379,8 @@ class Reader:
         p = x.grid[0][0]
         if n == 1 and len(p) == 1 and all(self.sizes[a] == (x.rows[0], x.rows[0]) for (_, word) in p for a in word):
             ((scalars, word), c), = p.items()
+            if c == 1 and scalars and not word:
+                return self._to_size(scalars, x.rows[0])
             if c == 1 and not scalars and len(word) != 1:
                 out = dict(ONE)
                 for a in word:

@@ -303,9 +303,14 @@ def first(s, t):
     return det(s * M_PENCIL + t * N_PENCIL)
 
 
+def rows_exchanged(s, t):
+    """The matrix of the second member of (5.11), with block rows exchanged."""
+    return (s * block([[Zero(n, n), T(K)], [F, -G]]) + t * block([[Zero(n, n), T(F)], [K, Zero(k, k)]]))
+
+
 def second(s, t):
-    """The second member of (5.11), with block rows exchanged."""
-    return det(s * block([[Zero(n, n), T(K)], [F, -G]]) + t * block([[Zero(n, n), T(F)], [K, Zero(k, k)]]))
+    """The second member of (5.11)."""
+    return det(rows_exchanged(s, t))
 
 
 def third(s, t):
@@ -315,20 +320,34 @@ def third(s, t):
 
 #: l = 2, p = 1, n = 1, E = (1; 0), A = C = 0, G = I
 ODD = {"k": 3, "n": 1, F: [[1], [0], [0]], K: [[0], [0], [0]], G: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], s: 1, t: 1}
-SWAP = to_expr(-1) ** (k * n)
-ROWS_SIGN = "exchanging k rows with n rows changes the sign of the determinant if k and n are odd"
-EVERY = {"k": (1, 2), "n": (1, 2)}
+#: exchanges the block rows, and the determinants of the members of (5.11) with it
+EXCHANGE = block([[Zero(n, k), Identity(n)], [Identity(k), Zero(k, n)]])
+TURN = sym("turn")
+TURNED_TWICE = (Identity(n + k), [EXCHANGE, T(EXCHANGE)])
+ROWS_SIGN = "exchanging k rows with n rows multiplies the determinant by that of the exchange, which is -1 if k and n are odd"
+
+
+def with_sign(s, t):
+    """(5.11) with the determinant of the exchange, which is 1 or -1."""
+    return eq(first(s, t), TURN * second(s, t), TURN * third(s, t)) & (TURN * TURN == 1)
+
+
+def exchanged(s, t):
+    """The determinants of the members of (5.11)."""
+    return order(factors=[TURNED_TWICE, (rows_exchanged(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL])])
+
+
+ANY_POINT = {"sizes": ["k", "n"], "over": {**ANY, s: scalar(), t: scalar()}}
+LET_TURN = [let(TURN, det(EXCHANGE))]
 claim("NWL92-E5.11", "three forms of p(s, t)",
-      eq(first(s, t), second(s, t), third(s, t)), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
+      eq(first(s, t), second(s, t), third(s, t)), **ANY_POINT,
       by=[example(ODD), instances(**SIZES)],
-      repair=repair("sign", ROWS_SIGN, eq(first(s, t), SWAP * second(s, t), SWAP * third(s, t)), sizes=["k", "n"],
-                    over={**ANY, s: scalar(), t: scalar()}, by=[identity(**EVERY), instances(**SIZES)]))
+      repair=repair("sign", ROWS_SIGN, with_sign(s, t), **ANY_POINT, where=LET_TURN, by=[exchanged(s, t), instances(**SIZES)]))
 
 claim("NWL92-E5.12", "p(t, s)",
-      eq(first(t, s), second(t, s), third(t, s)), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
+      eq(first(t, s), second(t, s), third(t, s)), **ANY_POINT,
       by=[example(ODD), instances(**SIZES)],
-      repair=repair("sign", ROWS_SIGN, eq(first(t, s), SWAP * second(t, s), SWAP * third(t, s)), sizes=["k", "n"],
-                    over={**ANY, s: scalar(), t: scalar()}, by=[identity(**EVERY), instances(**SIZES)]),
+      repair=repair("sign", ROWS_SIGN, with_sign(t, s), **ANY_POINT, where=LET_TURN, by=[exchanged(t, s), instances(**SIZES)]),
       note="p(t, s) is that of (5.11): its first member with s and t exchanged.")
 
 
@@ -346,13 +365,18 @@ claim("NWL92-E5.13", "the matrices of p(s, t) and p(t, s) are equal up to scalin
       scaled(1, t) * inner(s, t) * scaled(1 / t, 1) == scaled(1, s) * T(inner(t, s)) * scaled(1 / s, 1),
       sizes=["k", "n"], over=NONZERO, by=[identity(k=(1, 2, 3), n=(1, 2)), instances(**SIZES)])
 
+#: both sides of (5.13) have one determinant, and so have the members of (5.11), up to that of the exchange
+SCALED = scaled(1, t) * inner(s, t) * scaled(1 / t, 1)
+BOTH_DETERMINANTS = order(factors=[(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
+                                   TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])])
 claim("NWL92-E5.14", "determinants of (5.13)",
       t ** k * first(s, t) * t ** (-n) == s ** k * first(t, s) * s ** (-n), sizes=["k", "n"], over=NONZERO,
-      by=[identity(**EVERY), instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
+      by=[BOTH_DETERMINANTS, instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
-      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
-      by=[identity(**EVERY), instances(**SIZES)])
+      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
+      by=[BOTH_DETERMINANTS, instances(**SIZES)],
+      note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
 
 # ------------------------------------------------------------------ the stable eigenspace
 EIGENSPACE = {**PENCIL, X: matrix(n, n), Y: matrix(k, n), J: matrix(n, n)}
