@@ -30,8 +30,8 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "null_vector", "order", "positivity",
-    "steps", "use", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "first", "generic_index", "identity", "induction", "instances",
+    "lemma", "null_vector", "order", "positivity", "steps", "use", "within",
 ]
 
 
@@ -82,6 +82,7 @@ def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
 
 def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[Any, int, Any]]] = (),
               base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = (),
+              before: Sequence[Mapping[str, Any]] = (),
               shapes: Mapping[Expr | str, tuple[Sequence[Any], Sequence[Any]]] | None = None, **sizes: Iterable[int] | int) -> Evidence:
     """Base and step for a conclusion ``always(t, ...)`` or ``forall(t, a, b, ...)`` along recursions of the statement.
 
@@ -97,6 +98,8 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
     base, step : `order`, or a sequence of them
         Terms for the leaves of base and step, in the values at t, where the engine does not find them; one for each
         conjunct of the conclusion, or one for all. For every size.
+    before : sequence of `first`
+        Lemmas, each by an induction of its own, that what comes after them may use. For every size.
     shapes : mapping of recursion to (row sizes, column sizes)
         Blocks of its values, where those of the initial value are not fine enough. For every size.
     cofactors : for each equation, of the conclusion and of ``also``, a list of ``(left, number, right)``
@@ -105,12 +108,21 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
     rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
     hints: dict[str, Any] = {"sizes": _ranges(sizes), "cofactors": rows,
                              "also": tuple(tuple(to_expr(e).tree for e in some) if isinstance(some, (list, tuple)) else to_expr(some).tree for some in also)}
-    for key, given in (("base", base), ("step", step)):
-        if given:
-            hints[key] = tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given))
+    hints |= _base_and_step(base, step)
+    if before:
+        hints["before"] = tuple(before)
     if shapes:
         hints["shapes"] = {_name(k): [[to_expr(x).tree for x in side] for side in v] for k, v in shapes.items()}
     return Evidence("induction", hints)
+
+
+def first(says: Expr, *, also: Sequence[Any] = (), base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = ()) -> dict[str, Any]:
+    """A formula, or ``forall`` of one, to be shown before the conclusion of an `induction`; base, step and also as there."""
+    return {"says": to_expr(says).tree, "also": tuple(to_expr(e).tree for e in also), **_base_and_step(base, step)}
+
+
+def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
+    return {key: tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given)) for key, given in (("base", base), ("step", step)) if given}
 
 
 def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (),

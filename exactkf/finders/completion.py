@@ -95,6 +95,8 @@ class System:
         self.deadline = float("inf")
         self.written: dict[int, dict] = {}
         self.assumed = dict(assumed)
+        #: relations p q = 1, with p, by the name of q
+        self.quotients = {name: (f"quotient {n}", p) for n, (p, name) in enumerate(reader.quotients, 1) if f"quotient {n}" in assumed}
         self.waiting = sorted(assumed.items(), key=lambda item: (max((len(w) for _, w in item[1].poly), default=0), item[0]))
 
     # ------------------------------------------------------------------ monomials
@@ -330,17 +332,24 @@ class System:
         leading = [key for key in p if self._word(key) == lead]
         pick = leading if len(leading) == 1 else list(p)
         factor = ""
-        for name in self.reader.units:
+        for name in sorted(self.reader.units):
             if ("scalar", name) not in self.chars:
                 continue
             ch, inverse = self._scalar_char(name), self._scalar_char(name, True)
             least = min(key.count(ch) - key.count(inverse) for key in pick)
             factor += inverse * least if least > 0 else ch * -least
+            if least > 0 and name in self.quotients:
+                self._turn_over(name, inverse)
         if not factor:
             return p, origin
         factor = "".join(sorted(factor))
         return ({self._join("", k, "", factor): v for k, v in p.items()},
                 [(c, left, ref, right, _product(s, factor)) for c, left, ref, right, s in origin])
+
+    def _turn_over(self, name: str, inverse: str) -> None:
+        """A relation p q = 1 as the rule 1/q -> p, from when on 1/q comes up."""
+        relation, p = self.quotients.pop(name)
+        self._add("", inverse, {key: -c for key, c in self.encode(p).items()}, [(-1, "", relation, "", inverse)])
 
     def _add(self, lead: str, scalars: str, tail: dict[str, Any], origin: Origin) -> _Rule:
         self.made += 1

@@ -26,7 +26,7 @@ from exactkf.finders.completion import Stuck, system_of
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.recursion import Induction, along, inductions
+from exactkf.kernel.recursion import Induction, along, before, inductions
 from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
@@ -123,19 +123,30 @@ def find_induction(statement: dict, hints: Any = None, seconds: float = 5.0) -> 
     """
     hints = hints or {}
     for shapes in [hints["shapes"]] if hints.get("shapes") else _shapes(statement):
-        conjuncts = []
-        for number, part in enumerate(inductions(statement)):
-            try:
-                made = Induction(part, along(hints.get("also", ()), number), shapes)
-                proofs = _prove_cases(made, hints, number, seconds)
-            except (Unknown, Undefined, KeyError, TypeError, IndexError):
-                proofs = None
-            if proofs is None:
+        first, rest = [], statement
+        for lemma in hints.get("before", ()):
+            alone, formula, rest = before(rest, lemma["says"])
+            also = list(lemma.get("also", ()))
+            first.append({"says": lemma["says"], "also": also, "proofs": _prove_part(alone, [formula, *also], shapes, lemma, 0, seconds)})
+            if first[-1]["proofs"] is None:
                 break
-            conjuncts.append(proofs)
         else:
-            return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes}
+            conjuncts = []
+            for number, part in enumerate(inductions(rest)):
+                conjuncts.append(_prove_part(part, along(hints.get("also", ()), number), shapes, hints, number, seconds))
+                if conjuncts[-1] is None:
+                    break
+            else:
+                lemmas = {"before": first} if first else {}
+                return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes, **lemmas}
     return None
+
+
+def _prove_part(part: dict, also: Any, shapes: Any, hints: Any, number: int, seconds: float) -> list | None:
+    try:
+        return _prove_cases(Induction(part, also, shapes), hints, number, seconds)
+    except (Unknown, Undefined, KeyError, TypeError, IndexError):
+        return None
 
 
 def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> list | None:
@@ -225,7 +236,7 @@ def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, de
         try:
             leaf = Leaf(case, formula, terms, **more, **way)
             blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
-        except (Unknown, Undefined):
+        except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
             continue
         if None not in blocks:
             return {"sum": terms, "blocks": blocks, **more, **way}
@@ -246,6 +257,7 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
             yield from ({"null": label} for label in labels)
             yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
             yield from (way for way in units if way["null"][1] != 1)
+            yield from ({"null": ["sym", d[1]]} for d in case["where"] if d[0] == "let" and not d[2])
         yield {}
         return
     if not rank or len(terms) == 4:

@@ -58,8 +58,7 @@ class Terms:
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive = _recursive(self.definitions)
-        self.in_z = _in_z(self.definitions)
+        self.recursive, self.in_z = _classified(statement, self.definitions)
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
@@ -601,6 +600,16 @@ def _names(tree: Any) -> Iterator[str]:
             yield tree[1]
         for x in tree:
             yield from _names(x)
+
+
+_last: list[Any] = [None, set(), set()]  # a statement with what `_classified` says of it: many are asked for in a row
+
+
+def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str]]:
+    """Recursive definitions, and those whose value depends on z."""
+    if _last[0] is not statement:
+        _last[:] = statement, _recursive(definitions), _in_z(definitions)
+    return _last[1], _last[2]
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:

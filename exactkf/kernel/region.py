@@ -43,6 +43,19 @@ def form_key(form: Form) -> tuple:
     return tuple(sorted(form.items()))
 
 
+def _bounded(forms: list[Form]) -> list[Form]:
+    """The forms without those that hold where a parameter is large enough, or small enough: no other form bounds it on that side."""
+    while True:
+        signs: dict[str, int] = {}
+        for f in forms:
+            for n, c in f.items():
+                signs[n] = signs.get(n, 0) | (1 if c > 0 else 2)
+        free = {n for n, s in signs.items() if n and s != 3}
+        if not free:
+            return forms
+        forms = [f for f in forms if free.isdisjoint(f)]
+
+
 class Region:
     """Integer points with every given form >= 0; forced equations are solved for a parameter."""
 
@@ -73,17 +86,25 @@ class Region:
 
     def _possible(self, extra: Form) -> bool:
         """Some rational point has every form and this one >= 0, by Fourier-Motzkin elimination."""
-        forms = {form_key(f): f for f in [*self.forms, extra]}
-        while names := {n for f in forms.values() for n in f if n}:
-            name = min(names, key=lambda n: sum(n in f for f in forms.values()))
-            low = [f for f in forms.values() if f.get(name, 0) > 0]
-            high = [f for f in forms.values() if f.get(name, 0) < 0]
-            kept = [f for f in forms.values() if name not in f]
+        forms = _bounded([*self.forms, extra])
+        while forms:
+            counts: dict[str, int] = {}
+            for f in forms:
+                for n in f:
+                    counts[n] = counts.get(n, 0) + 1
+            counts.pop("", None)
+            if not counts:
+                break
+            name = min(counts, key=counts.__getitem__)
+            low = [f for f in forms if f.get(name, 0) > 0]
+            high = [f for f in forms if f.get(name, 0) < 0]
+            kept = {frozenset(f.items()): f for f in forms if name not in f}
             for a in low:
                 for b in high:
-                    kept.append(plus({n: -b[name] * c for n, c in a.items()}, b, a[name]))
-            forms = {form_key(f): f for f in kept}
-        return all(f.get("", 0) >= 0 for f in forms.values())
+                    f = plus({n: -b[name] * c for n, c in a.items()}, b, a[name])
+                    kept[frozenset(f.items())] = f
+            forms = _bounded(list(kept.values()))
+        return all(f.get("", 0) >= 0 for f in forms)
 
     @property
     def empty(self) -> bool:
