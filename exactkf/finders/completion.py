@@ -34,7 +34,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.reader import Reader
-from exactkf.kernel.words import Poly, Relation
+from exactkf.kernel.words import Poly, Relation, times_scalars
 
 __all__ = ["Stuck", "System", "system_of"]
 
@@ -152,20 +152,19 @@ class System:
     # ------------------------------------------------------------------ goals
     def express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         """Terms [c, left, name, right] (with scalars as a fifth entry, where there are) that add up to the goal."""
-        found = self._express(self.encode(goal), deadline)
-        units = [n for n in sorted(self.reader.units) if any(e < 0 for s, _ in goal for m, e in s if m == n)]
-        if not isinstance(found, Stuck) or not units:
+        found = self._express(goal, deadline)
+        powers = {n: max(-e for s, _ in goal for m, e in s if m == n) for s, _ in goal for n, e in s if e < 0}
+        if not isinstance(found, Stuck) or not powers:
             return found
-        cleared, factor = self._without_units(self.encode(goal), [(1, "", "", "", "")])  # no longer divided by scalars that do not vanish
-        again = self._express(cleared, deadline)
-        if isinstance(again, Stuck):
+        above, below = (tuple(sorted((n, sign * e) for n, e in powers.items())) for sign in (1, -1))
+        cleared = self._express({(times_scalars(s, above), word): c for (s, word), c in goal.items()}, deadline)
+        if isinstance(cleared, Stuck):
             return found
-        back = {n: -e for n, e in self.decode(factor[0][4])[0]}
-        return [[*term[:4], _times_scalars(term[4] if len(term) > 4 else [], back)] for term in again]
+        return [[*term[:4], [list(x) for x in times_scalars(tuple((n, e) for n, e in (term[4] if len(term) > 4 else ())), below)]] for term in cleared]
 
-    def _express(self, goal: dict[str, Any], deadline: float) -> list[list] | Stuck:
+    def _express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         self.deadline = deadline
-        rest, used = self._reduce(goal)
+        rest, used = self._reduce(self.encode(goal))
         while rest:
             if time.perf_counter() > deadline:
                 return self._stuck("out of time", rest)
@@ -429,14 +428,6 @@ def system_of(reader: Reader, assumed: Mapping[str, Relation], degree: int) -> S
 
 
 # ---------------------------------------------------------------------- scalars and numbers
-def _times_scalars(scalars: list[list], more: Mapping[str, int]) -> list[list]:
-    """A product of powers, as the terms have it."""
-    powers = dict(more)
-    for n, e in scalars:
-        powers[n] = powers.get(n, 0) + e
-    return [[n, e] for n, e in sorted(powers.items()) if e]
-
-
 def _product(s: str, t: str) -> str:
     if not s or not t:
         return s or t
