@@ -248,7 +248,7 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
     op = formula[0]
     rank = op == "=" and isinstance(formula[1], list) and formula[1][0] == "rank"
     labels = [label for label, f, _ in reversed(case["given"]) if f[0] == "="]
-    if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms):  # an inverse to be brought in, most likely
+    if terms and all(isinstance(t, list) and t[0] in ("inv", "/") for t in terms):  # an inverse to be brought in, most likely
         yield {}
     if op in ("=", "symmetric", "symplectic") and not rank:
         if terms:

@@ -339,6 +339,8 @@ class Leaf:
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
         for tree in terms:
             rest = reader._plus(rest, reader.read(tree), -1)
+        if not isinstance(rest, Blocks):
+            raise Unknown("no matrix K in the hypothesis Kx = 0")
         self._vanish(x, terms)
         return rest
 

@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -405,7 +405,7 @@ claim("NWL92-S7", ("[R H] has full row rank exactly if no two independent noise-
                                       "the row rank, and then two independent ones need not exist; the combinations "
                                       "must be called different, not independent"),
                     iff(rank(RH) == p, rank(NOISE_FREE * H) == size_of(NOISE_FREE)),
-                    sizes=["p", "n"], over=ANY, where=[FREE], by=[instances(p=(1, 2, 3), n=(1, 2, 3))]),
+                    sizes=["p", "n"], over=ANY, where=[FREE], by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))]),
       note=("The rows of N' are a basis of the combinations d'y without noise, d'R = 0. Two independent ones that "
             "measure the same combination of x exist exactly if there are at least two rows and N'H has dependent "
             "rows. Two different ones exist exactly if N'H has dependent rows."))
@@ -414,16 +414,23 @@ claim("NWL92-S7", ("[R H] has full row rank exactly if no two independent noise-
 M, E = symbols("M E")
 k = sym("k")
 Gx = sym("Gx")
+KERNEL, V0 = K * T(K), null_vector()
+SEMIREGULAR = T(V0) * K * T(K) * K * T(K) * V0
+GRAM_INVERSE = inv(T(K) * K)
+SPLITS = [M * KERNEL * K == K, Zm * M * K * (T(K) * K) == 0 * K, Zm * M * K == 0 * K]
 claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and all of them are known",
-      symmetric(Gx) & (Zm * Gx * Zm == Zm) & (G == M + K * T(K) * Y + T(Y) * K * T(K)),
+      invertible(Zm + K * T(K)) & symmetric(Gx) & (Zm * Gx * Zm == Zm) & (G == M + K * T(K) * Y + T(Y) * K * T(K)),
       sizes=["k"], over={Zm: symmetric_matrix(k), G: symmetric_matrix(k), X: matrix(k, k)},
       where=[let(K, kernel_basis(Zm)), let(M, inv(Zm + K * T(K))), let(Gx, M + K * T(K) * X + T(X) * K * T(K)),
              let(E, G - M), let(Y, M * (E - half * E * K * T(K) * M))],
       given=[given("(2.20)", Zm * G * Zm == Zm)],
-      by=[instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)},
+      by=[order([T(K) * K], [], [SEMIREGULAR], [], [], [T(V0) * V0], [], *([[], [], [GRAM_INVERSE], []] * 2), lemmas=[invertible(T(K) * K)],
+                inside=[within(1, SEMIREGULAR * Identity(1) == Zero(1, 1), KERNEL * V0 == Zero(k, 1), T(K) * V0 == 0 * (T(K) * V0), Zm * V0 == Zero(k, 1),
+                               vector="right"), *(within(number, *SPLITS) for number in (3, 4))]),
+          instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)},
                     k=(1, 2, 3, 4))],
       note=("A definition; what is checked is that it is not empty, and the general form from which the instances of "
-            "the other claims are drawn: Gx for any X."))
+            "the other claims are drawn: Gx for any X. The columns of K are a basis of the null space of Z."))
 
 claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
       (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & excess(L, U, R),
