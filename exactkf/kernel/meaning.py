@@ -76,10 +76,10 @@ class World:
             return special(self, tree, local or {})
         if len(tree) == 3 and op in _OF_INTEGERS:
             _, x, y = tree
-            if type(x) is not int:
-                x = self.value(x, local)
+            if type(x) is not int:  # an index at once: most operands are one
+                x = local[x[1]] if local and x[0] == "sym" and x[1] in local else self.value(x, local)
             if type(y) is not int:
-                y = self.value(y, local)
+                y = local[y[1]] if local and y[0] == "sym" and y[1] in local else self.value(y, local)
             if type(x) is int and type(y) is int:
                 return _OF_INTEGERS[op](x, y)
             if self.symbolic and op in _NOT_GENERIC:
@@ -119,7 +119,8 @@ class World:
         name = tree[1]
         definition = self.definitions.get(name)
         if definition is not None and (definition[0] == "rec" or definition[2]) and name not in self.values and name not in local:
-            return self.call(name, tuple([a if type(a) is int else self.value(a, local) for a in tree[2:]]))
+            return self.call(name, tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local)
+                                          for a in tree[2:]]))
         sequence = self.name(tree, local)
         if isinstance(sequence, Matrix):
             return _pick(sequence, *(self.integer(a, local) for a in tree[2:]))
