@@ -24,7 +24,6 @@ from exactkf.language import (
             forall,
             function,
             given,
-            iff,
             inv,
             laurent,
             let,
@@ -167,14 +166,16 @@ claim("BLZ94-C7.2.1", "for the points of the global stable manifold the reduced 
       note="u, v are the reduced a, b of (7.1b) and w, x the two factors of the limit. A consequence: an equilibrium tends to itself, but a = b is not coprime with itself.",
       repair=repair("missing hypothesis", "Coprimeness must be asked of the zeros outside alone: a common zero s of the reduced a and b does no harm exactly if it lies inside. Then it is a "
                                           "zero of w, and what is left has the limit w(z)/(z - s); otherwise 1/s is one, and the limit is another.",
-                    iff(substitute(w, s) == 0, abs(s) < 1), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n + 1), s: nonzero(), r: nonzero()},
-                    given=[standing("w is Schur", schur(w)), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * w * recip(w))],
+                    ~coprime(w, Z - p), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n + 1), s: nonzero(), r: nonzero()},
+                    where=[let(p, when(abs(s) < 1, s, 1 / s))],
+                    given=[given("w is Schur", schur(w)), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * w * recip(w))],
                     by=[steps("BLZ94-X.3", "BLZ94-X.4", facts=["a polynomial has one factorization into linear ones", "Theorem 7.1 (iii)"],
                               prose="At z = s the left side vanishes, so w(s) = 0 or w(1/s) = 0, and all zeros of w lie inside."),
-                        instances(20, n=(0, 1, 2), using={y: monic(n)},
+                        instances(20, n=(1, 2), using={y: monic(n)},
                                   made_by={u: substitute(y, 4 * Z) / to_expr(4) ** n, v: u, w: u * (Z - when(abs(s) < 1, s, 1 / s)), r: when(abs(s) < 1, 2, 2 * s**2)}),
                         example(n=1, u=[0, 1], v=["4/5", 1], w=["-1/6", "1/6", 1], s="1/3", r="8/5"), example(n=1, u=[0, 1], v=["4/5", 1], w=["-1/6", "1/6", 1], s=3, r="72/5"),
-                        example(n=1, u=[0, 1], v=[0, 1], w=["-1/6", "1/6", 1], s=3, r=1), example(n=0, u=[1], v=[1], w=["1/2", 1], s="1/3", r=1)]))
+                        example(n=1, u=[0, 1], v=[0, 1], w=["-1/6", "1/6", 1], s=3, r=1), example(n=0, u=[1], v=[1], w=["1/2", 1], s="1/3", r=1),
+                        example(n=0, u=[1], v=[1], w=[-3, 1], s="1/3", r="2/9")]))
 
 claim("BLZ94-C7.2.2", "for the points of the global unstable manifold the reduced polynomials are coprime",
       coprime(u, v), sizes=["n", "k"], over={u: monic(k), v: monic(k), w: monic(n), x: monic(k)},
@@ -182,14 +183,16 @@ claim("BLZ94-C7.2.2", "for the points of the global unstable manifold the reduce
       by=[example(n=0, k=1, u=[2, 1], v=[2, 1], w=[1], x=[2, 1]), instances(n=(0, 1), k=(0,), made_by={u: x, v: x})],
       note="u, v are a and b without the factor w. The equilibrium belongs to its unstable manifold, but a = b.",
       repair=repair("missing hypothesis", "A common zero s of the reduced a and b does no harm exactly if it lies outside: then it is a zero of the factor with zeros outside.",
-                    iff(substitute(x, s) == 0, abs(s) > 1), sizes=["k"], over={u: monic(k), v: monic(k), x: monic(k + 1), s: nonzero(), r: nonzero()},
-                    given=[standing("zeros of x outside", outside_roots(x) == k + 1), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * x * recip(x))],
+                    ~coprime(x, Z - p), sizes=["k"], over={u: monic(k), v: monic(k), x: monic(k + 1), s: nonzero(), r: nonzero()},
+                    where=[let(p, when(abs(s) > 1, s, 1 / s))],
+                    given=[given("zeros of x outside", outside_roots(x) == k + 1), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * x * recip(x))],
                     by=[steps("BLZ94-X.3", "BLZ94-X.4", facts=["a polynomial has one factorization into linear ones", "Theorem 7.1 (iii), with S^(-1) for S"],
                               prose="At z = s the left side vanishes, so x(s) = 0 or x(1/s) = 0, and all zeros of x lie outside."),
-                        instances(20, k=(0, 1), using={y: scalar()},
-                                  made_by={u: when(k == 0, 1, Z - 4 - y**2), v: u, x: u * (Z - when(abs(s) > 1, s, 1 / s)), r: when(abs(s) > 1, 2, 2 * s**2)}),
+                        instances(20, k=(1,), using={y: scalar()},
+                                  made_by={u: Z - 4 - y**2, v: u, x: u * (Z - when(abs(s) > 1, s, 1 / s)), r: when(abs(s) > 1, 2, 2 * s**2)}),
                         example(k=0, u=[1], v=[1], x=["-3", 1], s="1/3", r="2/9"), example(k=0, u=[1], v=[1], x=["-3", 1], s=3, r=2),
-                        example(k=0, u=[1], v=[1], x=["-3", 1], s=2, r=1), example(k=0, u=[1], v=[1], x=["-3", 1], s="1/2", r=1)]))
+                        example(k=0, u=[1], v=[1], x=["-3", 1], s=2, r=1), example(k=0, u=[1], v=[1], x=["-3", 1], s="1/2", r=1),
+                        example(k=0, u=[1], v=[1], x=["-1/3", 1], s=3, r=18)]))
 
 claim("BLZ94-C7.2.3", "the equilibria as a center manifold",
       forall(i, 1, n, (laurent(alpha[1][i], 0) == w[i]) & (laurent(alpha[1][i], 1) == u[i]) & (laurent(gamma[1][i], 0) == 0)
