@@ -20,7 +20,8 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
   condition on the initial subspace is left over: coprime data never meet the codominant subspace (BLZ94 Lemma 6.12).
 * If `D` changes sign on the circle the orbit never converges.  It is periodic if and only if the zeros
   of `D` are distinct roots of unity; its period is then the least common multiple of their
-  orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
+  orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.
+  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
 * Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
   a question about zeros of linear recurring sequences, for which no general method is known.
 
