@@ -268,17 +268,15 @@ class System:
             for at in range(len(word) - n + 1):
                 for rule in self.rules.get(word[at:at + n], ()):
                     if not rule.scalars:
-                        if not n and self._rows(word, at) != self._rows_of(rule):
-                            continue  # I = 0, of one size
+                        if not n and word and self._rows(word, at) != self._rows_of(rule):
+                            continue  # I = 0, of one size; that of the empty word is not known here, a replay refuses a wrong one
                         return rule, word[:at], word[at + n:], scalars
                     if (rest := _quotient(scalars, rule.scalars)) is not None:
                         return rule, word[:at], word[at + n:], rest
         return None
 
     def _rows(self, word: str, at: int) -> Any:
-        """Size between two letters of a word."""
-        if not word:
-            return None
+        """Size between two letters of a word that is not empty."""
         return self.reader.sizes[self.names[word[at]]][0] if at < len(word) else self.reader.sizes[self.names[word[-1]]][1]
 
     def _rows_of(self, rule: _Rule) -> Any:
