@@ -26,6 +26,7 @@ Main definitions
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
@@ -132,6 +133,8 @@ class Witness:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
+            if key[0] == "prod":
+                return bool(self._number(key[1]))
         try:
             values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
@@ -146,9 +149,41 @@ class Witness:
             total += term
         return total != 0
 
+    def _number(self, body: tuple) -> Fraction | None:
+        """The factor of a product at the point, where it is the same number at every index."""
+        total = Fraction(0)
+        for monomial, c in body:
+            term = Fraction(c)
+            for key, e in monomial:
+                try:
+                    x = self.value(key)
+                except (Unknown, Undefined):
+                    x = None
+                if x is None:
+                    return None
+                term *= x**e
+            total += term
+        return total
+
+    def _opaque(self, key: tuple) -> Fraction | None:
+        """The determinant of a matrix that is the identity at the point, or has zeros above its diagonal of ones, is one."""
+        tree, env = json.loads(key[1]), dict[str, Form]()
+        if tree[0] != "det":
+            raise Unknown("no value of a term that is not opened")
+        for number in range(len(key) - 2):
+            env[f"@{number}"] = {f"@{number}": 1}
+        matrix = _with_names(tree[1])
+        if _looked_at(self, matrix, env):
+            return Fraction(1)
+        raise Unknown("no value of a determinant")
+
     def value(self, key: tuple) -> Fraction | None:
         """The value of an atom, None if it has one that is not known; Unknown if it may have none."""
         kind, name = key[:2]
+        if kind == "prod":  # of factors one at the point: then P is one there
+            return Fraction(1) if self._number(key[1]) == 1 else None
+        if kind == "opaque":
+            return self._opaque(key)
         if kind == "sum":  # of atoms that have been looked at
             return None
         if kind == "at" and name in self.entries:
@@ -186,3 +221,34 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
+
+
+def _with_names(tree: Any) -> Any:
+    """A text of a term with names for its indices."""
+    if not isinstance(tree, list):
+        return tree
+    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [_with_names(x) for x in tree]
+
+
+def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:
+    """Whether a square matrix has ones on and zeros above its diagonal, at the point and whatever its indices are."""
+    def ones(region: Region, on: bool, splits: int = 0) -> bool:
+        if region.empty:
+            return True
+        terms = _AtPoint(witness, region)
+        try:
+            x = terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
+        except Split as split:
+            return splits < _MOST_SPLITS and all(ones(part, on, splits + 1) for part in region.cases(split.form))
+        return not terms.field.factors and not (x - terms.number(int(on))).num
+
+    try:
+        terms = _AtPoint(witness, Region(witness.sizes))
+        rows, cols = terms.shape(matrix, env)
+        if not terms.is_matrix(matrix) or plus(rows, cols, -1):
+            return False
+        gap: Form = {"column": 1, "row": -1}
+        square = Region([*witness.sizes, {"row": 1, "": -1}, plus(rows, {"row": 1}, -1), {"column": 1, "": -1}, plus(rows, {"column": 1}, -1)])
+        return ones(square.and_(gap, plus({}, gap, -1)), True) and ones(square.and_(plus(gap, {"": 1}, -1)), False)
+    except (Unknown, Undefined, KeyError):
+        return False

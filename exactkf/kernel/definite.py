@@ -64,6 +64,7 @@ def apart(reader: Reader) -> Reader:
     probe = copy(reader)
     probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
     probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
+    probe.kernels = list(reader.kernels)
     return probe
 
 
@@ -222,8 +223,8 @@ def nonsingular(reader: Reader, tree: Any) -> bool:
         return True
     if tree[0] == "T":
         return nonsingular(reader, tree[1])
-    if tree[0] == "*":
-        return all(nonsingular(reader, x) or (_is_number(reader, x) and sign(reader, x) == 2) for x in tree[1:])
+    if tree[0] == "*" and all(nonsingular(reader, x) or (_is_number(reader, x) and sign(reader, x) == 2) for x in tree[1:]):
+        return True
     if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
         return True
     if tree[0] == "sym" and tree[1] not in reader.kinds:

@@ -106,10 +106,10 @@ class World:
             return special(self, tree, local or {})
         if len(tree) == 3 and op in _OF_INTEGERS:
             _, x, y = tree
-            if type(x) is not int:
-                x = self.value(x, local)
+            if type(x) is not int:  # an index at once: most operands are one
+                x = local[x[1]] if local and x[0] == "sym" and x[1] in local else self.value(x, local)
             if type(y) is not int:
-                y = self.value(y, local)
+                y = local[y[1]] if local and y[0] == "sym" and y[1] in local else self.value(y, local)
             if type(x) is int and type(y) is int:
                 return _OF_INTEGERS[op](x, y)
             if self.symbolic and op in _NOT_GENERIC:
@@ -147,9 +147,9 @@ class World:
 
     def at(self, tree: Any, local: Mapping[str, Any]) -> Any:
         name = tree[1]
-        definition = self.definitions.get(name) if name not in self.values and name not in local else None
-        if definition is not None and (definition[0] == "rec" or definition[2]):
-            args = tuple(self.value(a, local) for a in tree[2:])
+        definition = self.definitions.get(name)
+        if definition is not None and (definition[0] == "rec" or definition[2]) and name not in self.values and name not in local:
+            args = tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local) for a in tree[2:]])
             if self.symbolic:
                 _need_near(args)
             return self.call(name, args)
@@ -168,18 +168,25 @@ class World:
 
     def call(self, name: str, args: tuple) -> Any:
         """Value of a definition, remembered when its arguments are integers."""
-        key = (name, args) if all(isinstance(a, int) for a in args) else None
-        if key in self.memory and key is not None:
-            found = self.memory[key]
-            if isinstance(found, Undefined):
-                raise found
-            return found
+        key: tuple | None = (name, args)
+        for a in args:
+            if not isinstance(a, int):
+                key = None
+                break
+        else:
+            found = self.memory.get(key, self)
+            if found is not self:
+                if isinstance(found, Undefined):
+                    raise found
+                return found
         if self.depth > _DEEPEST:
             raise _TooDeep(f"definition of {name} does not end")
         self.depth += 1
         try:
-            self._climb(name, args)
-            result = self._define(name, args)
+            definition = self.definitions[name]
+            if definition[0] == "rec":
+                self._climb(definition, args)
+            result = self._define(definition, args)
         except _TooDeep:
             raise
         except RecursionError:
@@ -194,19 +201,18 @@ class World:
             raise result
         return result
 
-    def _climb(self, name: str, args: tuple) -> None:
+    def _climb(self, definition: Any, args: tuple) -> None:
         """Values of a long recursion from its start on, so that none is deep."""
-        definition = self.definitions[name]
-        if definition[0] == "rec" and len(args) == 1 and isinstance(args[0], int) and args[0] - definition[3] < 10**4:
+        name, start = definition[1], definition[3]
+        if len(args) == 1 and isinstance(args[0], int) and args[0] - start < 10**4:
             known = args[0] - 1
-            while known > definition[3] and (name, (known,)) not in self.memory:
+            while known > start and (name, (known,)) not in self.memory:
                 known -= 1
-            for k in range(known, args[0]):
-                if k > definition[3]:
-                    self.call(name, (k,))
+            for k in range(max(known, start + 1), args[0]):
+                self.call(name, (k,))
 
-    def _define(self, name: str, args: tuple) -> Any:
-        definition = self.definitions[name]
+    def _define(self, definition: Any, args: tuple) -> Any:
+        name = definition[1]
         if definition[0] == "let":
             params, body = definition[2], definition[3]
             if len(params) != len(args):
@@ -247,9 +253,23 @@ def _prod(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
 
 def truth(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
     result = world.value(tree, local)
-    if not isinstance(result, bool):
-        raise Undefined("a term stands where a formula is needed")
-    return result
+    if result is True or result is False:
+        return result
+    raise Undefined("a term stands where a formula is needed")
+
+
+def _and(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    for x in tree[1:]:  # noqa: SIM110 - faster than all()
+        if not truth(world, x, local):
+            return False
+    return True
+
+
+def _or(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
+    for x in tree[1:]:  # noqa: SIM110
+        if truth(world, x, local):
+            return True
+    return False
 
 
 def _every(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
@@ -546,8 +566,7 @@ _SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
     "block": _blocks, "rows": _table,
     "rat": lambda w, t, loc: rational(t[1], t[2]),
     "if": lambda w, t, loc: w.value(t[2] if _condition(w, t[1], loc) else t[3], loc),
-    "and": lambda w, t, loc: all(truth(w, x, loc) for x in t[1:]),
-    "or": lambda w, t, loc: any(truth(w, x, loc) for x in t[1:]),
+    "and": _and, "or": _or,
     "not": lambda w, t, loc: not _condition(w, t[1], loc),
     "<=>": lambda w, t, loc: _condition(w, t[1], loc) == _condition(w, t[2], loc),
 }

@@ -22,7 +22,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "fraction", "rational", "rationals", "sign"]
+__all__ = ["FieldElement", "Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "fraction", "rational", "rationals", "sign"]
 
 
 class Undefined(Exception):
@@ -35,6 +35,23 @@ class Unknown(Exception):
 
 class Rejected(Exception):
     """A step of the certificate does not replay."""
+
+
+class FieldElement:
+    """Subtraction from the left and division, for numbers with ``+``, ``-x``, ``*``, `inverse` and `_coerce`."""
+
+    __slots__ = ()
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other  # type: ignore[operator]
+
+    def __truediv__(self, other: Any) -> Any:
+        y = self._coerce(other)  # type: ignore[attr-defined]
+        return NotImplemented if y is None else self * y.inverse()  # type: ignore[operator]
+
+    def __rtruediv__(self, other: Any) -> Any:
+        y = self._coerce(other)  # type: ignore[attr-defined]
+        return NotImplemented if y is None else y * self.inverse()  # type: ignore[attr-defined]
 
 
 _rational: Callable[[int, int], Any] = Fraction

@@ -50,7 +50,7 @@ __all__ = ["check_order_one"]
 
 _BLANK: dict[str, Any] = {
     "order": 1, "behaviour": "", "escape": None, "never_escapes": True, "limit": None, "rate": None, "monotone_from": None,
-    "region": "", "period": None, "torus_dimension": None, "enters_positive_real": None,
+    "region": "", "period": None, "preperiod": None, "torus_dimension": None, "enters_positive_real": None,
 }
 
 

@@ -22,8 +22,10 @@ from exactkf.language import (
     T,
     Zero,
     always,
+    column,
     diagonal,
     eq,
+    forall,
     function,
     given,
     hstack,
@@ -31,9 +33,9 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
-    matrix_of,
     nonneg,
     nonsingular,
+    nonzero,
     pd,
     positive,
     positive_definite,
@@ -41,15 +43,16 @@ from exactkf.language import (
     rank,
     rec,
     scalar,
+    sequence_of,
     signal_of,
     standing,
-    sum_of,
     symbols,
     symmetric_matrix,
     vector,
     vstack,
+    when,
 )
-from proofs.b93.notation import d, i, j, k, n, p, q, r
+from proofs.b93.notation import d, i, k, n, p, q, r
 
 A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
 P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
@@ -72,11 +75,14 @@ not_checked("B93-E18", "the time-invariant system and the sampling times", "a de
 # ---------------------------------------------------------------- random sampling
 Z_, w, e = symbols("Z w e")
 claim("B93-S50", "the state over several steps",
-      (X(n) == A**n * x0 + sum_of(k, 0, n - 1, A**k * F * matrix_of(i, j, p, 1, e[i, n - k]))) & (Y(n) - y == C * X(n)), sizes=["d", "p", "q", "n"],
-      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), x0: vector(d), e: matrix(p, n), y: vector(q)},
-      where=[rec(X, t, x0, A * X[t] + F * matrix_of(i, j, p, 1, e[i, t + 1])), function(Y, [k], C * X(k) + y)],
-      by=[instances(**SMALL, n=(1, 2, 3))],
-      note="x0 is the state at time T_(n-1), n the gap T_n - T_(n-1), the columns of e are the noises in between and y that of the observation.")
+      forall(t, 0, n, (X[n] == U[t] * X[n - t] + Z_[t]) & (Y(n) - e[n] == C * X[n])), sizes=["d", "p", "q", "n"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), x0: matrix(d, 1), w: sequence_of(matrix(p, 1), 1, n), e: sequence_of(matrix(q, 1), 0, n)},
+      where=[rec(X, t, x0, A * X[t] + F * w[t + 1]), function(Y, [k], C * X[k] + e[k]),
+             rec(U, t, I, U[t] * A), rec(Z_, t, Zero(d, 1), Z_[t] + U[t] * F * w[n - t])],
+      given=[standing("the recursion, counted from the end", forall(k, 0, n - 1, X[k + 1] == A * X[k] + F * w[k + 1]))],
+      by=[induction(), instances(**SMALL, n=(1, 2, 3))],
+      note="Times are counted from T_(n-1), so that n is the gap T_n - T_(n-1); w and e are the two noises. U_t = A^t, and Z_t is the sum of "
+           "A^k F w_(n-k) over k < t; the display is t = n.")
 
 claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size of eps_n",
       (F * T(F) == K * K) & (p == d), sizes=["d", "p"], over={F: matrix(d, p), K: symmetric_matrix(d)},
@@ -85,12 +91,12 @@ claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size o
       repair=repair("other", "F_n is d x d, so that alpha_n has d components, not p.",
                     (E * T(E) == I) & (K * E == F * U), sizes=["d", "p", "r"],
                     over={F: matrix(d, p), U: matrix(p, r), K: symmetric_matrix(d), G: matrix(d, d), W: matrix(d, r), E: matrix(d, r)},
-                    given=[given("F_n is a symmetric root", K * K == F * T(F)), given("G is a generalized inverse", K * G * K == K),
+                    where=[let(Z_, I - K * G)], given=[given("F_n is a symmetric root", K * K == F * T(F)), given("G is a generalized inverse", K * G * K == K),
                            standing("which commutes with K and is symmetric", (K * G == G * K) & (G == T(G)) & (G * K * G == G)),
                            given("the noise is standard", U * T(U) == Identity(p)),
                            given("an independent standard vector", (W * T(W) == I) & (W * T(U) == Zero(d, p))),
                            given("alpha_n", E == G * F * U + (I - G * K) * W)],
-                    by=[order(lemmas=[(I - K * G) * F == Zero(d, p)]),
+                    by=[order([F * T(F)], lemmas=[T(F) * Z_ == Zero(p, d)]),
                         instances(d=(1, 2), p=(1, 2), r=(4,), made_by={
                             F: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)),
                             K: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)) * T(hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p))),
@@ -108,12 +114,12 @@ claim("B93-S53", "controllability and observability of the system suffice for th
       given=[given("(C, A) is observable", rank(vstack(C, C * A)) == 2)],
       by=[example(n=2, A=[[0, -1], [1, 0]], C=[[1, 0]]), instances(n=(1, 2, 3))],
       repair=repair("missing hypothesis", "The powers of A at the gaps may lose observability; it has to be asked of the sampled system.",
-                    pd(T(A**n) * T(C) * C * A**n + T(A**(2 * n)) * T(C) * C * A**(2 * n)), sizes=["n"],
-                    over={A: nonsingular(2), C: matrix(1, 2)},
-                    given=[given("(C, A^n) is observable", rank(vstack(C, C * A**n)) == 2)],
-                    by=[example(n=2, A=[[0, -1], [1, 0]], C=[[1, 0]]), instances(n=(1, 2, 3))]),
+                    pd(T(A) * T(C) * C * A + T(A * A) * T(C) * C * (A * A)), sizes=["d", "q"],
+                    over={A: nonsingular(d), C: matrix(q, d)}, where=[let(O, vstack(C, C * A))],
+                    given=[given("(C, A) is observable in two steps", rank(O) == d)],
+                    by=[order([T(A) * T(O) * O * A]), example(d=2, q=1, A=[[-1, 0], [0, -1]], C=[[1, 0]]), instances(d=(1, 2), q=(1, 2))]),
       note="For d = 2, q = 1 and all gaps equal to n, where weak observability is that of the pair (C, A^n) and two terms of the sum decide. "
-           "The matrix A may be a rotation by a right angle and n = 2.")
+           "The matrix A may be a rotation by a right angle and n = 2. In the repair A is the matrix of the sampled system, A^n here; d and q are any.")
 not_checked("B93-S54", "no uniform controllability", "what can be expected is not a mathematical assertion")
 not_checked("B93-S55", "the error covariance as a Markov chain", "a statement about transition probabilities and irreducibility; it has no exact instances")
 not_checked("B93-S56", "systems that fail satisfy H", MEASURE)
@@ -213,17 +219,18 @@ claim("B93-S70", "the norm of K_n x",
       over={K: matrix(d, d), x: vector(d)}, where=[let(Pbar, T(K) * K)],
       by=[example(d=1, K=[[1]], x=[2]), instances(d=(1, 2))],
       repair=repair("factor", "The norm of x is missing on the right; it is right for unit vectors.",
-                    (T(x) * T(K) * K * x == T(x) * Pbar * x) & (T(K * x) * (K * x) <= si * T(x) * x), sizes=["d"],
-                    over={K: matrix(d, d), x: vector(d), si: nonneg()}, where=[let(Pbar, T(K) * K)],
-                    given=[given("||Pbar|| <= sigma", loewner(si * I, Pbar))],
-                    by=[order([], [T(x) * (si * I - T(K) * K) * x]), instances(d=(1, 2), made_by={K: I, si: 1}), instances(d=(1, 2), made_by={K: si * I, x: Zero(d, 1)}),
-                        instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))]))
+                    (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
+                    over={K: matrix(d, d), x: vector(d)}, where=[let(Pbar, T(K) * K)],
+                    given=[given("x is a unit vector", T(x) * x == 1)],
+                    by=[order([], [T(Pbar * x - x * (T(x) * Pbar * x)) * (Pbar * x - x * (T(x) * Pbar * x))]),
+                        instances(d=(1, 2, 3), using={y: vector(d)}, made_by={x: column(i, d, when(i == 1, 1, 0)) - 2 * y[1] / (T(y) * y) * y})]))
 
 claim("B93-S71", "the norm of K_n",
-      loewner(si * I, T(K) * K), sizes=["d"], over={K: matrix(d, d), si: nonneg()}, where=[let(Pbar, T(K) * K)],
-      given=[given("||Pbar|| <= sigma", loewner(si * I, Pbar))],
-      by=[order(), instances(d=1, made_by={si: K[1, 1]**2}), instances(d=(1, 2))],
-      note="||K||^2 is the least c with K*K <= cI.")
+      loewner(si * I, T(K) * K), sizes=["d"], over={K: matrix(d, d), si: positive()}, where=[let(Pbar, T(K) * K)],
+      given=[given("||Pbar|| <= sigma", loewner(si**2 * I, T(Pbar) * Pbar))],
+      by=[order([1 / (2 * si) * (si**2 * I - T(Pbar) * Pbar), 1 / (2 * si) * (si * I - Pbar) * (si * I - Pbar)]),
+          instances(d=1, using={c: nonzero()}, made_by={K: c * I, si: c**2}), instances(d=(1, 2), made_by={K: I, si: 1}), instances(d=(1, 2))],
+      note="||K||^2 is the least c with K*K <= cI, and ||Pbar||^2 the least with Pbar*Pbar <= cI.")
 
 claim("B93-S72", "the difference of two solutions",
       loewner(si * si * mu * I, X) & loewner(X, -(si * si * mu) * I), sizes=["d"],
