@@ -34,7 +34,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.reader import Reader
-from exactkf.kernel.words import Poly, Relation
+from exactkf.kernel.words import Poly, Relation, times_scalars
 
 __all__ = ["Stuck", "System", "system_of"]
 
@@ -149,6 +149,17 @@ class System:
     # ------------------------------------------------------------------ goals
     def express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         """Terms [c, left, name, right] (with scalars as a fifth entry, where there are) that add up to the goal."""
+        found = self._express(goal, deadline)
+        powers = {n: max(-e for s, _ in goal for m, e in s if m == n) for s, _ in goal for n, e in s if e < 0}
+        if not isinstance(found, Stuck) or not powers:
+            return found
+        above, below = (tuple(sorted((n, sign * e) for n, e in powers.items())) for sign in (1, -1))
+        cleared = self._express({(times_scalars(s, above), word): c for (s, word), c in goal.items()}, deadline)
+        if isinstance(cleared, Stuck):
+            return found
+        return [[*term[:4], [list(x) for x in times_scalars(tuple((n, e) for n, e in (term[4] if len(term) > 4 else ())), below)]] for term in cleared]
+
+    def _express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         self.deadline = deadline
         rest, used = self._reduce(self.encode(goal))
         while rest:
