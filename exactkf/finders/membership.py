@@ -235,6 +235,9 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
         return
     if not rank:
         yield {}
+    if op in ("psd", "pd", "loewner"):
+        inside = [f[1] for _, f, _ in case["given"] if f[0] == "schur"]
+        yield from ({"powers": x} for a in inside for x in (a, ["T", a]))
     if rank or op == "invertible":
         yield {"vector": True}
         if terms:

@@ -116,7 +116,7 @@ def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[st
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for place, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
-        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in ("roots", "null", "vector", "factors") if key in proof})
+        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in ("roots", "null", "vector", "factors", "powers") if key in proof})
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
         _need(len(blocks) == len(leaf.goals), f"part {place}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):

@@ -22,7 +22,10 @@
 9. AT = TB with a nonsingular T makes A and B similar, and then they have one
    characteristic polynomial;
 10. the determinant of a product of square matrices is the product of theirs, that
-   of a transpose the same, of a block triangular matrix that of its diagonal blocks.
+   of a transpose the same, of a block triangular matrix that of its diagonal blocks;
+11. the powers of a matrix A whose eigenvalues lie inside the unit circle tend to zero,
+   so that X is the sum of all A^k(X - AXA')A'^k: it is symmetric and semidefinite if
+   X - AXA' is, and definite if that is, being at least that.
 
 A conclusion is taken apart by `leaves`: conjunctions, implications and
 equivalences become equations, statements of order and of invertibility, each
@@ -43,7 +46,7 @@ from typing import Any
 
 from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.reader import Reader, relations, residual_blocks
+from exactkf.kernel.reader import Reader, hypotheses, relations, residual_blocks
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
 __all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
@@ -123,6 +126,8 @@ class Leaf:
         An invertibility or a full rank is shown by: Xv = 0 only for v = 0. The terms are then those of an equation.
     factors : sequence of (tree, trees)
         A matrix and factors of it: its determinant is the product of theirs.
+    powers : tree of a matrix A
+        A hypothesis says that its eigenvalues lie inside the unit circle: instead of the matrix X of an order X - AXA' is shown to be semidefinite.
 
     Attributes
     ----------
@@ -138,7 +143,7 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = ()) -> None:
+                 factors: Any = (), powers: Any = None) -> None:
         said = formula
         if vector:
             statement, formula = _through_vector(statement, formula)
@@ -176,6 +181,7 @@ class Leaf:
         elif op in ("similar", "cospectral"):
             found = self._similar(found, terms)
         elif wanted:
+            found = [self._turned(found[0], powers)] if powers is not None else found
             levels = [definiteness(reader, tree) for tree in terms]
             if 0 in levels or wanted > max(levels, default=1):
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
@@ -192,6 +198,17 @@ class Leaf:
             found = [*self._factored(factors), *found]
         self.goals = [cell for b in found for cell in b.cells()]
         self.always = {**relations(reader), **self.extra}
+
+    def _turned(self, x: Blocks, tree: Any) -> Blocks:
+        """X - AXA' for an A of which a hypothesis says that its eigenvalues, or those of A', lie inside the unit circle."""
+        reader = self.reader
+        said = [f[1] for _, f in hypotheses(reader.statement) if f[0] == "schur"]
+        if not exists(reader, tree, self.known) or not any(tree == f or are_transposed(reader, f, tree) for f in said):
+            raise Unknown("no hypothesis says that the powers of the matrix tend to zero")
+        a = reader.read(tree)
+        if not isinstance(a, Blocks) or reader.total(a.rows) != reader.total(a.cols):
+            raise Unknown("powers of what is no square matrix")
+        return reader._plus(x, reader._times(reader._times(a, x), reader.transpose(a)), -1)
 
     def _similar(self, sides: list, terms: Any) -> list[Blocks]:
         """AT = TB with a nonsingular T; its inverse is given, or T is nonsingular by its form."""

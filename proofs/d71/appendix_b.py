@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -51,12 +51,14 @@ from exactkf.language import (
     pd,
     positive_semidefinite,
     prod,
+    psd,
     rank,
     rec,
     rows,
     scalar,
     schur,
     sequence,
+    standing,
     substitute,
     sum_of,
     sym,
@@ -240,7 +242,7 @@ claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
 R, G, t, partial, back = symbols("R G t partial back")
 LYAPUNOV = given("A'QA - Q = R", T(A)*Q*A - Q == R)
 OUTSIDE = given("the eigenvalues of A lie outside the unit circle", schur(inv(A)))
-SUMS = [rec(back, t, I, back[t]*inv(A)), rec(partial, t, Zero(n, n), partial[t] + T(back[t]*inv(A))*R*back[t]*inv(A))]
+SUMS = [rec(back, t, I, inv(A)*back[t]), rec(partial, t, Zero(n, n), partial[t] + T(inv(A)*back[t])*R*(inv(A)*back[t]))]
 
 
 def factor(at):
@@ -264,9 +266,7 @@ THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 claim("D71-E8.14", "the solution as a series",
       always(t, Q - partial[t] == T(back[t])*Q*back[t]) & (pd(R) >> pd(Q)),
       sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: symmetric_matrix(n)}, where=SUMS, given=[LYAPUNOV, OUTSIDE],
-      by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
-                                    "A limit of nonnegative definite matrices is nonnegative definite."],
-                prose="Q is the limit of the partial sums, hence nonnegative definite; a null vector of Q would give one of R."),
+      by=[induction(base=(order(), order([T(inv(A))*R*inv(A)]))),
           example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
       note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
            "and there is one solution only.")
@@ -320,18 +320,40 @@ claim("D71-E8.16", "a null vector of Q goes to another one",
       note="Real case. The form x'(Q + R)x of a nonnegative definite matrix vanishes exactly if (Q + R)x = 0, and then Qx = Rx = 0. As x is again a "
            "null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
 
-observe = sym("observe")
+x1, x2, n1, n2 = symbols("x1 x2 n1 n2")
+GONE = Zero(n, 1)
+#: the form x*Qx of an eigenvector that R kills, and x*Rx of one that Q kills
+FORM_OF_Q = [T(u)*Q*u, T(w)*Q*w]
+FORM_OF_R = [T(x1)*R*x1, T(x2)*R*x2]
+
+
+def eigenvector(real, imaginary):
+    return (A*real == al*real - be*imaginary) & (A*imaginary == be*real + al*imaginary)
+
+
+X1, X2 = (matrix_of(i, j, n, 1, when(i == k_, 1, 0)) for k_ in (1, 2))
+SPIRAL = {al: 2 + c[1]**2, be: c[2], A: E*matrix_of(i, j, 3, 3, when((i == 3) | (j == 3), when(i == j, 2, 0), when(i == j, al, when(i < j, be, -be))))*inv(E),
+          R: T(inv(E))*matrix_of(i, j, 3, 3, when((i == 3) & (j == 3), 3*c[3]**2, 0))*inv(E),
+          Q: T(inv(E))*matrix_of(i, j, 3, 3, when((i == 3) & (j == 3), c[3]**2, 0))*inv(E)}
+ONE = {"n": 1, "A": [[2]], "Q": [[1]], "R": [[3]], "al": 2, "be": 0, **dict.fromkeys(("u", "w", "x1", "x2", "n1"), [0])}
+TWO = {"n": 2, "A": [[2, 1], [0, 2]], "Q": [["1/3", "-2/9"], ["-2/9", "5/27"]], "R": [[1, 0], [0, 0]], "al": 2, "be": 0,
+       **dict.fromkeys(("u", "w", "x1", "x2", "n1"), [0, 0])}
 
 claim("D71-T8.4", "when the solution is singular",
-      iff(rank(Q) < n, rank(observe) < n),
-      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n)},
-      where=[let(observe, sum_of(k, 0, n - 1, T(A**k)*R*A**k))], given=[LYAPUNOV, OUTSIDE],
-      by=[steps("D71-E8.15", "D71-E8.16", facts=["An invariant subspace other than {0} contains a complex eigenvector."],
-                prose="The null space of the sum is the largest A-invariant subspace inside the null space of R: by Cayley and Hamilton it is invariant, "
-                      "and every eigenvector of A that R kills is in it."),
-          example(n=2, A=[[0, -2], [2, 0]], R=[[1, 0], [0, 0]], Q=[["1/15", 0], [0, "4/15"]]),
-          example(n=2, A=[[2, 1], [0, 2]], R=[[0, 0], [0, 1]], Q=[[0, 0], [0, "1/3"]]),
-          example(n=2, A=[[2, 1], [0, 2]], R=[[1, 0], [0, 0]], Q=[["1/3", "-2/9"], ["-2/9", "5/27"]]),
-          instances(n=range(1, 4), **solved(RANK_ONE)), instances(12, n=range(1, 4), **solved(FULL)), instances(12, n=range(1, 4), **solved(THIN))],
-      note="Real matrices. A real or complex eigenvector of A that is a null vector of R exists exactly if R, RA, ..., RA^{n-1} have a common null "
-           "vector, that is, if the sum of their (A^k)'RA^k is singular.")
+      (Q*u == GONE) & (Q*w == GONE) & (R*x1 == GONE) & (R*x2 == GONE) & (Q*n2 == GONE) & (R*n2 == GONE),
+      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n), al: scalar(), be: scalar(), **dict.fromkeys((u, w, x1, x2, n1), vector(n))},
+      where=[let(n2, inv(A)*n1)],
+      given=[LYAPUNOV, OUTSIDE, standing("|lambda| > 1, as for all eigenvalues", al**2 + be**2 > 1), given("an eigenvector", eigenvector(u, w)),
+             given("a null vector of R", (R*u == GONE) & (R*w == GONE)), standing("another eigenvector", eigenvector(x1, x2)),
+             given("a null vector of Q", (Q*x1 == GONE) & (Q*x2 == GONE)), given("any null vector of Q", Q*n1 == GONE)],
+      by=[order([T(inv(A))*R*inv(A)], [], [1/MODULUS], [], [Q, R], FORM_OF_Q, FORM_OF_Q, FORM_OF_R, FORM_OF_R, [Q, R], [Q, R],
+                lemmas=[psd(Q), MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0, (T(u)*Q*u + T(w)*Q*w)*Identity(1) == Zero(1, 1),
+                        (T(x1)*R*x1 + T(x2)*R*x2)*Identity(1) == Zero(1, 1), (Q + R)*n2 == GONE]),
+          example({**ONE, "u": [1], "R": [[0]]}), example({**ONE, "u": [1]}), example({**ONE, "x1": [1]}), example({**ONE, "n1": [1]}),
+          example({**TWO, "A": [[2, 0], [0, "1/2"]], "Q": [[0, 1], [1, 0]], "R": [[0, 0], [0, 0]], "u": [1, 0]}), example({**TWO, "u": [0, 1]}),
+          instances(8, n=(3,), using={E: nonsingular(3), c: vector(3)}, made_by={**SPIRAL, u: E*X1, w: E*X2, x1: E*X1, x2: E*X2, n1: E*(c[2]*X1 + c[3]*X2)}),
+          instances(8, n=(2, 3), using={E: nonsingular(n), c: vector(n), G: matrix(n, n)},
+                    made_by={al: factor(to_expr(1)), be: to_expr(0), **solved(THIN)["made_by"], u: E*X1, w: 2*E*X1, x1: -E*X1, x2: E*X1, n1: E*X1})],
+      note="Real matrices, an eigenvector u + iw of A at lambda = al + i be. An eigenvector that R kills is killed by Q, so that Q is singular; one that Q kills "
+           "is killed by R. If Q is singular there is one: A^{-1}, from n1 to n2, takes null vectors of Q to null vectors of Q and R, and an invariant subspace other than {0} "
+           "contains a complex eigenvector. The classical fact for Q >= 0 is that the powers of A^{-1} tend to zero.")
