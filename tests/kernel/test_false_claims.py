@@ -241,4 +241,5 @@ def test_an_order_of_other_matrices_is_no_sum_over_powers():
     """The terms are those of Q - AQA', and not of Q."""
     plain = {"parts": [{"sum": [LESS], "terms": []}]}
     assert not accepted("order", statement(["psd", Q], OF_TWO, [INSIDE, NOT_LESS]), plain)
-    assert not accepted("order", statement(["psd", Q], OF_TWO, [INSIDE, ["q", ["psd", ["neg", Q]], "standing"]]), {"parts": [{"sum": [["neg", Q]], "terms": [], "powers": A}]})
+    negative = statement(["psd", Q], OF_TWO, [INSIDE, ["q", ["psd", ["neg", Q]], "standing"]])
+    assert not accepted("order", negative, {"parts": [{"sum": [["neg", Q]], "terms": [], "powers": A}]})
