@@ -179,11 +179,16 @@ KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
 PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
 CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
 
+horner, power, tail, t_ = symbols("horner power tail t")
+
 claim("D71-E8.8", "the minimal annihilating polynomial",
-      substitute(phi, A)*x == A**p*x - sum_of(k, 1, p, a[k]*A**(p - k)*x),
-      sizes=["n", "p"], over={A: matrix(n, n), x: vector(n), a: sequence(1, p)}, where=[PHI],
-      by=[identity(**CYCLIC_SIZES), instances(**CYCLIC_SIZES)],
-      note="A definition; the content checked is that phi(A)x = 0 says the same as (8.8): the two differ by nothing at all.")
+      forall(t_, 0, p, horner[t_]*power[p - t_]*x == power[p]*x - tail[t_]*x),
+      sizes=["n", "p"], over={A: matrix(n, n), x: matrix(n, 1), a: sequence(1, p)},
+      where=[rec(power, t_, I, A*power[t_]), rec(horner, t_, I, A*horner[t_] - a[t_ + 1]*I), rec(tail, t_, Zero(n, n), tail[t_] + a[t_ + 1]*power[p - 1 - t_])],
+      given=[standing("the powers, counted from the end", forall(k, 0, p - 1, power[k + 1] == A*power[k]))],
+      by=[induction(also=[A*horner[t_] == horner[t_]*A]), instances(**CYCLIC_SIZES)],
+      note="A definition; the content checked is that phi(A)x = 0 says the same as (8.8). phi(A) is evaluated by Horner's scheme, horner_p, and the sum on the "
+           "right of (8.8) is tail_p: at t = p the two sides are phi(A)x and A^p x less that sum.")
 
 E, d, c = symbols("E d c")
 CYCLIC = {A: matrix(n, n), x: vector(n), a: vector(p), lam: scalar()}
