@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, order, steps, use
 from exactkf.language import (
     Identity,
     T,
@@ -113,38 +113,53 @@ claim("D71-E8.2", "the update step by step",
 
 # --- a Jordan block turned over -----------------------------------------------------------------------------------------
 
-mu, X, choose, a_, b_ = symbols("mu X choose a_ b_")
-PASCAL = function(choose, [a_, b_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(a_ - 1, b_ - 1) + choose(a_ - 1, b_))))
+mu, X, choose, a_, b_, row, column, t_ = symbols("mu X choose a_ b_ row column t")
+Xr, pw, sg = symbols("Xr pw sg")
+#: choose(b, a) is a over b
+PASCAL = function(choose, [b_, a_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(b_ - 1, a_ - 1) + choose(b_, a_ - 1))))
+#: the powers of mu and of -1
+POWERS = [rec(pw, t_, 1, mu*pw[t_]), rec(sg, t_, 1, -sg[t_])]
 ADJOINT = mu*I + T(superdiagonal(n))
 TURNED = jordan_block(1/mu, n)
 
 
 def turning(size, lower):
     """The matrix (8.3) with the lower index of its binomial."""
-    return matrix_of(i, j, size, size, when(j > size - i, to_expr(-1)**(j - 1)*choose(j - 1, lower)*mu**(size + j - i - 1), 0))
+    return matrix_of(i, j, size, size, when(j > size - i, sg[j - 1]*choose(lower, j - 1)*pw[size + j - i - 1], 0))
 
 
-PRINTED_X = [PASCAL, let(X, turning(n, i - n))]
-RIGHT_X = [PASCAL, let(X, turning(n, n - i))]
-TO_6 = range(1, 7)
+PRINTED_X = [PASCAL, *POWERS, let(X, turning(n, i - n))]
+RIGHT_X = [PASCAL, *POWERS, let(X, turning(n, n - i))]
+#: X with its columns in reverse order is lower triangular
+REVERSED = let(Xr, matrix_of(i, j, n, n, X[i, n + 1 - j]))
 MU_ONE = example(n=2, mu=1)
 BINOMIAL = "the lower index of the binomial is n - i; with i - n every row of X but the last vanishes"
+CARRIES = X == ADJOINT*X*TURNED
+DIAGONAL = det(T(Xr)) == prod(k, 1, n, sg[n - k]*pw[n - k + (n - k)])
+ADJOINT_REGULAR = det(T(ADJOINT)) == prod(k, 1, n, mu)
+#: powers one after the other, a over a, and Pascal's rule where column j - 1 and row i meet
+PASCALS_RULE = generic_index(
+    lemma(t_, (pw[t_ + 1] == mu*pw[t_]) & (sg[t_ + 1] == -sg[t_]), direct=True),
+    lemma(t_, choose(t_, t_) == 1, uses=[use(1, t=t_), use(choose, t_ + 1, t_ + 1), use(choose, t_ + 1, t_)]),
+    closed=[choose], triangular=I,
+    uses=[use(1, t=n - column), use(0, t=n + column - row - 1), use(0, t=n + column - row - 2), use(0, t=column - 2),
+          use(choose, n - row + 1, column - 1), use(choose, column - 1, column - 2)])
 
 claim("D71-T8.2", "the inverse of an adjoint Jordan block is similar to a Jordan block",
-      (inv(ADJOINT) == X*TURNED*inv(X)) & (det(X) == mu**(n*(n - 1))),
-      sizes=["n"], over={mu: nonzero()}, where=RIGHT_X,
-      by=[identity(n=TO_6), instances(n=range(1, 5))],
+      CARRIES & DIAGONAL & ADJOINT_REGULAR,
+      sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))],
       note="mu stands for the conjugate of omega and may be complex, as the identities are rational in it; omega is not 0, as the inverse presupposes. "
-           "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right, and the determinant shows that X^{-1} exists.")
+           "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right: X = Omega* X (I/omega* + N) with nonsingular X and Omega*. "
+           "X_r is X with its columns in reverse order, so that det X is det X_r or its negative; pw_k = mu^k and sg_k = (-1)^k.")
 
 claim("D71-E8.3", "the matrix X is nonsingular and carries one block to the other",
-      invertible(X) & (X == ADJOINT*X*TURNED),
+      invertible(X) & CARRIES,
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
-      repair=repair("index", BINOMIAL, (det(X) == mu**(n*(n - 1))) & (X == ADJOINT*X*TURNED),
-                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
-      note="mu stands for the conjugate of omega. A binomial with a negative lower index is 0. The X printed is "
-           "singular for every n > 1; of the corrected one the repair gives the determinant.")
+      repair=repair("index", BINOMIAL, DIAGONAL & CARRIES,
+                    sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))]),
+      note="mu stands for the conjugate of omega, pw_k is mu^k and sg_k is (-1)^k. A binomial with a negative lower index is 0. The X printed is "
+           "singular for every n > 1; of the corrected one, with its columns in reverse order, the repair gives the determinant.")
 
 
 def example_four(two, three):
@@ -156,21 +171,22 @@ FOUR = (mu*Identity(4) + T(superdiagonal(4)))*X*jordan_block(1/mu, 4)
 
 claim("D71-E8.4", "the matrix X for n = 4",
       eq(X, turning(4, 4 - i), FOUR),
-      over={mu: nonzero()}, where=[PASCAL, let(X, example_four(1, 1))],
+      over={mu: nonzero()}, where=[PASCAL, *POWERS, let(X, example_four(1, 1))],
       by=[example(mu=1), instances()],
       repair=repair("factor", "the binomials are missing: 2 mu^3, -3 mu^4 in the third row and -3 mu^5 in the second",
                     eq(X, turning(4, 4 - i), FOUR),
-                    over={mu: nonzero()}, where=[PASCAL, let(X, example_four(2, 3))], by=[identity(), instances()]),
+                    over={mu: nonzero()}, where=[PASCAL, *POWERS, let(X, example_four(2, 3))], by=[identity(), instances()]),
       note="Tested against (8.3) with its binomial put right and against the equation (8.5) that X is for. All the coefficients in the scan of (8.4) are "
            "1 or -1, which fits neither of them, whichever way the index in (8.3) is read.")
 
 claim("D71-E8.5", "the equation that X satisfies",
-      (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
+      CARRIES & (inv(ADJOINT)*X == X*TURNED),
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
-      repair=repair("index", f"{BINOMIAL} and the equation fails", (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
-                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
-      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block.")
+      repair=repair("index", f"{BINOMIAL} and the equation fails", CARRIES & ADJOINT_REGULAR,
+                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[PASCALS_RULE, instances(n=range(1, 5))]),
+      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block, which exists by its determinant, "
+           "in the repair.")
 
 # --- cyclic subspaces ---------------------------------------------------------------------------------------------------
 
@@ -179,7 +195,7 @@ KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
 PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
 CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
 
-horner, power, tail, t_ = symbols("horner power tail t")
+horner, power, tail = symbols("horner power tail")
 
 claim("D71-E8.8", "the minimal annihilating polynomial",
       forall(t_, 0, p, horner[t_]*power[p - t_]*x == power[p]*x - tail[t_]*x),
