@@ -271,22 +271,10 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
             terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _by_powers(certificate["evidence"])
-                                  + _over_primes(certificate["evidence"]))
+            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _over_primes(certificate["evidence"]))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
         found.evidence.append(f"{kind}: the terms given do not prove it")
-
-
-def _by_powers(evidence: Any) -> str:
-    """Says where fact 11 of `exactkf.kernel.order` is used."""
-    return "; the powers of a matrix inside the unit circle tend to zero" if _has_key(evidence, "powers") else ""
-
-
-def _has_key(tree: Any, key: str) -> bool:
-    if isinstance(tree, dict):
-        return key in tree or any(_has_key(x, key) for x in tree.values())
-    return isinstance(tree, (list, tuple)) and any(_has_key(x, key) for x in tree)
 
 
 def _over_primes(evidence: Any) -> str:

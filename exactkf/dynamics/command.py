@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ import click
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.exact_json import polynomial_words
 from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
 from exactkf.exact.numberfield import RealField
@@ -125,6 +125,8 @@ def _headline(answer: Answer) -> str:
             return "the orbit is an equilibrium"
         case "periodic":
             return f"the orbit is periodic with period {answer.period}"
+        case "eventually periodic":
+            return f"the orbit has the period {answer.period} from step {answer.preperiod} on, and does not come back to its start"
         case "dense":
             return "the orbit never repeats and is dense in its invariant curve"
         case "converges":
@@ -145,8 +147,8 @@ def shown_number(value: Any, digits: int) -> str:
     if not isinstance(value, dict):
         return str(value)
     field = RealField(value["minpoly"], value["interval"])
-    polynomial = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", str(field.minpoly))
-    return f"{field.gen().enclose(digits).str(digits, radius=False)}  (root {field.index + 1} of {polynomial}, from the left)"
+    digits_of = field.gen().enclose(digits).str(digits, radius=False)
+    return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"
 
 
 def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:

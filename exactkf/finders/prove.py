@@ -54,9 +54,10 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
     if (terms := find_membership(statement, degree, seconds)) is not None:
         yield seal(id, "membership", statement, {"terms": terms})
-    sums, roots, lemmas, factors = (hints.get("order", {}).get(key, []) for key in ("sums", "roots", "lemmas", "factors"))
-    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors)) is not None:
-        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas})
+    asked = hints.get("order", {})
+    sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
+    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
+        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **({"inside": inside} if inside else {})})
     if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
         return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:

@@ -32,7 +32,7 @@ from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["FAMILIES", "Induction", "before", "inductions"]
+__all__ = ["FAMILIES", "Induction", "along", "before", "inductions"]
 
 #: types of variables that take an index
 FAMILIES = {"sequence": "scalar", "signal": "scalar", "sequence_of": "", "signal_of": ""}
@@ -45,17 +45,27 @@ _DEEPEST, _MOST_NODES = 60, 30000
 def inductions(statement: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
     """One statement for each conjunct of the conclusion; the premise of an implication becomes a hypothesis.
 
-    A conjunct that has no value puts the instance outside the statement, so each may be shown by itself.
+    A conjunct that has no value puts the instance outside the statement, so each may be shown by itself; and what
+    a conjunct says at every index of a range may be used for those after it, which are of account where it is true.
     """
     says = statement["says"]
     if says[0] == "and":
-        for part in says[1:]:
-            yield from inductions({**statement, "says": part})
+        given = list(statement["given"])
+        for n, part in enumerate(says[1:]):
+            yield from inductions({**statement, "given": list(given), "says": part})
+            if part[0] == "forall":
+                given.append([f"conjunct {n} of {len(given)}", part, "standing"])
     elif says[0] == "=>":
         premise = [f"premise {len(statement['given'])}", says[1], "standing"]
         yield from inductions({**statement, "given": [*statement["given"], premise], "says": says[2]})
     else:
         yield {**statement}
+
+
+def along(also: Any, conjunct: int) -> Any:
+    """What an induction shows along with a conjunct: formulas for all conjuncts, or a list of formulas for each of them."""
+    each = bool(also) and all(not some or not isinstance(some[0], str) for some in also)
+    return also[conjunct] if each else also
 
 
 def before(statement: Mapping[str, Any], says: Any) -> tuple[dict[str, Any], Any, dict[str, Any]]:

@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, order, steps, use
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, order, steps, use, within
 from exactkf.language import (
     Identity,
     T,
@@ -238,7 +238,7 @@ claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
                                       "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
               AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
       note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
-           "polynomial in the zero. x is taken nonzero here, see D71-T8.3.")
+           "polynomial in the zero.")
 
 cyclic = sym("cyclic")
 HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
@@ -246,17 +246,13 @@ T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
 
 claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
       HAS_EIGENVECTOR,
-      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO],
-      by=[AT_ZERO, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
-      repair=repair(
-          "boundary case", "x may be any vector by the definition, and for x = 0 the subspace is {0}, which contains no eigenvector",
-          HAS_EIGENVECTOR,
-          sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-          by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
-                    prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
-              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
+      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
+      by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
+                prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
+          AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
-           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero.")
+           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero. The "
+           "definition calls x arbitrary; that it is not 0, whose subspace {0} has no eigenvector at all, goes without saying.")
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
@@ -287,7 +283,7 @@ THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 claim("D71-E8.14", "the solution as a series",
       always(t, Q - partial[t] == T(back[t])*Q*back[t]) & (pd(R) >> pd(Q)),
       sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: symmetric_matrix(n)}, where=SUMS, given=[LYAPUNOV, OUTSIDE],
-      by=[induction(base=(order(), order([T(inv(A))*R*inv(A)]))),
+      by=[induction(base=(order(), order([T(inv(A))*R*inv(A)], inside=[within(0, stein=T(inv(A)))]))),
           example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
       note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
            "and there is one solution only.")
@@ -369,7 +365,8 @@ claim("D71-T8.4", "when the solution is singular",
              given("a null vector of Q", (Q*x1 == GONE) & (Q*x2 == GONE)), given("any null vector of Q", Q*n1 == GONE)],
       by=[order([T(inv(A))*R*inv(A)], [], [1/MODULUS], [], [Q, R], FORM_OF_Q, FORM_OF_Q, FORM_OF_R, FORM_OF_R, [Q, R], [Q, R],
                 lemmas=[psd(Q), MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0, (T(u)*Q*u + T(w)*Q*w)*Identity(1) == Zero(1, 1),
-                        (T(x1)*R*x1 + T(x2)*R*x2)*Identity(1) == Zero(1, 1), (Q + R)*n2 == GONE]),
+                        (T(x1)*R*x1 + T(x2)*R*x2)*Identity(1) == Zero(1, 1), (Q + R)*n2 == GONE],
+                inside=[within(0, stein=T(inv(A)))]),
           example({**ONE, "u": [1], "R": [[0]]}), example({**ONE, "u": [1]}), example({**ONE, "x1": [1]}), example({**ONE, "n1": [1]}),
           example({**TWO, "A": [[2, 0], [0, "1/2"]], "Q": [[0, 1], [1, 0]], "R": [[0, 0], [0, 0]], "u": [1, 0]}), example({**TWO, "u": [0, 1]}),
           instances(8, n=(3,), using={E: nonsingular(3), c: vector(3)}, made_by={**SPIRAL, u: E*X1, w: E*X2, x1: E*X1, x2: E*X2, n1: E*(c[2]*X1 + c[3]*X2)}),

@@ -16,7 +16,7 @@ of those matrices as a standing hypothesis; for a real eigenvalue it is no condi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order, steps
+from exactkf.evidence import example, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -418,7 +418,7 @@ claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
       psd(Q),
       sizes=["q"], over={Q: symmetric_matrix(q), J: matrix(q, q)},
       given=[given("(3.99)", psd(T(J)*Q*J - Q)), given("|eigenvalues of J| > 1", schur(inv(J)))],
-      by=[order([T(inv(J))*(T(J)*Q*J - Q)*inv(J)]),
+      by=[order([T(inv(J))*(T(J)*Q*J - Q)*inv(J)], inside=[within(0, stein=T(inv(J)))]),
           example(q=1, Q=[[-1]], J=[["1/2"]]), example(q=1, Q=[[-1]], J=[[2]]),
           instances(q=(1, 2, 3), using={E: nonsingular(q), d: vector(q), X: matrix(q, q)},
                     made_by={J: E*matrix_of(i, j, q, q, when(i == j, 2 + d[i]**2, 0))*inv(E),

@@ -201,6 +201,33 @@ def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: An
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 
 
+def any_rank_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
+    """What ZGZ = Z with R >= 0 gives for H of any rank: with the columns [a; b] of I - GZ as in `block_identities`, Ra = 0 and Hb = 0."""
+    a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
+    steps = [
+        (R * a + H * b == Zero(p, p + n), []),
+        (T(H) * a == Zero(n, p + n), []),
+        (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
+        (R * a == Zero(p, p + n), [T(a) * R * a]),
+        (H * b == Zero(p, p + n), []),
+    ]
+    return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def root_identities(R: Expr, V: Expr, H: Expr, W: Expr, U: Expr, p: Any) -> tuple[list, list]:
+    """From RU + HT = 0, U'H = I, RWH = 0 and the first block of ZGZ = Z, for R = VV': V'(WR + UH' - I) = 0 and V'WH = 0."""
+    rest = W * R + U * T(H) - Identity(p)
+    steps = [(V * T(V) * rest == 0 * R, []), (T(V) * rest == 0 * T(V), [V * T(V)]),
+             (V * T(V) * (W * H) == 0 * H, []), (T(V) * (W * H) == 0 * (T(V) * H), [V * T(V)])]
+    return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def chained(*steps: tuple[list, list], sums: tuple = (), inside: list | tuple = ()) -> Evidence:
+    """Lemmas with what each needs, one list after the other, then what the leaves of the conclusion need."""
+    return order(*(needs for _, several in steps for needs in several), *sums, lemmas=[lemma for lemmas, _ in steps for lemma in lemmas],
+                 inside=inside)
+
+
 def every_size(*sums: list, second: bool = False, also: tuple = ()) -> Evidence:
     """The conclusion for every size by `block_identities` for (W, U, T), or the blocks ``also`` lists."""
     lemmas, needs = [], []

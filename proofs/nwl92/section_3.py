@@ -211,9 +211,14 @@ claim("NWL92-E3.6", "the Riccati equation of Wang and Bernhard follows from that
       note=("Sigma is any covariance of the prediction; the left side is APA' + Q with the error covariance P of the next filtered "
             "estimate. Where the 3-block matrix is invertible, so is M (NWL92-E3.7)."))
 
+#: all but the first p coordinates, and the elimination of these
+WITHOUT_P = block([[Zero(p, l), Zero(p, n)], [Identity(l), Zero(l, n)], [Zero(n, l), Identity(n)]])
+ONLY_P = vstack(Identity(p), Zero(l, p), Zero(n, p))
+ELIMINATE = block([[Identity(p), Zero(p, l), Zero(p, n)], [Zero(l, p), Identity(l), Zero(l, n)], [-(T(C) * inv(R)), Zero(n, l), Identity(n)]])
 claim("NWL92-E3.7", "M is invertible exactly if the 3-block matrix is",
       iff(invertible(WIDE), invertible(Mj)), sizes=["l", "p", "n"], over=PREDICTED, where=[M_J],
-      by=[instances(**WB_SIZES)], note="A definition; what is checked is that M takes the place of the 3-block matrix. Their last blocks of the inverse are NWL92-E3.10.")
+      by=[order([T(WITHOUT_P) * inv(WIDE) * WITHOUT_P], [T(ELIMINATE) * (ONLY_P * inv(R) * T(ONLY_P) + WITHOUT_P * inv(Mj) * T(WITHOUT_P)) * ELIMINATE]),
+          instances(**WB_SIZES)], note="A definition; what is checked is that M takes the place of the 3-block matrix. Their last blocks of the inverse are NWL92-E3.10.")
 
 Pb, Pj = symbols("Pb Pj")
 AHEAD = hstack(A, -Identity(l))
