@@ -58,7 +58,7 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
     if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
         yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **({"inside": inside} if inside else {})})
-    if not _has_index(statement["says"]):
+    if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
         return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)
