@@ -328,7 +328,8 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
-    _need(reduced.start == (answer["preperiod"] or 0), f"the orbit comes back to step {reduced.start} first")
+    before = 0 if answer["preperiod"] is None else _step_number(answer["preperiod"], "preperiod")
+    _need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
