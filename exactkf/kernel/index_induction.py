@@ -146,13 +146,12 @@ class _Proof:
                 if part[0] == "forall":
                     forms.append(plus(terms.index(part[3], {}), t, -1))
                 self._show(part[-1], {part[1]: t}, Region(forms), uses, name)
-            elif part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det":
-                if part[2] == 1:
-                    unit_triangular(self, part[1][1], {}, Region(self.sizes), uses, name)
-                elif isinstance(part[2], list) and part[2][0] == "prod" and "triangular" in evidence:
-                    determinant(self, part, evidence["triangular"], {}, Region(self.sizes), uses, name)
-                else:
+            elif _is_determinant(part) and part[2] == 1:
+                unit_triangular(self, part[1][1], {}, Region(self.sizes), uses, name)
+            elif _is_determinant(part) and "triangular" in evidence:
+                if not isinstance(part[2], list) or part[2][0] != "prod":
                     raise Rejected(f"{name}: a determinant at a generic size is one, or a product over the rows")
+                determinant(self, part, evidence["triangular"], {}, Region(self.sizes), uses, name)
             else:
                 self._show(part, {}, Region(self.sizes), uses, name)
 
@@ -302,12 +301,17 @@ class _Proof:
             if key in self.not_zero:
                 continue
             text = terms.field.text(f)
-            equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
-            if not self.witness.is_not_zero(terms, f) and not (equal and self.witness.is_not_zero(terms, equal)):
-                raise Rejected(f"{place}: nothing tells that {text} is not zero")
+            if not self.witness.is_not_zero(terms, f):
+                equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
+                if not (equal and self.witness.is_not_zero(terms, equal)):
+                    raise Rejected(f"{place}: nothing tells that {text} is not zero")
             self.not_zero.add(key)
             if text not in self.denominators:
                 self.denominators.append(text)
+
+
+def _is_determinant(part: Any) -> bool:
+    return part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det"
 
 
 def _inverses(terms: Terms, x: Symbolic) -> set[tuple]:
