@@ -355,6 +355,12 @@ SAME_ESTIMABLE = ([ESTIMABLE * T(UB) * HB == ESTIMABLE, ESTIMABLE * T(UB) * R_BA
                   [[], [], [], [], [], [], [], [REST * R_BATCH * T(REST)]])
 S15_MADE = {**LEMMA_MADE, W1: T(upper(p, n)) * G1 * upper(p, n), **corners(BATCH_G, (Waa, Wab, Wbb), (AT_A, AT_A, AT_B), (AT_A, AT_B, AT_B)),
             **corners(SUMMARY_G, (Vaa, Vab, Vbb), (AT_1, AT_1, AT_2), (AT_1, AT_2, AT_2))}
+#: all sizes one, noises of covariance one; not admissible: what each hypothesis is for
+S15_ONES = {"p": 1, "q": 1, "n": 1, "m": 1, V: [[1]], W: [[1]], H: [[1]], J: [[0]], K: [[1]], x: [1], z: [1], v: [1], w: [1], W1: [[0]], U1: [[1]],
+            T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]], Txz: [[0]], Tzz: [[-1]],
+            Vaa: [[0]], Vab: [[0]], Vbb: [[0]], Sxx: [[1]], Sxz: [[0]], Sbx: [[0]], Sbz: [[1]], Qxx: [[-1]], Qxz: [[0]], Qzz: [[-1]]}
+S15_FOILS = [example({**S15_ONES, **change}) for change in (
+    {U1: [[2]], Qxx: [[-4]]}, {Uax: [[2]]}, {Sxx: [[2]]}, {H: [[0]], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Txx: [[0]]})]
 claim("NWL92-S15", "without estimability of z the lemma holds for the estimable combinations of z",
       (ESTIMABLE * T(UB) * vstack(a, b) == ESTIMABLE * T(US) * vstack(xh1, b))
       & (ESTIMABLE * T(UB) * R_BATCH * UB * T(ESTIMABLE) == ESTIMABLE * T(US) * R_SUMMARY * US * T(ESTIMABLE)),
@@ -365,7 +371,7 @@ claim("NWL92-S15", "without estimability of z the lemma holds for the estimable 
       given=[*WAYS, FULL_COLUMN_RANK],
       by=[chained(block_identities(V, H, W1, U1, T1, n, p), any_rank_identities(R_BATCH, HB, WB, UB, TB, n + m, p + q),
                   any_rank_identities(R_SUMMARY, HS, WS, US, TS, n + m, n + q), SAME_ESTIMABLE),
-          instances(10, made_by=S15_MADE, using=LEMMA_FREE, p=(1, 2), q=(1, 2), n=1, m=(1, 2))],
+          *S15_FOILS, instances(10, made_by=S15_MADE, using=LEMMA_FREE, p=(1, 2), q=(1, 2), n=1, m=(1, 2))],
       note=("K has any rank; as x is estimable, the estimable combinations of z are those of Kz, here stacked below x. The rank of H "
             "enters the proof through the second column of (2.32) alone."))
 
@@ -415,17 +421,27 @@ def dropped(M, rows, *more):
                      R_JOINT * padded == Zero(p + k, rows)], [[], [], [], [], [], [], [], [T(padded) * R_JOINT * padded]]))
 
 
+#: all sizes one; not admissible: what each hypothesis is for
+DROP_ONES = {"p": 1, "k": 1, "n": 1, "m": 1, R11: [[1]], R12: [[0]], R22: [[1]], H1: [[1]], H2: [[0]], H3: [[1]], x1: [1], x2: [1], v: [1], w: [0],
+             W1: [[0]], U1: [[1]], T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]],
+             Txz: [[0]], Tzz: [[-1]]}
+HALF = [["1/2"]]
+DROP_FOILS = [example({**DROP_ONES, **change}) for change in (
+    {U1: [[2]]}, {Uax: [[2]]},
+    {H2: [[1]], H3: [[0]], Waa: HALF, Wab: [["-1/2"]], Wbb: HALF, Uax: HALF, Ubx: HALF, Ubz: [[0]], Txx: [["-1/2"]], Tzz: [[0]]},
+    {H1: [[0]], H2: [[1]], x1: [0], x2: [0], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Ubx: HALF, Ubz: HALF, Txx: [["-1/4"]], Txz: [["-1/4"]],
+     Tzz: [["-1/4"]]})]
 DROP_DRAWN = instances(10, made_by=DROP_MADE, using=DROP_FREE, **DROP_SIZES)
 claim("NWL92-L2.4", "measurements with a variable of their own in every direction do not help",
       FROM_BOTH == FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK, H1_RANK],
-      by=[dropped(Identity(n), n), DROP_DRAWN],
+      by=[dropped(Identity(n), n), *DROP_FOILS, DROP_DRAWN],
       note="The noises of y1 and y2 may be correlated; (y1; y2) lies in the range of [R H], v and w say where.")
 
 claim("NWL92-S16", "the same for estimable combinations if H1 does not have full column rank",
       H1 * FROM_BOTH == H1 * FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK],
-      by=[dropped(H1, p), DROP_DRAWN],
+      by=[dropped(H1, p), *DROP_FOILS, DROP_DRAWN],
       note="The estimable combinations of x1 are those of H1 x1.")
 
 SYSTEM = block([
