@@ -11,7 +11,7 @@ equilibria on the same manifold come from reflecting roots of alpha(z) in the un
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.evidence import evaluation, example, identity, induction, instances, steps
 from exactkf.language import (
     Identity,
     Z,
@@ -21,8 +21,10 @@ from exactkf.language import (
     coeff,
     column,
     coprime,
+    cospi,
     defined,
     det,
+    exists,
     forall,
     function,
     given,
@@ -42,7 +44,6 @@ from exactkf.language import (
     rows,
     scalar,
     schur,
-    sqrt,
     standing,
     substitute,
     sum_of,
@@ -53,26 +54,28 @@ from exactkf.language import (
 from proofs.blz94.notation import (
     HALF,
     ORBIT,
-    A,
+    VECTORS,
     D,
-    G,
     a,
+    a_of,
     alpha,
     alpha0,
     b,
+    b_of,
     gamma,
     gamma0,
     i,
     j,
     k,
     m,
+    monic_of,
     n,
     symmetric_part,
     t,
     u,
 )
 
-p, q, v, w, x, y, kappa, lam, c, e, f, S, X = symbols("p q v w x y kappa lambda c e f S X")
+p, q, v, w, x, y, kappa, lam, c, d, e, f, S, X = symbols("p q v w x y kappa lambda c d e f S X")
 k1, k2, al, ga = symbols("kappa1 kappa2 alpha_bar gamma_bar")
 
 #: (8.1) from (al, ga)
@@ -87,10 +90,9 @@ ON_CURVE = {al: HALF * (x + _B), ga: HALF * (_B - x)}
 
 # ---------------------------------------------------------------------- order one
 claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
-      always(t, (A[t] * alpha[t] == alpha[t] / (1 - gamma[t][1] ** 2)) & (G[t + 1] * gamma[t] == -gamma[t] * alpha[t][1] / (1 - gamma[t][1] ** 2)))
-      & (a == Z + alpha0[1] - gamma0[1]) & (b == Z + alpha0[1] + gamma0[1]), sizes=["n"], over={alpha0: vector(n), gamma0: vector(n)},
-      where=[*ORBIT, let(a, Z - gamma0[1] + alpha0[1]), let(b, Z + gamma0[1] + alpha0[1])], given=[standing("n = 1", n == 1)],
-      by=[instances(n=(1,))], note="phi_1 = z - gamma_0, psi_1 = z + gamma_0.")
+      (alpha[1][1] == alpha0[1] / (1 - gamma0[1] ** 2)) & (gamma[1][1] == -gamma0[1] * alpha0[1] / (1 - gamma0[1] ** 2))
+      & (monic_of(a_of[0]) == Z + alpha0[1] - gamma0[1]) & (monic_of(b_of[0]) == Z + alpha0[1] + gamma0[1]), over={alpha0: vector(1), gamma0: vector(1)},
+      where=[let(n, 1), *ORBIT, *VECTORS], by=[identity(), instances()], note="One step of (4.4) from any point, and a(z), b(z) there.")
 
 claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al) + abs(ga) < 1, schur(a) & pos_on_circle(D)),
       over=POINT, where=D_ONE,
@@ -113,12 +115,14 @@ claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) t
            "(D < 0) and its pole lies inside the circle.")
 
 claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", iff(defined(alpha[1]), (ga != 1) & (ga != -1)), over=POINT,
-      where=ONE, by=[example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
+      where=ONE, by=[steps("BLZ94-E8.1", prose="A step divides by 1 - gamma^2 and by nothing else."), example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
 
+#: the orbit of (0, ga)
+_AXIS = (rec(v, t, 0, v[t] / (1 - w[t] ** 2)), rec(w, t, ga, -w[t] * v[t] / (1 - w[t] ** 2)))
 claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
-      forall(t, 0, 3, al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (0 * al / (1 - ga**2) == 0), over=POINT, where=ONE,
-      by=[steps("BLZ94-E4.13", prose="The two coefficients d_0 = 1 + alpha^2 - gamma^2 and d_1 = alpha are multiplied by the same factor in each step. With "
-                                     "alpha = 0, (8.1) gives (0, 0)."), instances(20)])
+      always(t, (al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (v[t] == 0) & (w[t + 1] == 0)), over=POINT, where=[*ONE, *_AXIS],
+      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)]]), instances(20)],
+      note="The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
 
 claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
       ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2)),
@@ -129,7 +133,7 @@ claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
           example({al: 1, ga: 1, kappa: 2}), example({al: 1, ga: 2, kappa: 1}), example({al: 1, ga: 3, kappa: -1}), example({al: 0, ga: 1, kappa: -1}),
           example({al: 2, ga: 2, kappa: "1/2"})])
 
-_CROSS = forall(t, 0, m, (alpha[t] - lam) * (al - 1 / lam) == lam ** (2 * t) * (al - lam) * (alpha[t] - 1 / lam))
+_RHO = 1 - gamma[t] ** 2
 claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point of its curve with |alpha| <= 1",
       abs(al) <= 1, over=POINT, where=[*D_ONE, *ONE],
       given=[given("D is sign definite", DEFINITE), given("the orbit stays where it is", (alpha[1] == al) & (gamma[1] == ga))],
@@ -137,9 +141,11 @@ claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point o
       note="A consequence for equilibria, whose limit is the point itself: (2, 0) lies in the shaded region and stays there.",
       repair=repair("missing hypothesis", "The equilibria with |alpha| > 1 and the points that escape have to be excepted; otherwise the cross ratio with "
                                           "the two equilibria of the curve is multiplied by lambda^2 in each step, lambda the one inside.",
-                    _CROSS, sizes=["m"], over={lam: nonzero(), x: scalar()},
-                    where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, let(e, HALF * (lam + 1 / lam))],
-                    by=[identity(m=range(0, 4)), instances(m=(1, 2, 3))]))
+                    always(t, (alpha[t] - lam) * (al - 1 / lam) == p[t] * (al - lam) * (alpha[t] - 1 / lam)), over={lam: nonzero(), x: scalar()},
+                    where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, let(e, HALF * (lam + 1 / lam)), rec(p, t, 1, lam**2 * p[t])],
+                    by=[induction(also=[1 + alpha[t] ** 2 - gamma[t] ** 2 == 2 * e * alpha[t]],
+                                  cofactors=[[(alpha[t] * lam / _RHO, 0, 1), ((p[t] * lam * (al - lam) - lam * al + 1) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]),
+                        instances(20, horizon=3)]))
 
 claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots only at (1, 0) and (-1, 0)",
       iff((substitute(a, x) == 0) & (substitute(b, x) == 0) & (substitute(a, w) == 0), (ga == 0) & (al == -x) & (x == w)),
@@ -172,45 +178,66 @@ claim("BLZ94-S61", "0 < kappa^2 < 1: the equilibria on the curve, and how they a
                                     "other orbit tends to the root inside is the cross ratio of Figure 8.2. The Jacobian at (alpha, 0) is diag(1, -alpha)."),
           example({kappa: "1/2"}), example({kappa: "-1/3"}), example({kappa: 2}), instances(20)])
 
-#: 1/kappa = -cos(2 pi q/p) for one q prime to p
-_COS = when(p == 3, HALF, when(p == 4, 0, when(p == 5, (1 + sqrt(5)) / 4, when(p == 6, -HALF, when(p == 8, sqrt(2) / 2, when(
-    p == 10, -(1 + sqrt(5)) / 4, -sqrt(3) / 2))))))
-_PERIODS = (3, 4, 5, 6, 8, 10, 12)
+_NUM = x**2 - 2 * e * x + 1
+_MOBIUS = (rec(d, t, x, d[t] - c[t]), rec(c, t, 1, d[t] + (1 - 2 * e) * c[t]), rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]))
+claim("BLZ94-X.9", "alpha - gamma moves by a fractional linear map, whose powers are known",
+      always(t, ((alpha[t] - gamma[t]) * c[t] == d[t]) & (d[t] - x * c[t] == -v[t] * _NUM)), over={e: scalar(), x: scalar()},
+      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, *_MOBIUS],
+      by=[induction(also=[1 + alpha[t] ** 2 - gamma[t] ** 2 == 2 * e * alpha[t], c[t] == v[t] * (x + 1 - 2 * e) - w[t],
+                          d[t] == (v[t] - w[t]) * x - v[t]],
+                    cofactors=[[(1 - alpha[t] * (1 + gamma[t]) / _RHO, 0, 1), (c[t] * (1 + gamma[t]) / _RHO, 2, 1)], [(1, 4, 1), (-1, 3, 1), (-x, 4, 1), (-x * (1 - 2 * e), 3, 1)],
+                               [(1 / _RHO, 2, 1)], [(1, 4, 1), (1 - 2 * e, 3, 1)], [(1, 4, 1), (-1, 3, 1)]]),
+          instances(20, horizon=3)],
+      note="Not printed. (d_t, c_t) is (x, 1) times the t-th power of ((1, -1), (1, 1 - 2e)), and v_t is the entry 2, 1 of it. With e = -cos(2 phi) the rotation is by "
+           "phi and v_t a multiple of sin(t phi); for |e| < 1 the factor x^2 - 2ex + 1 is not zero, so that alpha - gamma is back at x exactly if sin(t phi) = 0.")
+
+#: 1/kappa = -cos(2 pi q/p), q and p coprime: then the z^k - 1 have only z - 1 in common
+_COS = -cospi(2 * q, p)
+_PRIME = standing("q and p coprime, q < p/2", coprime(sum_of(k, 0, p - 1, Z**k), sum_of(k, 0, q - 1, Z**k)) & (2 * q < p))
 _CURVE = (let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE)
 #: w is the first step at which the orbit is back; alpha - gamma names the point
 _RETURN = (function(f, [k], when(alpha[k] - gamma[k] == x, k, f(k + 1))), let(w, f(1)))
 _PERIOD = w == p
-claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
-      by=[instances(28, p=_PERIODS)],
-      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p). One q for each p in 3, 4, 5, 6, 8, 10, 12; x = alpha - gamma names any point of the curve.")
+_ROTATION = steps("BLZ94-E8.4", "BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
+                  prose="By X.9 the orbit is back at time t exactly if sin(t phi) = 0, with phi = pi q/p.")
+claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p", "q"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
+      given=[_PRIME], by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9), q=(1, 2, 3, 4))],
+      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p), with 2 pi q/p in (0, pi/2) for kappa < -1 and in (pi/2, pi) for kappa > 1. x = alpha - gamma names any point "
+           "of the curve.")
 
-claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN], by=[instances(28, p=_PERIODS)],
-      note="Checked for p = 3, 4, 5, 6, 8, 10, 12. In general 1/kappa = -cos(2 pi/p) has the angle pi/p, with q = 1: kappa < -1 for p > 4, kappa infinite for "
-           "p = 4, kappa = 2 for p = 3.")
+claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[let(q, 1), *_CURVE, *_RETURN], given=[standing("p > 2", p > 2)],
+      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on.")
 
-claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p"],
+claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p", "q"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
-             function(f, [k], when(y(k) == 0, k, f(k + 1)))],
-      by=[instances(p=_PERIODS)],
+             function(f, [k], when(y(k) == 0, k, f(k + 1)))], given=[_PRIME],
+      by=[steps("BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
+                prose="The points that escape are those that go to one of the two points at infinity of the curve, a = infinity and a = e, under a rotation of order p. For odd p the two "
+                      "have different orbits of p points each, for even p the same; the points at infinity are not counted."),
+          instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10, 11), q=(1, 2, 3, 4, 5))],
       note="alpha = y(k) moves to infinity in k steps; each such alpha belongs to two points, gamma and -gamma. Going back from infinity one comes "
            "to alpha = 0, which nothing moves to, and there the list ends.")
 
 claim("BLZ94-X8.B", "other angles: no orbit returns, and infinitely many points escape",
-      (w == 1) & (v == m), sizes=["m"], over={x: scalar(), e: scalar()},
-      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
-             let(w, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))), let(v, sum_of(k, 1, m, when(y(k) == 0, 0, 1)))],
-      given=[standing("indefinite", abs(e) < 1), given("not a rational angle", e * (4 * e**2 - 1) != 0)],
-      by=[steps(facts=["Niven: 0, 1/2, 1 and their negatives are the only rational cosines of rational multiples of pi",
-                       "Kronecker: the multiples of an irrational angle are dense in the circle"],
-                prose="The curve is a circle on which each step is a rotation by one angle; y(k) are the alpha that escape at step k. w counts the visits at the start, v the y(k) that are not zero."),
+      (d == 1) & (c == m), sizes=["m"], over={x: scalar(), e: scalar()},
+      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]),
+             function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
+             let(d, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))),
+             let(c, sum_of(k, 1, m, when((y(k) == 0) | exists(j, 1, k - 1, y(j) == y(k)), 0, 1)))],
+      given=[standing("indefinite", abs(e) < 1), given("the angle is not k pi/j for j <= 2m", forall(k, 1, 2 * m, v[k] != 0))],
+      by=[steps("BLZ94-X.9", facts=["Kronecker: the multiples of an irrational angle are dense in the circle"],
+                prose="The curve is a circle on which each step is a rotation by one angle, by X.9; v_k is a multiple of sin(k phi), which never vanishes for an irrational angle. So no orbit "
+                      "returns, each is dense, and going back from infinity never ends."),
           example({"m": 3, x: "1/3", e: "1/2"}), example({"m": 4, x: "1/3", e: 0}), example({"m": 6, x: "1/3", e: "-1/2"}),
-          instances(30, m=(3, 6, 8), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
-      note="Rational 1/kappa = e with |e| < 1; that orbits are dense is the second fact.")
+          instances(30, m=(3, 5), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
+      note="1/kappa = e. d counts the visits at the start within m steps, c the different ones among the alpha y(1), ..., y(m), which escape after as many steps.")
 
 claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
-      forall(t, 0, m, (alpha[t] - c) * (1 - c * t * (x - c)) == x - c), sizes=["p", "m"], over={x: scalar()},
-      where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE], by=[identity(p=(1, 2), m=range(0, 5)), instances(p=(1, 2), m=(2, 3))],
-      note="c = kappa. Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is 1 = c t (x - c) for some t, a countable set. At (c, 0) the "
+      always(t, (alpha[t] - c) * w[t] == x - c), sizes=["p"], over={x: scalar()},
+      where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE, rec(w, t, 1, w[t] - c * (x - c))],
+      by=[induction(p=(1, 2), also=[gamma[t] ** 2 == (alpha[t] - c) ** 2],
+                    cofactors=[[((1 + c * (alpha[t] - c)) / _RHO, 0, 1), ((c * w[t + 1] + x - c) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]), instances(p=(1, 2))],
+      note="c = kappa, and w_t = 1 - ct(x - c). Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is w_t = 0 for some t, a countable set. At (c, 0) the "
            "Jacobian is diag(1, -c): both eigenvalues have modulus one. Near (c, 0), (alpha - c)^2 - gamma^2 takes both signs, so curves of all "
            "types come near.")
 
@@ -224,12 +251,16 @@ claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order
 # ---------------------------------------------------------------------- order two
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",
       w == p, sizes=["p"], over={x: scalar()},
-      where=[let(n, 2), let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)),
+      where=[let(n, 2), let(e, -cospi(2, p)), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)),
              let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT,
              function(f, [k], when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, f(k + 1)), f(k + 1))), let(w, f(1))],
-      by=[instances(12, p=(3, 4, 5))],
-      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. The second sentence follows from X8.B: arbitrarily close to any kappa of "
-           "period p there are kappa with dense, hence unbounded, orbits.")
+      given=[standing("p > 2", p > 2)],
+      by=[steps("BLZ94-E8.4", "BLZ94-X.9", "BLZ94-S63", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t",
+                                                              "Kronecker: the multiples of an irrational angle are dense in the circle"],
+                prose="On the curves with angle pi/p every x gives another point. Arbitrarily close to any kappa are those with irrational angle, whose orbits are dense in the "
+                      "unbounded curve."),
+          instances(12, p=(3, 4, 5, 6, 7))],
+      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. alpha_2 = 0 is the case of S63.")
 
 claim("BLZ94-E8.5", "(8.5) is (4.4) for n = 2",
       (alpha[1][1] == alpha0[1] / (1 - gamma0[2] ** 2) + gamma0[2] / (1 - gamma0[2] ** 2) * gamma0[1] / (1 - gamma0[1] ** 2) * alpha0[2])
