@@ -82,14 +82,16 @@ claim("BLZ94-F8.3a", "the closed triangle is the set of alpha with all zeros ins
                     by=[steps(facts=["Schur and Cohn: all roots of z^2 + uz + v lie in |z| < 1 if and only if |v| < 1 and |u| < 1 + v"],
                               prose="The closed case is its limit."), *_EDGES, instances(20)]))
 
+_INSIDE = (abs(al1) < 1 + al2) & (al2 < 1)
 claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
-      iff((abs(al1) < 1 + al2) & (al2 < 1), schur(f)) & (circle_roots(f * q) == 2 * circle_roots(f))
-      & iff(w == 1, schur(f) & (real_roots(f, -1, 1) == 2))
-      & iff(4 * al2 > al1**2, v == 1),
-      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(w, when((abs(al1) < 1 + al2) & (al2 < 1) & (4 * al2 < al1**2), 1, 0)), let(x, 2 + abs(al1) + abs(al2)), let(v, when(real_roots(f, -x, x) == 0, 1, 0))],
-      by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v"], prose="z^2 D = f q up to a factor, q having the inverse roots of f."),
+      iff(_INSIDE, inside_roots(f) == 2) & (circle_roots(f * q) == 2 * circle_roots(f)) & iff(_TRIANGLE & ~_INSIDE, (circle_roots(f) > 0) & (outside_roots(f) < 1))
+      & (w * real_roots(f * q, -x, x) == w * when(4 * al2 < al1**2, 4, when(4 * al2 > al1**2, 0, 2))),
+      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(x, 2 + abs(al1) + abs(al2) + (1 + abs(al1)) / abs(al2)), let(w, when(_INSIDE, 1, 0))],
+      by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v", "Schur and Cohn: all roots of z^2 + uz + v lie in |z| < 1 if and only if |v| < 1 and |u| < 1 + v"],
+                prose="z^2 D = f q up to a factor, q having the inverse roots of f. A root of f on the circle comes with its conjugate, which is its inverse, so that q has it as often as f."),
           *[example({al1: x_, al2: y_}) for x_, y_ in _GRID if y_ != 0], instances(20)],
-      note="All zeros are smaller than x. v = 1 without real zeros, w = 1 inside the triangle below the parabola; f = alpha_infinity(z), q its reversed polynomial.")
+      note="f = alpha_infinity(z), q its reversed polynomial; the eigenvalues of S are the zeros of fq, and real zeros lie between -x and x. Inside the triangle, where w = 1, four of them are real and "
+           "different below the parabola, none is above; on the boundary some are on the circle.")
 
 claim("BLZ94-F8.3c", "the other equilibria with the same D",
       (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
