@@ -52,7 +52,9 @@ from exactkf.dynamics.wandering import (
     Readings,
     aperiodic_place,
     apparent_orders,
+    escape_seen,
     escapes_before,
+    irreducible_at,
     modulus_without_escape,
     no_escape_modulo,
     places_without_escape,
@@ -361,20 +363,24 @@ def _returning(case: _Case, period: int) -> Answer:
 
 
 def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_steps: int) -> Answer:
-    escape = _first_escape(case, min(max_steps, _FEW))
+    seen = escape_seen(pair, min(max_steps, _FEW))
+    escape = None if seen is None else _first_escape(case, case.reduced.start + seen)
     if escape is not None:
         return _escaped(case, escape)
+    reason = "D changes sign on the circle, so the orbit does not converge; "
     if aperiodic is None:
-        return _undecided(case, min(max_steps, _FEW), "D changes sign on the circle, so the orbit does not converge; its zeros seem to be roots of unity of so "
-                          "large an order that this was not decided")
+        return _undecided(case, 0, reason + "its zeros seem to be roots of unity, of an order too large to decide whether it repeats")
+    irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
+    if irreducible.get("irreducible", 1) is None:
+        return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
     evidence = _no_escape(case, pair)
     if evidence is None:
-        steps = max_steps if case.rational else min(max_steps, _FEW)
+        steps = max_steps if case.rational else 0
         escape = _first_escape(case, steps)
         if escape is not None:
             return _escaped(case, escape)
-        return _undecided(case, steps, "D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, "
-                          f"so it does not repeat; it does not escape in {steps} steps, but no primes were found that exclude a later escape"
+        return _undecided(case, steps, reason + "its zeros are not distinct roots of unity, so it does not repeat; "
+                          f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
                           + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
     dimension, torus, reason = torus_evidence(_fractions(case.D)) if case.rational else (None, {}, _TORUS_OF_A_FIELD)
@@ -383,7 +389,8 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
     else:
         case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
                                f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
-    return _answer(case, "not convergent, not periodic", {**evidence, "aperiodic": aperiodic, "torus": torus}, never_escapes=True, torus_dimension=dimension)
+    evidence = {**evidence, **irreducible, "aperiodic": aperiodic, "torus": torus}
+    return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
 
 
 def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
@@ -415,7 +422,7 @@ def _first_escape(case: _Case, steps: int) -> int | None:
     """The escape within so many steps."""
     if case.rational:
         return first_escape(case.a, case.g, steps)
-    return next((t for t, (Q, S) in zip(range(min(steps, _FEW) + 1), _pairs(case), strict=False) if Q[-1] * Q[-1] == S[-2] * S[-2]), None)
+    return next((t for t, (Q, S) in zip(range(steps + 1), _pairs(case), strict=False) if Q[-1] * Q[-1] == S[-2] * S[-2]), None)
 
 
 def _fractions(values: Sequence[Any]) -> list[Fraction]:

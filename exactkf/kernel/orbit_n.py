@@ -51,7 +51,7 @@ from typing import Any, NamedTuple
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import does_not_escape, is_schur
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
-from exactkf.kernel.orbit_sieve import check_never_singular, readings
+from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
@@ -353,24 +353,26 @@ def power_of_z(k: int, modulus: list) -> list:
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    algebraic = next((x for x in Q if isinstance(x, Algebraic)), None)
+    if algebraic is not None:
+        check_irreducible(algebraic.field, evidence["irreducible"])
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _aperiodic(D, *evidence["aperiodic"])
+    _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, *evidence["aperiodic"])
     if "modulus" in evidence:
-        _need(all(isinstance(x, Fraction) for x in Q), "a modulus alone is for rational data")
+        _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
-        _need(all(isinstance(x, Fraction) for x in Q), "the torus is found for rational data")
+        _need(algebraic is None, "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
 
 
-def _aperiodic(D: list, p: Any, *roots: Any) -> None:
+def _aperiodic(D: list, degree: int, p: Any, root: Any = None) -> None:
     """The zeros of D are not distinct roots of unity."""
     _need(type(p) is int and p > 1, "a modulus is an integer above one")
-    degree = max((len(x.field.modulus) - 1 for x in D if isinstance(x, Algebraic)), default=1)
-    _need(all(has_infinite_order(d, (len(D) - 1) * degree, p) for d in readings([divide(c, D[-1]) for c in D], p, *roots)), "S may be of finite order")
+    _need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
 
 
 def _nonconvergent(Q: list, S: list) -> Reduced:
