@@ -9,12 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import click
+from flint import arb, fmpq
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
+from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.files import check_target, dump_json, write_text
 
@@ -146,6 +148,10 @@ def shown_number(value: Any, digits: int) -> str:
     """
     if not isinstance(value, dict):
         return str(value)
+    if "minpoly" not in value:
+        lo, hi = (fmpq(*map(int, end.split("/"))) for end in value["interval"])
+        with precision(4 * digits + 64):
+            return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
     field = RealField(value["minpoly"], value["interval"])
     polynomial = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", str(field.minpoly))
     return f"{field.gen().enclose(digits).str(digits, radius=False)}  (root {field.index + 1} of {polynomial}, from the left)"
