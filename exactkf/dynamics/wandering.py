@@ -80,7 +80,7 @@ class Readings(NamedTuple):
         """From the polynomials of a reduced pair."""
         return cls(Q[-2::-1], S[-2::-1], D, next((x.field for x in Q if isinstance(x, RealNumber)), None))
 
-    def roots(self, p: int) -> list[int | None]:
+    def roots(self, p: int) -> Sequence[int | None]:
         """The residues of the generator modulo `p`: simple zeros; one None for rational data."""
         if self.field is None:
             return [None]
@@ -118,9 +118,9 @@ def irreducible_at(field: RealField) -> int | None:
         if value.bit_length() > 80:
             return None
         for r in range(2, 100):
-            while value % r == 0:
+            while value % r == 0 and n > largest + 1 + c * r:
                 value, c = value // r, c * r
-        if n > largest + 1 + c and fmpz(value).is_prime():
+        if n > largest + 2 and fmpz(value).is_prime():
             return n
     return None
 
@@ -166,7 +166,8 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
     before : list of int
         The `k` with a singular plane `k` steps before the start.
     """
-    period, left, taken, steps = 1, [0], [], 0
+    taken: list[_Taken] = []
+    period, left, steps = 1, [0], 0
     for p in primes(5 if before else 2):
         if p > _PRIME_BOUND or steps > _MOST_STEPS:
             return None
@@ -249,7 +250,8 @@ def _zeros_modulo(pair: Readings, p: int, root: int | None, L: int) -> set[int] 
     for _ in range(size):
         tops.append(power)
         power = power * S
-    leap, columns, found = S**size, _unit(2 * m, m, p), set()
+    found: set[int] = set()
+    leap, columns = S**size, _unit(2 * m, m, p)
     for start in range(0, L, size):
         found.update(start + i for i, top in enumerate(tops) if not (top * columns).det())
         columns = leap * columns

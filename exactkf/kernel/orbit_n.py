@@ -379,7 +379,7 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
         check_irreducible(algebraic.field, evidence["irreducible"])
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, *evidence["aperiodic"])
+    _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
     if "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
@@ -390,8 +390,10 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
 
 
-def _aperiodic(D: list, degree: int, p: Any, root: Any = None) -> None:
+def _aperiodic(D: list, degree: int, place: Any) -> None:
     """The zeros of D are not distinct roots of unity."""
+    _need(len(place) in (1, 2), "a place is a modulus and, for algebraic data, a residue")
+    p, root = place[0], place[1] if len(place) == 2 else None
     _need(type(p) is int and p > 1, "a modulus is an integer above one")
     _need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
 

@@ -60,16 +60,21 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
     """
     _need(bool(places), "no prime is named")
     m, period, left = len(Q) - 1, 1, [0]
-    for p, L, *root in places:
+    for p, L, root in map(_place, places):
         _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
         _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
-        values = reading([*Q[-2::-1], *S[-2::-1]], p, *root)
+        values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
         period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
         _need(len(left) < _MOST, "too many times are left")
     if left:
         singular = _singular_before(Q, S, before)
-        alone = [(k, L) for k in singular for p, L, *root in places if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
+        alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
         _need(all(any((t + k) % L == 0 for k, L in alone) for t in left), f"nothing excludes an escape at times {left[0]} modulo {period}")
+
+
+def _place(data: Any) -> tuple[Any, Any, Any]:
+    _need(len(data) in (2, 3), "a place is a prime, a period and, for algebraic data, a residue")
+    return data[0], data[1], data[2] if len(data) == 3 else None
 
 
 def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
@@ -90,14 +95,16 @@ def reading(values: list, p: int, root: int | None = None, power: int = 1) -> li
         _need(root is None, "rational data have no generator")
         return modular(values, p**power)
     _need(field.irreducible, "the modulus of the field is not known to be irreducible")
-    _need(type(root) is int and type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime with a residue")
+    if type(root) is not int:
+        raise Undefined("the residue of the generator is missing")
+    _need(type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
     modulus = modular([Fraction(c) / field.modulus[-1] for c in field.modulus], p**power)
     value = _horner(modulus, root, p**power)
     _need(value % p == 0, f"the residue of the generator is no zero modulo {p}")
     if power > 1:  # Hensel's lemma
         slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
         _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
-        root = (root - value * pow(slope, -1, p)) % p**power  # type: ignore[operator]
+        root = (root - value * pow(slope, -1, p)) % p**power
     return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
 
 
@@ -109,12 +116,12 @@ def check_irreducible(field: AlgebraicField, n: Any) -> None:
     F = [c // content for c in F]
     _need(type(n) is int and n > 0, "the argument is not a positive integer")
     H = max(abs(Fraction(x, F[-1])) for x in F)
-    _need(n > H + 1, "the argument is too small")
+    _need(n > H + 2, "the argument is too small")
     value, c = abs(sum(x * n**k for k, x in enumerate(F))), 1
     for r in range(2, 100):
-        while value % r == 0:
+        while value % r == 0 and n > H + 1 + c * r:
             value, c = value // r, c * r
-    _need(n > H + 1 + c and _is_prime(value), "the modulus of the field is not shown to be irreducible")
+    _need(_is_prime(value), "the modulus of the field is not shown to be irreducible")
     field.irreducible = True
 
 
@@ -242,10 +249,10 @@ def _singular_before(Q: list, S: list, before: Any) -> list[int]:
     return found
 
 
-def _alone(Q: list, S: list, k: int, p: int, L: int, root: list) -> bool:
+def _alone(Q: list, S: list, k: int, p: int, L: int, root: int | None) -> bool:
     """Whether det X_{L-k} is not zero modulo p^2; see statement 3, where det X_{-k} = 0 and S^L = I modulo p are known."""
     m = len(Q) - 1
-    values = reading([*Q[-2::-1], *S[-2::-1]], p, *(root or [None]), 2)
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, 2)
     X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], p * p), L - k, p * p)[:m]]
     return char_coefficients(Matrix(X))[0] % (p * p) != 0
 
