@@ -134,7 +134,7 @@ class Witness:
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
             if key[0] == "prod":
-                return bool(self._number(key[1]))
+                return len(p) == 1 and bool(self._number(key[1]))
         try:
             values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
