@@ -125,7 +125,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
     elif formula[0] == "<=>":
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
-    elif formula[0] == "!=" and (differ := [f[1:] for _, f, _ in statement["given"] if f[0] == "!="]):
+    elif formula[0] == "!=" and not statement.get("lemma") and (differ := [f[1:] for _, f, _ in statement["given"] if f[0] == "!="]):
         # a = b would make equal what a hypothesis, the last of this form, says to differ
         yield from _leaves(_assume(statement, label, ["=", *formula[1:]]), ["=", *differ[-1]])
     else:
