@@ -29,7 +29,6 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     pd,
-    positive_definite,
     positive_semidefinite,
     psd,
     rank,
