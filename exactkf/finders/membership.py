@@ -278,7 +278,7 @@ def _size_of(case: dict, term: Any) -> Iterator[Any]:
             yield size_tree(reader.total(found.rows))
 
 
-#: what is tried by itself before all assumptions are: lemmas of the leaf, and what its proof brings in
+#: lemmas of the leaf, and what its proof brings in: these are tried before all assumptions are
 _NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
 
 

@@ -134,7 +134,7 @@ class Terms(Indefinite):
         op = tree[0]
         if op == "rat":
             return self.number(Fraction(tree[1], tree[2]))
-        if self.is_matrix(tree):
+        if self.is_matrix(tree) and not self._is_power_of_number(tree, env):
             if self.shape(tree, env) != ({"": 1}, {"": 1}):
                 raise Undefined("a matrix stands where a scalar is needed")
             return self.entry(tree, {"": 1}, {"": 1}, env)
@@ -381,6 +381,9 @@ class Terms(Indefinite):
             return self.is_matrix(tree[1])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
+    def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
+        return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
+
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
         if not self.is_matrix(tree):
@@ -458,6 +461,8 @@ class Terms(Indefinite):
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if self._is_power_of_number(tree, env):
+            return self.value(tree, env)
         if op in ("inv", "^", "subst"):
             return self._chain([tree], i, j, env)
         if op in ("sym", "at"):
@@ -500,7 +505,7 @@ class Terms(Indefinite):
         for k, part in enumerate(parts):
             if not isinstance(part, int) and part[0] == "subst":
                 return self._polynomial_in(parts, k, i, j, env)
-        if any(not isinstance(x, int) and x[0] in ("inv", "^") for x in parts):
+        if any(not isinstance(x, int) and x[0] in ("inv", "^") and not self._is_power_of_number(x, env) for x in parts):
             return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
