@@ -50,7 +50,7 @@ class Terms(Indefinite):
     supported : names of recursions X whose value X_t is a polynomial with exponents 0 .. t
     closed : names of functions that are opened at integers alone
     whole : names of recursions that are opened at their initial values alone, and of functions in z whose coefficients are not computed
-    rules : mapping of name to (least index or None for the hypothesis of an induction, index name, term)
+    rules : mapping of name to (least index or None for the hypothesis of an induction, index names, greatest index or None, term)
         X_t = term, shown before.
     """
 
@@ -342,11 +342,13 @@ class Terms(Indefinite):
                 and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1))
 
     def _solved(self, name: str, args: tuple[Form, ...], read: Callable) -> Symbolic | None:
-        if name not in self.rules or len(args) != 1:
+        least, names, high, term = self.rules.get(name, (0, (), None, None))
+        if not names or len(args) != len(names) or any(self.region.decide(x) is not True for x in args[:-1]):
             return None
-        least, index, term = self.rules[name]
-        if (args[0] == {INDEX: 1}) if least is None else self.region.decide(plus(args[0], {"": least}, -1)):
-            return read(term, {index: args[0]})
+        if high is not None and self.region.decide(plus(self.index(high, {}), args[-1], -1)) is not True:
+            return None
+        if (args[-1] == {INDEX: 1}) if least is None else self.region.decide(plus(args[-1], {"": least}, -1)):
+            return read(term, dict(zip(names, args, strict=True)))
         return None
 
     def _outside(self, t: Form, m: Form) -> bool:

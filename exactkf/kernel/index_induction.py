@@ -122,9 +122,9 @@ class _Proof:
         self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), lemma.get("base", ()), f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
-        self.rules.update((name, (None, index, term)) for name, term in rules)
+        self.rules.update((name, (None, names, high, term)) for name, names, high, term in rules)
         self._show(says, {index: {INDEX: 1, "": 1}}, generic, lemma.get("uses", ()), f"{place}, step", {index: {INDEX: 1}}, len(self.lemmas) - 1)
-        self.rules.update((name, (first, index, term)) for name, term in rules)
+        self.rules.update((name, (first, names, high, term)) for name, names, high, term in rules)
         self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
@@ -323,14 +323,27 @@ def _inverses(terms: Terms, x: Symbolic) -> set[tuple]:
     return found
 
 
-def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, Any]]:
-    """Name and term of each equation X[t] = term; the terms have none of the names."""
+def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, list[str], Any, Any]]:
+    """Name, indices, greatest index (or None) and term of each equation X[t] = term, or X(s, t) = term for all s >= 0.
+
+    The greatest is b in ``forall(u, t, b, ..)`` where u occurs no more; the terms have none of the names.
+    """
+    others, high = [], None
+    while says[0] == "always":
+        others.append(says[1])
+        says = says[2]
+    if says[0] == "forall" and says[2] == ["sym", index] and not _mentions(says[4], says[1]):
+        high, says = says[3], says[4]
     parts = says[1:] if says[0] == "and" else [says]
-    if any(p[0] != "=" or len(p) != 3 or p[1][0] != "at" or p[1][2:] != [["sym", index]] for p in parts) or (
+    if any(p[0] != "=" or len(p) != 3 or p[1][0] != "at" or p[1][2:] != [["sym", x] for x in (*others, index)] for p in parts) or (
             {p[1][1] for p in parts} & {name for p in parts for name in _heads(p[2])}):
         raise Rejected(f"{place}: only equations X[t] = term without X are rules")
     for p in parts:
-        yield p[1][1], p[2]
+        yield p[1][1], [*others, index], high, p[2]
+
+
+def _mentions(tree: Any, name: str) -> bool:
+    return tree == name or isinstance(tree, list) and any(_mentions(x, name) for x in tree)
 
 
 def _heads(tree: Any) -> set[str]:
@@ -376,6 +389,7 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
     present = {place for monomial in row.num for place, e in enumerate(exponents(monomial)) if e}
+    below = {place for f in row.field.factors for monomial in f for place, e in enumerate(exponents(monomial)) if e}  # would stay there
     for place in sorted(present):
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
@@ -384,8 +398,8 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((left, _FIRST.index(terms.atoms[place][0]), place))
-    return min(found)[2] if found else None
+                found.append((left, place in below, _FIRST.index(terms.atoms[place][0]), place))
+    return min(found)[3] if found else None
 
 
 def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
