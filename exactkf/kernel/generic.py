@@ -284,6 +284,8 @@ class Terms(Indefinite):
         last = args[-1] if args else {}
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
+        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+            return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
                 return found
@@ -316,7 +318,7 @@ class Terms(Indefinite):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive or name in self.unused:
+        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")

@@ -47,7 +47,7 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
 from proofs.blz94.lemmas import column as col
-from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, OPENED, alpha1
+from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, OPENED, SCHUR_0, SCHUR_LEMMAS, alpha1, schur
 from proofs.blz94.lemmas_orbit import (
     ALONG,
     COORDINATES,
@@ -71,7 +71,6 @@ from proofs.blz94.notation import (
     RHO,
     RHO_T,
     SHIFTED,
-    STEP,
     VECTORS,
     A,
     D,
@@ -161,11 +160,13 @@ claim("BLZ94-EA.5", "the inverse of A(gamma), and alpha = A(gamma)^-1 alpha(1)",
       note="alpha(1), here alpha1, is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a); A_0 is A(gamma).")
 
 claim("BLZ94-EA.6", "alpha_j in terms of alpha_1(1), ..., alpha_j(1)",
-      forall(j, 1, n, alpha0[j] == gamma(0, n - j) * gamma(0, n)
-             + sum_of(i, 1, j - 1, gamma(0, n - j) * gamma(0, n - i) * alpha(1, i))
-             + alpha(1, j)),
-      sizes=["n"], over=VECTOR_POINT, where=[*STEP], by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="gamma(0, k) are the Schur parameters of v, so gamma(0, n) is gamma_n; alpha(1) is found from (a(1), g(1)).")
+      forall(j, 1, n, alpha0[j] == schur(n - j) * schur(n) + sum_of(i, 1, j - 1, schur(n - j) * schur(n - i) * alpha1(i)) + alpha1(j)), **_FOUND,
+      where=[*_FROM_POINT, *SCHUR_0],
+      by=[generic_index(*SCHUR_LEMMAS, supported=OPENED["supported"], whole=OPENED["whole"], closed=[*OPENED["closed"], schur], uses=[
+          use(24, k=n - j, u=n - 1), use(schur, n), use(25, t=0), use(26, k=j - 1, u=n), use(20, k=j, u=n), use(1, k=n - j, t=0, u=n - 1)]),
+          instances(n=(2, 3, 4))],
+      note="schur(k) are the Schur parameters of v, found from (a(0), g(0)) by (3.11) and (3.6), so schur(n) is gamma_n; alpha(1), here alpha1, is found "
+           "from (a(1), g(1)) in the same way.")
 
 _SEVEN = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *RHO_T, *PI_T]}
 

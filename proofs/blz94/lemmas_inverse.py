@@ -11,6 +11,9 @@ From them (3.6) gives gamma(t) back, polynomial by polynomial, and (3.12a) gives
 
 They are numbered as they stand in `INVERSE_LEMMAS`, after those of `ONE_STEP`. What is found at time 1 has the names
 ``c1, f1, f1s, r1, gamma1, alpha1``; the bound k <= u <= n says that no more than n of the C_k are coefficients of g/a.
+
+The next coefficient is -(a_1 C_n + .. + a_n C_1). By orthogonality phi_n against it comes to -(alpha_n r_0 gamma_0 + .. + alpha_1 r_{n-1} gamma_{n-1}),
+and that is -r_n w_{n-1}: the Schur parameter gamma_n of v is the last entry of gamma(1) (`SCHUR_LEMMAS`).
 """
 
 from __future__ import annotations
@@ -43,10 +46,11 @@ from proofs.blz94.notation import (
     u,
 )
 
-__all__ = ["COORDINATES_1", "INVERSE_LEMMAS", "ON_THE_LAST", "OPENED", "alpha1", "gamma1"]
+__all__ = ["COORDINATES_1", "INVERSE_LEMMAS", "ON_THE_LAST", "OPENED", "SCHUR_0", "SCHUR_LEMMAS", "alpha1", "cor", "gamma1", "schur"]
 
 cor, pa, pb, l = symbols("correlation a_part b_part l")
 c1, f1, f1s, r1, gamma1, alpha1 = symbols("c1 f1 f1s r1 gamma1 alpha1")
+c_of, f0, f0s, r0, schur = symbols("c_of f0 f0s r0 schur")
 
 
 def _r(high: Any, at: Any = t) -> Expr:
@@ -64,6 +68,12 @@ COORDINATES_1 = (
     function(pa, [t, k], when(k == 0, alpha[t][n], pa(t, k - 1) + alpha[t][n - k] * phi(t, k))),
     function(pb, [t, k], when(k == 0, alpha[t][n], pb(t, k - 1) + alpha[t][n - k] * psi(t, k))),
 )
+#: the Schur parameters of v, without end
+SCHUR_0 = (
+    function(c_of, [t, k], laurent(strict_of(g[t]) / monic_of(a[t]), k)),
+    rec(f0, k, 1, Z * f0[k] - schur(k) * f0s[k]), rec(f0s, k, 1, f0s[k] - schur(k) * Z * f0[k]), rec(r0, k, 1, (1 - schur(k) ** 2) * r0[k]),
+    function(schur, [k], 1 / r0[k] * sum_of(j, 0, k, coeff(f0[k], j) * c_of(0, j + 1))),
+)
 OPENED = {"supported": [*FOUR_ALPHA["supported"], pa, pb], "whole": [alpha, a, g], "closed": [cor]}
 
 _ORBIT = COORDINATES(8)
@@ -77,10 +87,11 @@ _PARTS = lemma(k, always(t, forall(s, 0, k, HALF * (coeff(pb(t, k), s) - coeff(p
                uses=[use(13, k=k, t=t, s=s), *_AT, use(11, k=k, t=t, s=s), *(use(12, k=k, t=t, s=x) for x in (s - 1, k - s, s))])
 _AS_SUMS = lemma(k, always(t, forall(s, 0, k, (coeff(pa(t, k), s) == sum_of(l, 0, k, alpha[t][n - l] * coeff(phi(t, l), s)))
                                      & (coeff(pb(t, k), s) == sum_of(l, 0, k, alpha[t][n - l] * coeff(psi(t, l), s))))), uses=[use(14, k=k, t=t, s=s)])
-_CONVOLVED = lemma(s, always(t, forall(k, s + 1, n, sum_of(j, 1, s, a[t][j] * cor(t, k - j))
+_CONVOLVED = lemma(s, always(t, forall(k, s + 1, n + 1, sum_of(j, 1, s, a[t][j] * cor(t, k - j))
                                        == sum_of(j, 1, s, (coeff(pa(t, n - 1), n - j) + coeff(phi(t, n), n - j)) * cor(t, k - j)))),
                    uses=[use(15, s=s, t=t, k=k), use(8, t=t, i=s + 1), use(14, k=n - 1, t=t, s=n - s - 1)])
-_AT_INFINITY = fact(t, "laurent", forall(k, 0, n, laurent(strict_of(g[t]) / monic_of(a[t]), k) == when(k == 0, 0, cor(t, k))), n,
+_NEXT = -sum_of(j, 1, n, a[t][j] * cor(t, n + 1 - j))  # the coefficient after those that gamma(t) determines
+_AT_INFINITY = fact(t, "laurent", forall(k, 0, n + 1, laurent(strict_of(g[t]) / monic_of(a[t]), k) == when(k == 0, 0, when(k <= n, cor(t, k), _NEXT))), n,
                     uses=[use(15, s=k - 1, t=t, k=k), use(8, t=t, i=k), use(12, k=n, t=t, s=n - k), use(13, k=n - 1, t=t, s=n - k),
                           use(14, k=n - 1, t=t, s=n - k), use(6, k=n, t=t)])
 _PAIRED = lemma(s, always(m, forall(u, s, n - 1, sum_of(j, 0, s, coeff(phi(1, m), j) * c1(j + 1)) == sum_of(j, 0, s, coeff(phi(1, m), j) * cor(1, j + 1)))),
@@ -96,3 +107,20 @@ INVERSE_LEMMAS = (*ONE_STEP, _ORBIT, *_REVERSED, _ORTHOGONAL, _FROM_PHI, _PARTS,
 #: next of a list: the last row of G(alpha(1))
 ON_THE_LAST = lemma(k, forall(u, k, n, sum_of(j, 1, k, alpha1(j) * gamma0[n + 1 - j]) == sum_of(j, 1, k, alpha[1][j] * gamma0[n + 1 - j])),
                     uses=[use(21, k=k, u=u, times=1), use(20, k=k + 1, u=u)])
+
+#: next of a list: the Schur parameter gamma_n of v, by the coefficient of g/a after the first n
+_WEIGHTED_PARTS = lemma(k, always(t, sum_of(j, 0, k, coeff(pa(t, k), j) * cor(t, j + 1)) == sum_of(l, 0, k, alpha[t][n - l] * gamma[t][l + 1] * _r(l))),
+                        uses=[use(21, k=k, t=t), use(cor, t, k + 2), use(6, k=k, t=t)])
+_PAIRED_AT = lemma(s, always(t, always(m, forall(u, s, n - 1, sum_of(j, 0, s, coeff(phi(t, m), j) * c_of(t, j + 1))
+                                                 == sum_of(j, 0, s, coeff(phi(t, m), j) * cor(t, j + 1))))),
+                   uses=[use(22, s=s, t=t, m=m, u=u, times=1), use(16, t=t, k=s + 2)], base=[use(16, t=t, k=1)])
+_SCHUR = lemma(k, forall(u, k, n, (f0[k] == phi(0, k)) & (f0s[k] == phis(0, k)) & (r0[k] == _r(k, 0))), rule=True,
+               uses=[use(schur, k), use(22, s=k, t=0, m=k, u=n - 1), use(cor, 0, k + 1), use(6, k=k, t=0)])
+_FIRST = lemma(k, forall(u, k, n - 1, schur(k) == gamma0[k + 1]), direct=True,
+               uses=[use(schur, k), use(22, s=k, t=0, m=k, u=n - 1), use(cor, 0, k + 1), use(6, k=k, t=0)])
+_LAST = lemma(t, sum_of(j, 0, n, coeff(phi(t, n), j) * c_of(t, j + 1)) == -_r(n) * sum_of(l, 0, n - 1, gamma[t][l + 1] * alpha[t + 1][n - l]), direct=True,
+              uses=[use(0, k=n - 1, t=t, u=n - 1), use(22, s=n - 1, t=t, m=n, u=n - 1), use(16, t=t, k=n + 1), use(6, k=n, t=t),
+                    use(15, s=n, t=t, k=n + 1), use(21, k=n - 1, t=t)])
+_PRODUCTS = lemma(k, forall(u, k, n, sum_of(i, 1, k, schur(n - i) * alpha1(i)) == sum_of(i, 1, k, gamma0[n - i + 1] * alpha[1][i])),
+                  uses=[use(26, k=k, u=u, times=1), use(24, k=n - k - 1, u=n - 1), use(20, k=k + 1, u=u)])
+SCHUR_LEMMAS = (*INVERSE_LEMMAS, _WEIGHTED_PARTS, _PAIRED_AT, _SCHUR, _FIRST, _LAST, _PRODUCTS)
