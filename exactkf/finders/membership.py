@@ -248,7 +248,7 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
     op = formula[0]
     rank = op == "=" and isinstance(formula[1], list) and formula[1][0] == "rank"
     labels = [label for label, f, _ in reversed(case["given"]) if f[0] == "="]
-    if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms):  # an inverse to be brought in, most likely
+    if terms and all(isinstance(t, list) and t[0] in ("inv", "/") for t in terms):  # an inverse to be brought in, most likely
         yield {}
     if op in ("=", "symmetric", "symplectic") and not rank:
         if terms:
@@ -278,7 +278,7 @@ def _size_of(case: dict, term: Any) -> Iterator[Any]:
             yield size_tree(reader.total(found.rows))
 
 
-#: what is tried by itself before all assumptions are: lemmas of the leaf, and what its proof brings in
+#: lemmas of the leaf, and what its proof brings in: these are tried before all assumptions are
 _NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
 
 

@@ -64,6 +64,7 @@ def apart(reader: Reader) -> Reader:
     probe = copy(reader)
     probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
     probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
+    probe.kernels = list(reader.kernels)
     return probe
 
 

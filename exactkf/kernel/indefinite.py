@@ -63,7 +63,9 @@ class Indefinite:
         if not self.region.holds(plus(plus(high, low, -1), {"": 1})) or self.region.decide(plus(high, low, -1)) is False:
             return self.number(int(times))
         length = self.region.reduce(plus(high, low, -1))
-        if self.region.decide(plus({}, length, -1)) is True:
+        if self.region.decide(plus({}, length, -1)) is True:  # one term, or none
+            if not self.region.holds(length):
+                return self.number(int(times))
             length = {}
         if set(length) <= {""}:
             out = self.number(int(times))

@@ -35,6 +35,7 @@ from exactkf.kernel.numbers import Rejected, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
+from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
@@ -48,14 +49,16 @@ Goal = Callable[[Terms], list[Symbolic]]
 
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
-    proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
-    for name in evidence.get("supported") or []:
-        proof.supported.append(name)
-    for name in proof.supported:
-        proof.support(name)
-    for lemma in evidence["lemmas"]:
-        proof.lemma(lemma)
-    proof.conclude(evidence)
+    try:
+        proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
+        proof.supported.extend(evidence.get("supported") or [])
+        for name in proof.supported:
+            proof.support(name)
+        for lemma in evidence["lemmas"]:
+            proof.lemma(lemma)
+        proof.conclude(evidence)
+    except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
+        raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
     return proof.denominators
 
 
@@ -106,6 +109,7 @@ class _Proof:
         index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
         if type(first) is not int or first < 0:
             raise Rejected(f"{place}: it starts before zero")
+        check_formula(self.statement, says, index)
         rules = list(_rules(says, index, place)) if lemma.get("rule") else []
         self.in_values = bool(lemma.get("in values"))
         generic = Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)])
@@ -164,14 +168,16 @@ class _Proof:
                 self._show(part, env, region, uses, place, names, current)
         elif op == "forall":
             _, name, low, high, body = says
-            self._unbound(name, env, names)
+            if self.is_bound(name, env, names):
+                raise Unknown(f"index {name!r} bound twice")
             terms = Terms(self.statement, region)
             k: Form = {name: 1}
             inner = region.and_(plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))
             self._show(body, {**env, name: k}, inner, uses, place, {**names, name: k}, current)
         elif op == "always":
             _, name, body = says
-            self._unbound(name, env, names)
+            if self.is_bound(name, env, names):
+                raise Unknown(f"index {name!r} bound twice")
             self.always.add(name)
             self._show(body, {**env, name: {name: 1}}, region.and_({name: 1}), uses, place, {**names, name: {name: 1}}, current)
             self.always.discard(name)
@@ -181,9 +187,9 @@ class _Proof:
         else:
             raise Unknown(f"{op!r} at a generic index")
 
-    def _unbound(self, name: str, *taken: Mapping[str, Form]) -> None:
-        if any(name in names for names in taken) or name in self.statement["sizes"] or name in _RESERVED or name.startswith("#"):
-            raise Unknown(f"index {name!r} bound twice")
+    def is_bound(self, name: str, *taken: Mapping[str, Form]) -> bool:
+        """A name that an index may not have here, as it is that of another parameter or of none."""
+        return any(name in names for names in taken) or name in self.statement["sizes"] or name in _RESERVED or not name.isidentifier()
 
     def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form],
                   current: int | None) -> None:

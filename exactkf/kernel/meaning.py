@@ -106,10 +106,10 @@ class World:
             return special(self, tree, local or {})
         if len(tree) == 3 and op in _OF_INTEGERS:
             _, x, y = tree
-            if type(x) is not int:
-                x = self.value(x, local)
+            if type(x) is not int:  # an index at once: most operands are one
+                x = local[x[1]] if local and x[0] == "sym" and x[1] in local else self.value(x, local)
             if type(y) is not int:
-                y = self.value(y, local)
+                y = local[y[1]] if local and y[0] == "sym" and y[1] in local else self.value(y, local)
             if type(x) is int and type(y) is int:
                 return _OF_INTEGERS[op](x, y)
             if self.symbolic and op in _NOT_GENERIC:
@@ -149,7 +149,7 @@ class World:
         name = tree[1]
         definition = self.definitions.get(name)
         if definition is not None and (definition[0] == "rec" or definition[2]) and name not in self.values and name not in local:
-            args = tuple([a if type(a) is int else self.value(a, local) for a in tree[2:]])
+            args = tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local) for a in tree[2:]])
             if self.symbolic:
                 _need_near(args)
             return self.call(name, args)

@@ -129,7 +129,7 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     if d > 1:
         check_independent(numbers, free, evidence["independent"]["bits"], evidence["independent"]["basis"])
     for i in set(range(k)) - set(free):
-        exponents = next((r[1] for r in evidence["relations"] if r[0] == i), [])
+        exponents: list = next((r[1] for r in evidence["relations"] if r[0] == i), [])
         _need(len(exponents) == d + 1 and all(type(e) is int for e in exponents) and exponents[-1] != 0, f"no relation for the zero {i}")
         _need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
 

@@ -21,7 +21,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ===============  ==================================================================
 
 What is proved with symbols holds wherever the recorded denominators are not
-zero. `replay` returns them as text.
+zero. `replay` returns them as text. What else a certificate takes for granted `rests_on` tells.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
 from exactkf.kernel.wellformed import check_statement, check_variables
 
-__all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
+__all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "rests_on", "seal"]
 
 FORMAT, VERSION = "exactkf-certificate", 1
 _FIELDS = ("format", "version", "id", "kind", "statement", "evidence", "digest")
@@ -99,6 +99,24 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         raise Rejected(f"{certificate['kind']}: {error}") from error
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, RecursionError, ArithmeticError, AssertionError) as error:
         raise Rejected(f"{certificate['kind']}: malformed data ({type(error).__name__}: {error})") from error
+
+
+def rests_on(certificate: Mapping[str, Any]) -> str:
+    """What a certificate that replays takes for granted, '' for nothing.
+
+    An identity in the parameters of a parametrisation holds for what the parametrisation reaches. That this is
+    everything the hypotheses admit is another claim, or a classical fact: it is named in the certificate, and not looked at here.
+    """
+    statement, evidence = certificate["statement"], certificate["evidence"]
+    if certificate["kind"] != "identity" or _is_said(statement, evidence.get("given_by") or {}):
+        return ""
+    return str(evidence["covered_by"])
+
+
+def _is_said(statement: Mapping[str, Any], given_by: Mapping[str, Any]) -> bool:
+    """A hypothesis x = term covers x by itself."""
+    said = [formula for _, formula, _ in statement["given"]]
+    return all(["=", ["sym", name], tree] in said for name, tree in given_by.items())
 
 
 def _well_formed(certificate: Mapping[str, Any]) -> None:
@@ -207,9 +225,8 @@ def _collect(into: list[str], field: SymbolicField) -> None:
     into.extend(t for t in _denominators(field) if t not in into)
 
 
-def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, used: set[int]) -> None:
-    """Evidence divides by nothing but what the statement divides by (the factors up to ``known``) or says not to vanish."""
-    new = used - set(range(known))
+def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicField, new: set[int]) -> None:
+    """What the evidence divides by, and the statement does not, is something that the statement says not to vanish."""
     if new:
         new -= {index for x in _not_zero(statement, world) if isinstance(x, Symbolic) for index, _ in field.factor(x.num)}
     _need(not new, f"the evidence divides by {', '.join(field.text(field.factors[index]) for index in sorted(new))}, which may vanish")
@@ -229,6 +246,15 @@ def _divisors(x: Any, below: Laurent | None = None) -> set[int]:
     if isinstance(x, Laurent):
         return {index for y in x.c.values() for index in _divisors(y)}
     return {index for index, _ in x.den} if isinstance(x, Symbolic) else set()
+
+
+def _coefficient_divisors(x: Any) -> set[int]:
+    """Factors of the denominators of coefficients in a value of the statement."""
+    if isinstance(x, Matrix):
+        return {index for r in x.rows for y in r for index in _coefficient_divisors(y)}
+    if isinstance(x, Ratio):
+        return _divisors(x.num) | _divisors(x.den)
+    return _divisors(x)
 
 
 def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
@@ -257,8 +283,7 @@ def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
 def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
-    said = [formula for _, formula, _ in statement["given"]]  # a hypothesis x = term covers x by itself
-    _need(bool(evidence.get("covered_by")) or all(["=", ["sym", name], tree] in said for name, tree in given_by.items()),
+    _need(bool(evidence.get("covered_by")) or _is_said(statement, given_by),
           "a parametrisation needs the claim that says it reaches everything")
     parameters = evidence.get("parameters") or []
     taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
@@ -324,10 +349,12 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
     found: list[str] = []
     hypotheses = {label: formula for label, formula, _ in statement["given"]}
     for world, field in _cases(statement, evidence):
-        used = {label for terms in evidence["terms"] for _, label, _ in terms}
-        residual = {label: list(_residuals(world, hypotheses[label.removesuffix("'")])) for label in used}
-        goals = [(goal, len(field.factors)) for goal in _residuals(world, statement["says"])]  # with what has been divided by until then
+        goals = [(goal, set(range(len(field.factors)))) for goal in _residuals(world, statement["says"])]  # with what has been divided by until then
         _need(len(goals) == len(evidence["terms"]), "as many lists of terms as equations are needed")
+        used = {label for terms in evidence["terms"] for _, label, _ in terms}
+        before, new = len(field.factors), set[int]()
+        residual = {label: list(_residuals(world, hypotheses[label.removesuffix("'")])) for label in used}
+        granted = set(range(before, len(field.factors))) | {index for h in residual.values() for r in h for index in _coefficient_divisors(r)}
         for (goal, known), terms in zip(goals, evidence["terms"], strict=True):
             rest, divisors = goal, set[int]()
             for left, label, right in terms:
@@ -338,7 +365,8 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
                     divisors |= _divisors(x, goal.den if isinstance(goal, Ratio) else None)
                 rest = rest - sides[0] * h * sides[1]
             _need(_zero(rest), f"the combination does not add up for {_ints(world)}")
-            _nothing_new(statement, world, field, known, divisors)
+            new |= divisors - known - granted
+        _nothing_new(statement, world, field, new)
         _collect(found, field)
     return found
 
@@ -375,7 +403,7 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
             rest = rest - term
         _need(_zero(rest), f"the terms do not add up for {_ints(world)}")
         _need(strict or op in (">=", "<="), "no term is strictly positive")
-        _nothing_new(statement, world, field, known, divisors)
+        _nothing_new(statement, world, field, divisors - set(range(known)))
         _collect(found, field)
     return found
 
@@ -463,7 +491,7 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
         list(_residuals(world, said, {index: 0}))
         known = len(field.factors)
         _need(all(_zero(r) for r in _residuals(world, body, {index: 0})), f"base: t = 0 fails for {_ints(world)}")
-        _nothing_new(statement, world, field, known, set(range(known, len(field.factors))))
+        _nothing_new(statement, world, field, set(range(known, len(field.factors))))
         shapes = {d[1]: world.call(d[1], (0,)) for d in recursions}
         for name, support in (evidence.get("support") or {}).items():
             shapes[name] = Laurent({k: 1 for k in support})
@@ -503,6 +531,7 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
     stages += stages[-1:] * (len(after) - len(stages))
     cofactors = evidence.get("cofactors") or [[] for _ in after]
     _need(len(cofactors) == len(after), "step: as many lists of cofactors as equations are needed")
+    new = list[tuple[set[int], list[str]]]()
     for rest, terms, (until, reached) in zip(after, cofactors, stages, strict=True):
         used = set(divisors)
         for left, k, right in terms:
@@ -510,13 +539,16 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
             used |= _divisors(sides[0]) | _divisors(sides[1])
             rest = rest - sides[0] * before[k] * sides[1]
         _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
-        if not used <= set(range(until)):  # the states until t are not zero where the conclusion is true and has a value until then
-            used -= _never_zero(statement, world, field, known, [d[1] for d in recursions])
-        if not used <= set(range(until)):  # a state has a value only if all its entries have, those not looked at above too
-            kept, world.memory = world.memory, dict(generic)
-            used -= {index for name in reached for index in _divisors(world.call(name, (t + 1,)))}
-            world.memory = kept
-        _nothing_new(statement, world, field, until, used)
+        new.append((used - set(range(until)), reached))
+    if any(used for used, _ in new):  # the states until t are not zero where the conclusion is true and has a value until then
+        never = _never_zero(statement, world, field, known, [d[1] for d in recursions])
+        new = [(used - never, reached) for used, reached in new]
+    if any(used for used, _ in new):  # a state has a value only if all its entries have, those not looked at above too
+        kept, world.memory = world.memory, dict(generic)
+        below = {name: _divisors(world.call(name, (t + 1,))) for name in stages[-1][1]}
+        new = [(used - {index for name in reached for index in below[name]}, reached) for used, reached in new]
+        world.memory = kept
+    _nothing_new(statement, world, field, set[int]().union(*(used for used, _ in new)))
     for d in recursions:
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
 

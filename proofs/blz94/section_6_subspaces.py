@@ -221,7 +221,7 @@ claim("BLZ94-E6.18", "the characteristic polynomial of S is a multiple of D",
       charpoly(S) * (a0[n] + g0[n]) == Z**n * symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)), sizes=["n"], over={a0: vector(n), g0: vector(n)},
       where=[*OBSERVER, let(A, F - g0 * T(h)), let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
                                                             [g0 * T(g0) * inv(T(A)), A - g0 * T(g0) * inv(T(A)) * h * T(h)]]))],
-      by=[identity(n=(1, 2)), instances(n=(1, 2, 3))],
+      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
       note="alpha_n = a_n + g_n. The printed coefficients kappa_i/kappa_n = d_i/d_n are those of D divided by d_n = alpha_n.")
 
 claim("BLZ94-P6.6", "the eigenvalues of S are the zeros of D, with multiplicity",
@@ -229,4 +229,4 @@ claim("BLZ94-P6.6", "the eigenvalues of S are the zeros of D, with multiplicity"
       over={a0: vector(n), g0: vector(n)},
       where=[*OBSERVER, let(A, F - g0 * T(h)), let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
                                                             [g0 * T(g0) * inv(T(A)), A - g0 * T(g0) * inv(T(A)) * h * T(h)]]))],
-      by=[identity(n=(1, 2)), instances(n=(1, 2, 3))], note="det A = (-1)^n alpha_n, not zero.")
+      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))], note="det A = (-1)^n alpha_n, not zero.")
