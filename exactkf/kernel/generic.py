@@ -66,6 +66,7 @@ class Terms(Indefinite):
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = 0
+        self.seen: dict[int, tuple[Any, bool]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -271,7 +272,10 @@ class Terms(Indefinite):
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
 
     def has_z(self, tree: Any) -> bool:
-        return _mentions_z(tree, self.in_z)
+        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
+        if id(tree) not in self.seen:
+            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
+        return self.seen[id(tree)][1]
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:

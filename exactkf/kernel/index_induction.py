@@ -42,6 +42,7 @@ __all__ = ["generic_index"]
 _FIRST = ("opaque", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
+_MASK = (1 << BITS) - 1
 _RESERVED = {INDEX, "z", "row", "column"}
 _ONE: Form = {"": 1}
 Goal = Callable[[Terms], list[Symbolic]]
@@ -377,25 +378,36 @@ def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic]) -> Symbolic:
         pivot = _pivot(terms, row)
         if pivot is None:
             continue
-        goal = _eliminated(terms, goal, row, pivot)
-        known = [y for x in known if (y := _eliminated(terms, x, row, pivot)).num]
+        parts = _parts(row, pivot)
+        value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
+        goal = _eliminated(terms, goal, value, pivot)
+        known = [y for x in known if (y := _eliminated(terms, x, value, pivot)).num]
     return goal
 
 
 def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
     """Numerator by powers of an atom."""
     out: dict[int, dict[int, int]] = {}
+    shift = BITS * place
     for monomial, c in x.num.items():
-        e = next((e for k, e in enumerate(exponents(monomial)) if k == place), 0)
-        out.setdefault(e, {})[monomial - (e << (BITS * place))] = c
+        e = (monomial >> shift) & _MASK
+        out.setdefault(e, {})[monomial - (e << shift)] = c
     return out
+
+
+def _places(*polys: Mapping[int, int]) -> set[int]:
+    """Atoms that occur in polynomials."""
+    used = 0
+    for p in polys:
+        for monomial in p:
+            used |= monomial
+    return {place for place, e in enumerate(exponents(used)) if e}
 
 
 def _pivot(terms: Terms, row: Symbolic) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
-    present = {place for monomial in row.num for place, e in enumerate(exponents(monomial)) if e}
-    below = {place for f in row.field.factors for monomial in f for place, e in enumerate(exponents(monomial)) if e}  # would stay there
+    present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
     for place in sorted(present):
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
@@ -408,16 +420,14 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
     return min(found)[3] if found else None
 
 
-def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
-    """x with the value of the atom by the row inserted; the factor of the atom there is a number over denominators met already."""
-    mine, theirs = _parts(x, place), _parts(row, place)
-    if set(mine) <= {0}:
+def _eliminated(terms: Terms, x: Symbolic, value: Symbolic, place: int) -> Symbolic:
+    """x with a value of the atom inserted: the factor of the atom in its row is a number over denominators met already."""
+    mask = _MASK << (BITS * place)
+    if not any(monomial & mask for monomial in x.num):
         return x
-    field = x.field
-    value = -Symbolic(field, theirs.get(0, {}), 1, ()) * Symbolic(field, theirs[1], 1, ()).inverse()
-    out, power = terms.number(0), terms.number(1)
+    mine, out, power = _parts(x, place), terms.number(0), terms.number(1)
     for e in range(max(mine) + 1):
         if e in mine:
-            out = out + Symbolic(field, mine[e], x.q, x.den) * power
+            out = out + Symbolic(x.field, mine[e], x.q, x.den) * power
         power = power * value
     return out
