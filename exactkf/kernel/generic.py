@@ -50,7 +50,7 @@ class Terms(Indefinite):
     supported : names of recursions X whose value X_t is a polynomial with exponents 0 .. t
     closed : names of functions that are opened at integers alone
     whole : names of recursions that are opened at their initial values alone, and of functions in z whose coefficients are not computed
-    rules : mapping of name to (least index or None for the hypothesis of an induction, index name, term)
+    rules : mapping of name to (least index or None for the hypothesis of an induction, index names, greatest index or None, term)
         X_t = term, shown before.
     """
 
@@ -67,6 +67,7 @@ class Terms(Indefinite):
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = 0
+        self.seen: dict[int, tuple[Any, bool]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -282,7 +283,10 @@ class Terms(Indefinite):
         self.met.add(key)
 
     def has_z(self, tree: Any) -> bool:
-        return _mentions_z(tree, self.in_z)
+        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
+        if id(tree) not in self.seen:
+            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
+        return self.seen[id(tree)][1]
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
@@ -297,6 +301,8 @@ class Terms(Indefinite):
             self._meet(name, args)
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
+        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+            return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
                 return found
@@ -329,7 +335,7 @@ class Terms(Indefinite):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive or name in self.unused:
+        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
@@ -355,12 +361,14 @@ class Terms(Indefinite):
                 and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1))
 
     def _solved(self, name: str, args: tuple[Form, ...], read: Callable) -> Symbolic | None:
-        if name not in self.rules or len(args) != 1:
+        least, names, high, term = self.rules.get(name, (0, (), None, None))
+        if not names or len(args) != len(names) or any(self.region.decide(x) is not True for x in args[:-1]):
             return None
-        least, index, term = self.rules[name]
-        if (args[0] == {INDEX: 1}) if least is None else self.region.decide(plus(args[0], {"": least}, -1)):
+        if high is not None and self.region.decide(plus(self.index(high, {}), args[-1], -1)) is not True:
+            return None
+        if (args[-1] == {INDEX: 1}) if least is None else self.region.decide(plus(args[-1], {"": least}, -1)):
             met = set(self.met)
-            found = read(term, {index: args[0]})
+            found = read(term, dict(zip(names, args, strict=True)))
             if self.met != met:
                 raise Unknown("a rule with an inverse, which need not exist where the rule is used")
             return found
