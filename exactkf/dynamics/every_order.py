@@ -76,7 +76,6 @@ _FEW = 60
 _LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
-_TORUS_OF_A_FIELD = "the relations between roots of a polynomial with irrational coefficients are not sought"
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
 
 
@@ -111,7 +110,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     -------
     Answer
         With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        enclosed in intervals of 50 digits (`limit_digits` gives more), and the dimension of a torus is found up to one.
+        enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------
@@ -390,7 +389,7 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
                           f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
                           + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    dimension, torus, reason = torus_evidence(_fractions(case.D)) if case.rational else (None, {}, _TORUS_OF_A_FIELD)
+    dimension, torus, reason = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
         case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
     else:

@@ -386,7 +386,6 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
-        _need(algebraic is None, "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
 
 
