@@ -51,6 +51,7 @@ from typing import Any, NamedTuple
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
+from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
@@ -383,6 +384,9 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     if "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
+    elif "order" in evidence:
+        _need(algebraic is None, "polynomials in the time are for rational data")
+        check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
