@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from flint import arb, fmpq
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.exact_json import polynomial_words
 from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
 from exactkf.exact.balls import precision
@@ -153,8 +153,8 @@ def shown_number(value: Any, digits: int) -> str:
         with precision(4 * digits + 64):
             return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
     field = RealField(value["minpoly"], value["interval"])
-    polynomial = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", str(field.minpoly))
-    return f"{field.gen().enclose(digits).str(digits, radius=False)}  (root {field.index + 1} of {polynomial}, from the left)"
+    digits_of = field.gen().enclose(digits).str(digits, radius=False)
+    return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"
 
 
 def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:

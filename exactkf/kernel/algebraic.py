@@ -10,9 +10,10 @@ intervals. Numbers of two different fields do not mix.
 from __future__ import annotations
 
 from fractions import Fraction
+from math import lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown
+from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown
 from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
 
 __all__ = ["Algebraic", "AlgebraicField"]
@@ -30,9 +31,13 @@ class AlgebraicField:
             raise Undefined("the polynomial of a number field must be square-free of positive degree")
         if not lo < hi or _eval(modulus, lo) * _eval(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
-        self.modulus, self.lo, self.hi, self.irreducible = modulus, lo, hi, irreducible
+        self.modulus, self.lo, self.hi, self.irreducible = _whole(modulus) if irreducible else modulus, lo, hi, irreducible
 
-    def element(self, coefficients: list[Fraction]) -> Algebraic:
+    def tidy(self, p: list) -> list:
+        """Coefficients in the type that arithmetic in this field expects: ints where they are integers and the modulus is known."""
+        return _whole(p) if self.irreducible else p
+
+    def element(self, coefficients: list) -> Algebraic:
         return Algebraic(self, _remainder(coefficients, self.modulus))
 
     def refine(self) -> None:
@@ -48,6 +53,16 @@ class AlgebraicField:
             self.lo = mid
 
 
+def _whole(p: list) -> list:
+    """Coefficients that are integers as ints, with which arithmetic is faster."""
+    return [c.numerator if c.denominator == 1 else c for c in p]
+
+
+def _exact(p: list) -> list[Fraction]:
+    """Coefficients that may be divided by each other."""
+    return [Fraction(c) for c in p]
+
+
 def _eval(p: list, x: Any) -> Any:
     acc = Fraction(0)
     for c in reversed(p):
@@ -58,16 +73,18 @@ def _eval(p: list, x: Any) -> Any:
 def _remainder(p: list, m: list) -> list:
     p = list(p)
     while len(p) >= len(m):
-        f = Fraction(p[-1]) / m[-1]
-        for i in range(len(m)):
-            p[len(p) - len(m) + i] -= f * m[i]
+        f = p[-1] if m[-1] == 1 else Fraction(p[-1]) / m[-1]
+        if f:
+            for i, c in enumerate(m[:-1], len(p) - len(m)):
+                if c:
+                    p[i] -= f * c
         p.pop()
     while p and p[-1] == 0:
         p.pop()
     return p
 
 
-class Algebraic:
+class Algebraic(FieldElement):
     """Polynomial in theta, reduced modulo the modulus."""
 
     __slots__ = ("c", "field")
@@ -80,8 +97,10 @@ class Algebraic:
             if x.field is not self.field:
                 raise Unknown("numbers of two different fields in one term")
             return x
+        if type(x) is int and self.field.irreducible:
+            return Algebraic(self.field, [x] if x else [])
         if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
-            return Algebraic(self.field, [Fraction(int(x.numerator), int(x.denominator))] if x else [])
+            return Algebraic(self.field, self.field.tidy([Fraction(int(x.numerator), int(x.denominator))]) if x else [])
         return None
 
     def __add__(self, other: Any) -> Any:
@@ -89,7 +108,10 @@ class Algebraic:
         if y is None:
             return NotImplemented
         long, short = (self.c, y.c) if len(self.c) >= len(y.c) else (y.c, self.c)
-        return self.field.element([v + (short[k] if k < len(short) else 0) for k, v in enumerate(long)])
+        out = [v + short[k] if k < len(short) else v for k, v in enumerate(long)]
+        while out and out[-1] == 0:
+            out.pop()
+        return Algebraic(self.field, out)
 
     __radd__ = __add__
 
@@ -99,19 +121,17 @@ class Algebraic:
     def __sub__(self, other: Any) -> Any:
         return NotImplemented if isinstance(other, (Laurent, Ratio)) else self + (-other)
 
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, (int, Fraction)):
-            return Algebraic(self.field, [v * other for v in self.c] if other else [])
+            return Algebraic(self.field, self.field.tidy([v * other for v in self.c]) if other else [])
         y = self._coerce(other)
         if y is None:
             return NotImplemented
-        out = [Fraction(0)] * max(0, len(self.c) + len(y.c) - 1)
+        out: list = [0 if self.field.irreducible else Fraction(0)] * max(0, len(self.c) + len(y.c) - 1)
         for i, a in enumerate(self.c):
             for j, b in enumerate(y.c if a else ()):
-                out[i + j] += a * b
+                if b:
+                    out[i + j] += a * b
         return self.field.element(out)
 
     __rmul__ = __mul__
@@ -120,10 +140,10 @@ class Algebraic:
         """By the extended Euclidean algorithm in Q[x]; a common factor not vanishing at theta is divided out."""
         if self.sign() == 0:
             raise Undefined("division by zero")
-        common = [] if self.field.irreducible else gcd_poly(self.c, self.field.modulus)
+        common = [] if self.field.irreducible else gcd_poly(_exact(self.c), _exact(self.field.modulus))
         if len(common) > 1:
-            self.field.modulus = divmod_poly(self.field.modulus, common)[0]
-        a, b = self.field.modulus, _remainder(self.c, self.field.modulus)
+            self.field.modulus = divmod_poly(_exact(self.field.modulus), common)[0]
+        a, b = _exact(self.field.modulus), _exact(_remainder(self.c, self.field.modulus))
         s: list[Fraction] = []
         t = [Fraction(1)]
         while len(b) > 1:
@@ -133,25 +153,17 @@ class Algebraic:
                 for j, y in enumerate(t):
                     new[i + j] -= x * y
             a, b, s, t = b, r, t, new
-        return self.field.element([x / b[0] for x in t])
-
-    def __truediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else self * y.inverse()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else y * self.inverse()
+        return self.field.element(self.field.tidy([x / b[0] for x in t]))
 
     def sign(self) -> int:
         """Sign of the real number: zero is decided by a gcd, the rest by interval arithmetic."""
         if not self.c:
             return 0
-        common = [] if self.field.irreducible else gcd_poly(self.c, self.field.modulus)
+        common = [] if self.field.irreducible else gcd_poly(_exact(self.c), _exact(self.field.modulus))
         if len(common) > 1 and _eval(common, self.field.lo) * _eval(common, self.field.hi) < 0:
             return 0
         while True:
-            low, high = _enclose(self.c, self.field.lo, self.field.hi)
+            low, high, _ = _enclose(self.c, self.field.lo, self.field.hi)
             if low > 0 or high < 0:
                 return 1 if low > 0 else -1
             self.field.refine()
@@ -159,9 +171,9 @@ class Algebraic:
     def enclosed(self, width: Fraction) -> tuple[Fraction, Fraction]:
         """An interval of at most that width around the number."""
         while True:
-            low, high = _enclose(self.c, self.field.lo, self.field.hi)
-            if high - low <= width:
-                return low, high
+            low, high, below = _enclose(self.c, self.field.lo, self.field.hi)
+            if Fraction(high - low, below) <= width:
+                return Fraction(low, below), Fraction(high, below)
             self.field.refine()
 
     def __eq__(self, other: object) -> bool:
@@ -178,10 +190,17 @@ class Algebraic:
     def __ge__(self, other: Any) -> bool: return (self - other).sign() >= 0
 
 
-def _enclose(p: list, lo: Fraction, hi: Fraction) -> tuple[Fraction, Fraction]:
-    """Interval Horner."""
-    a = b = Fraction(0)
-    for c in reversed(p):
-        products = (a * lo, a * hi, b * lo, b * hi)
-        a, b = min(products) + c, max(products) + c
-    return a, b
+def _enclose(p: list, lo: Fraction, hi: Fraction) -> tuple[int, int, int]:
+    """Interval Horner: numerators of two bounds, and their denominator, which is positive.
+
+    After k steps the denominator is q d^(k - 1), q that of the coefficients and d that of lo and hi.
+    """
+    q, d = lcm(*(c.denominator for c in p)), lcm(lo.denominator, hi.denominator)
+    left, right = (x.numerator * (d // x.denominator) for x in (lo, hi))
+    a, b, below = 0, 0, 1
+    for k, c in enumerate(reversed(p)):
+        below *= d if k else 1
+        products = (a * left, a * right, b * left, b * right)
+        shift = c.numerator * (q // c.denominator) * below
+        a, b = min(products) + shift, max(products) + shift
+    return a, b, q * below

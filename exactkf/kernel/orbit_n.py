@@ -50,7 +50,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
-from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
+from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
@@ -110,16 +110,16 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
 def _number(x: Any, field: AlgebraicField | None) -> Any:
     if isinstance(x, list):
         _need(field is not None, "an algebraic number needs the field")
-        return field.element([Fraction(c) for c in x])  # type: ignore[union-attr]
+        return field.element([fraction(c) for c in x])  # type: ignore[union-attr]
     _need(isinstance(x, str), "a number is a string p/q")
-    return field.element([Fraction(x)]) if field is not None else Fraction(x)
+    return field.element([fraction(x)]) if field is not None else fraction(x)
 
 
 def _field(data: Any) -> AlgebraicField | None:
     if data is None:
         return None
     modulus, lo, hi = data
-    return AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    return AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
 
 
 def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
@@ -326,15 +326,15 @@ def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str
     full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(set(claimed) == {"interval"} and Fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
-              <= Fraction(claimed["interval"][1]), "the limit is not within the interval")
+        _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
+              <= fraction(claimed["interval"][1]), "the limit is not within the interval")
 
 
 def _same(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
-        return value == Fraction(claimed)
-    p, (lo, hi) = [Fraction(c) for c in claimed["minpoly"]], (Fraction(x) for x in claimed["interval"])
+        return value == fraction(claimed)
+    p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
     _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
     return value > lo and value < hi and _eval(p, value) == 0
 
@@ -350,12 +350,17 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
-    _need(reduced.start == (answer["preperiod"] or 0), f"the orbit comes back to step {reduced.start} first")
+    before = 0 if answer["preperiod"] is None else _step_number(answer["preperiod"], "preperiod")
+    _need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
-    primes = [q for q in range(2, p + 1) if p % q == 0 and all(q % r for r in range(2, q))]
-    _need(all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
+    primes, rest = list[int](), p
+    degree = (len(D) - 1) * (len(D[-1].field.modulus) - 1 if isinstance(D[-1], Algebraic) else 1)
+    for q in range(2, degree + 2):  # a root of unity of an order that q divides has degree at least q - 1
+        while rest % q == 0:
+            primes, rest = [*primes, q], rest // q
+    _need(rest == 1 and all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
     if isinstance(D[-1], Algebraic):
         _need(does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
     else:

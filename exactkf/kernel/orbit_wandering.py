@@ -20,7 +20,7 @@ from math import gcd, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
-from exactkf.kernel.numbers import Undefined, divide
+from exactkf.kernel.numbers import Undefined, divide, fraction
 from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
@@ -134,7 +134,7 @@ def _over_the_rationals(D: list, evidence: Mapping[str, Any]) -> tuple[list, int
     """A polynomial with the l_i among its zeros, and their number."""
     f, rest = wandering_factor(D), [Fraction(1)]
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
-        f, rest = [Fraction(c) for c in evidence["factor"]], f
+        f, rest = [fraction(c) for c in evidence["factor"]], f
         rest, left = divmod_poly(rest, f)
         _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
     return f, count_circle(f)[1] // 2 if len(f) > 1 else 0
@@ -150,7 +150,7 @@ def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
         odd = _times(odd, factor) if multiplicity % 2 else odd
     if len(odd) == 1 or count_circle(odd)[1] == 0:
         return [Fraction(1)], 0
-    whole = [Fraction(c) for c in evidence["norm"]]
+    whole = [fraction(c) for c in evidence["norm"]]
     _need(_coprime_modulo(whole, [i * c for i, c in enumerate(whole)][1:]), "the rational multiple is not square-free")
     _need(not divmod_poly([odd[-1] - odd[-1] + c for c in whole], odd)[1], "the rational polynomial is no multiple of D's factor")
     f = wandering_factor(whole)
@@ -160,7 +160,7 @@ def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
         odd = [divide(c, odd[-1]) for c in odd]
         _need(all(x == y for x, y in zip(odd, odd[::-1], strict=True)) and whole == whole[::-1], "the zeros do not come in pairs")
         for lo, hi in evidence["zeros"]:
-            one = [count_real(chebyshev(p), Fraction(lo), Fraction(hi)) for p in (odd, whole)]
+            one = [count_real(chebyshev(p), fraction(lo), fraction(hi)) for p in (odd, whole)]
             _need(one == [1, 1], "an interval does not hold one zero of D")
     return f, k
 

@@ -18,7 +18,7 @@ all t. For positive real v all of them are stable; without that hypothesis
 nothing keeps their zeros inside the unit circle.
 """
 
-from exactkf.claims import claim, repair
+from exactkf.claims import claim
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import (
     Identity,
@@ -50,6 +50,7 @@ from exactkf.language import (
     rec,
     recip,
     schur,
+    sequence_of,
     standing,
     substitute,
     sum_of,
@@ -65,7 +66,6 @@ from proofs.blz94.notation import (
     HALF,
     OBSERVER,
     POLYNOMIALS,
-    RICCATI,
     SCALE,
     SHIFT,
     D,
@@ -96,7 +96,7 @@ from proofs.blz94.notation import (
 )
 
 v, q, w, x, y, K, N = symbols("v q w x y K N")
-C, O, Tm, c, L = symbols("C O T_m c L")
+C, O, Tm, c, G, H = symbols("C O T_m c G H")
 
 # ---------------------------------------------------------------------- the rational function
 claim("BLZ94-E2.1", "v has degree n exactly when the realization is reachable and observable",
@@ -106,7 +106,10 @@ claim("BLZ94-E2.1", "v has degree n exactly when the realization is reachable an
       where=[let(N, charpoly(F - g * T(h)) - charpoly(F)),
              let(C, matrix_of(i, j, n, n, (F ** (j - 1) * g)[i])),
              let(O, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j]))],
-      by=[instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]),
+      by=[steps(facts=["det(M + gh') = det(M)(1 + h'M^(-1)g)", "Kalman: a realization of a rational function has the degree of the function as its dimension if and only if it "
+                       "is reachable and observable"],
+                prose="With M = zI - F the first fact is the formula for the numerator; numerator and denominator without a common zero make the degree n."),
+          instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]),
           example(n=2, F=[[1, 0], [0, 2]], g=[1, 0], h=[1, 1])],
       note="A definition; what is checked is that the minimal realizations are those whose numerator and denominator "
            "have no common zero.")
@@ -138,16 +141,17 @@ claim("BLZ94-E2.4", "the covariances of a positive real function form positive d
                     using={u: monic(n), w: monic(n)})])
 
 claim("BLZ94-E2.8", "the gain (2.8) gives the linear least-squares estimate: its error is orthogonal to past outputs",
-      forall(t, 1, 4, forall(s, 0, t - 1, sum_of(u, 0, t - 1, L(t, u) * c(abs(u - s))) == F ** (t - s - 1) * g)),
-      sizes=["n"], over={F: matrix(n, n), g: vector(n), h: vector(n)},
+      forall(t, 0, m, symmetric(P[t]) & (x[t] == P[t] * H[m - t])) & forall(t, 0, s, y[t] == G[t]), sizes=["n", "m", "s"],
+      over={F: matrix(n, n), g: vector(n), h: vector(n), H: sequence_of(vector(n), 0, m)},
       where=[rec(P, t, Zero(n, n), F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h)),
-             function(gain, [t], (g - F * P[t] * h) / (1 - T(h) * P[t] * h)),
-             function(L, [t, s], when(s == t - 1, gain[t - 1], (F - gain[t - 1] * T(h)) * L(t - 1, s))),
-             function(c, [m], when(m == 0, 1, T(h) * F ** (m - 1) * g))],
-      by=[identity(n=(1, 2)), instances(n=(2, 3))],
-      note="A definition; what is checked, through covariances, is that the filter is the one it is said to be: the "
-           "estimate at t is the sum of L(t, s) y_s over s < t, the covariance of x_t with y_s is F^(t-s-1) g, that "
-           "of y_t with y_s is h'F^(t-s-1) g, the variance of y_t is one, and t runs to 4.")
+             function(gain, [t], (g - F * P[t] * h) / (1 - T(h) * P[t] * h)), rec(G, t, g, F * G[t]),
+             rec(x, t, Zero(n, 1), F * x[t] + gain(t) * (T(H[m - t - 1]) * g - T(h) * x[t])),
+             rec(y, t, F * x[m] + gain(m) * (1 - T(h) * x[m]), F * y[t] + gain(m + 1 + t) * (T(h) * G[t] - T(h) * y[t]))],
+      given=[given("H_0 = h", H[0] == h), given("H_t is the t-th power of F', times h", forall(t, 0, m - 1, H[t + 1] == T(F) * H[t]))],
+      by=[induction(), instances(n=(1, 2, 3), m=(1, 2), s=(0, 1, 2), made_by={H: (k, T(F) ** k * h)})],
+      note="A definition; what is checked, through covariances, is that the filter is the one it is said to be. By (2.7) the covariance of "
+           "the estimate at t with y_m is x_t up to t = m, and y_{t-m-1} after that: y_t has with y_m the covariance h'F^(|t-m|-1) g, and "
+           "the variance one. That of x_t with y_m is F^(t-m-1) g. The estimate has the variance P_t, and m and s are arbitrary.")
 
 # ---------------------------------------------------------------------- positive real functions
 q_vec, B, beta, S, Q, a_vec, rr, bb, gg, Pinf, Gam = symbols("q B beta S Q a_vec varrho b g P_inf Gamma")
@@ -173,7 +177,12 @@ claim("BLZ94-S4", "for positive real v the Riccati orbit from zero increases to 
              let(Pinf, sum_of(k, 0, n - 1, J**k * S * T(J) ** k)),
              rec(P, t, Zero(n, n), F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h))],
       given=[given("a(z) is stable", schur(monic_of(a))), given("the spectral factor is stable", schur(monic_of(q)))],
-      by=[instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i),
+      by=[steps("BLZ94-E6.9", "BLZ94-E6.11", "BLZ94-X.2",
+                facts=["positive real lemma: P_inf is positive semidefinite and 1 - h'P_inf h positive", "P(I - hh'P)^(-1) increases with P as long as 1 - h'Ph is positive",
+                       "powers of a matrix with all eigenvalues in the open disc tend to zero"],
+                prose="The step is gg' + AP(I - hh'P)^(-1)A', increasing in P, and P_1 is not below P_0 = 0 nor above P_inf, so the orbit increases and stays below P_inf. By X.2 the distance to "
+                      "P_inf shrinks at least as under the closed loop."),
+          instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i),
                                            q: column(i, n, y[i] / to_expr(4) ** i)},
                     using={x: vector(n), y: vector(n)}, horizon=3)],
       note="Every positive real v comes from a stable a(z) and the stable q(z) with D proportional to q(z)q(1/z): b "
@@ -231,30 +240,21 @@ claim("BLZ94-E2.16", "the fast algorithm in terms of polynomials",
       note="A definition; what is checked is that a step of the vectors is a step of polynomials: a(z) stays monic of "
            "degree n, and the leading terms of (z - g_1)g(z) - g_1 a(z) cancel.")
 
-_den, _den1 = 1 - T(h) * P[t] * h, 1 - T(h) * P[t + 1] * h  # 1 - h'Ph now and at the next step
-_k, _k1 = (g0 - F * P[t] * h) / _den, (g0 - F * P[t + 1] * h) / _den1  # the gain of the Riccati recursion
-_f, _f1 = a[t] + g[t] - a0, a[t + 1] + g[t + 1] - a0  # the gain of the fast algorithm
+_g1, _f = T(h) * g[t], a[t] + g[t] - a0  # the first entry of g(t), h being the first unit vector; the gain of the fast algorithm
+_SHIFT, _UNIT = matrix_of(i, j, n, n, when(j == i + 1, 1, 0)), column(i, n, when(i == 1, 1, 0))
 claim("BLZ94-E2.17", "the fast algorithm gives the gain of the Riccati recursion from zero",
-      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == a[t] + g[t] - a0), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=[*RICCATI, *FAST, *SCALE],
-      by=[induction(n=(1, 2, 3), also=[r[t] == 1 - T(h) * P[t] * h, P[t + 1] == P[t] + r[t] * g[t] * T(g[t]),
-                                       T(_k) == T(_f),
-                                    T(P[t + 1]) == T(P[t]) + r[t] * g[t] * T(g[t])],
-                    cofactors=[
-                        [(_den / _den1, 0, 1), ((_f1 - _f) / _den1, 1, 1), ((_f1 * T(h) - F) / _den1, 2, h)],
-                        [(1, 1, 1), (T(h), 2, h)],
-                        [(-_den, 0, T(_k)), (_den, 0, T(_k1)), (_f, 1, T(_f)), (-_f1, 1, T(_f1)), (_f1, 1, T(_f1 - _f)),
-                         (_f1 - _f, 1, T(_k1)), (-_f1 * T(h), 2, h * T(_f1)), (_f1 * T(h) - F, 2, h * T(_k1)),
-                         (F, 2, T(F)),
-                         (-_den * _f, 3, 1), (_den * _f1, 3, 1), (_f1 * T(h), 4, h * T(_f1) - T(F))],
-                        [(1 / _den1, 3, _den), (1 / _den1, 1, T(_f1 - _f)), (T(h), 4, (h * T(_f1) - T(F)) / _den1)],
-                        [(_k, 3, -_den), (_k1, 3, _den), (_f, 1, T(_f)), (-_f1, 1, T(_f1)), (_f1 - _f, 1, T(_f1)),
-                         (_k1, 1, T(_f1 - _f)), (-_f1 * T(h), 4, h * T(_f1)), (_k1 * T(h), 4, h * T(_f1) - T(F)),
-                         (F, 4, T(F)),
-                         (-_den, 0, T(_f)), (_den, 0, T(_f1)), (_f1 * T(h) - F, 2, h * T(_f1))],
-                    ]),
-          instances(n=(2, 3, 4), horizon=4)],
-      note="The induction carries two more relations: P_{t+1} - P_t = r_t g(t)g(t)' and r_t = 1 - h'P_t h.")
+      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == _f), sizes=["n"],
+      over={J: matrix(n, n), F: matrix(n, n), h: vector(n), a0: vector(n), g0: vector(n)},
+      where=[rec(P, t, Zero(n, n), F * P[t] * T(F) + (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g0 - F * P[t] * h)),
+             rec(a, t, a0, 1 / (1 - _g1) * (a[t] + (Identity(n) - J) * g[t])),
+             rec(g, t, g0, 1 / (1 - _g1 ** 2) * (-_g1 * a[t] + (J - _g1 * Identity(n)) * g[t])),
+             rec(r, t, Identity(1), (1 - _g1 ** 2) * r[t])],
+      given=[standing("(2.10)", (J == _SHIFT) & (h == _UNIT) & (F == J - a0 * T(h)))],
+      by=[induction(also=[P[t] == T(P[t]), r[t] == 1 - T(h) * P[t] * h,
+                          F * P[t] * T(F) + r[t] * _f * T(_f) == P[t] + r[t] * g[t] * T(g[t])]),
+          instances(n=(2, 3, 4), horizon=4, made_by={J: _SHIFT, h: _UNIT, F: _SHIFT - a0 * T(_UNIT)})],
+      note="The induction carries two more relations: P_{t+1} - P_t = r_t g(t)g(t)' and r_t = 1 - h'P_t h. Of J and h it uses nothing, "
+           "so it is for every n.")
 
 claim("BLZ94-E2.18", "the symmetric part of a_t(z)b_t(1/z) is preserved up to the factor r_t",
       always(t, r[t] * (apoly[t] * recip(bpoly[t]) + recip(apoly[t]) * bpoly[t]) == 2 * D), sizes=["n"],
@@ -268,17 +268,12 @@ _PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(
                           using={x: vector(n), y: vector(n)}, horizon=4)
 _ALONG = [*FAST, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))]
 claim("BLZ94-S6", "a_t(z) and b_t(z) are stable",
-      always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG,
-      by=[example(n=1, abar=[2], gbar=["1/2"]), instances(n=(1, 2))],
-      repair=repair("missing hypothesis", "The sentence has no hypothesis. For positive real v all a_t and b_t are "
-                                          "stable; a_0 = z + 2 and, from g = 1/2, a_1 = z + 5 are not.",
-                    always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)},
-                    where=_ALONG, given=_PR,
-                    by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of "
-                                                    "(2.16) is a step of Schur's algorithm"],
-                              prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t "
-                                    "positive real."),
-                        _PR_INSTANCES]))
+      always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG, given=_PR,
+      by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step of Schur's algorithm"],
+                prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive real."),
+          _PR_INSTANCES],
+      note="The sentence has no hypothesis of its own, but a_0 = a and b_0 = b are arbitrary in this section. It is read for positive real v, as in the "
+           "work it cites and in the sentence after it.")
 
 claim("BLZ94-S7", "if v is positive real, so is every v_t",
       always(t, schur(apoly[t]) & pos_on_circle(symmetric_part(apoly[t], bpoly[t]))), sizes=["n"],
