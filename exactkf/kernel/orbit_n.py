@@ -325,8 +325,8 @@ def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str
     full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(set(claimed) == {"interval"} and Fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
-              <= Fraction(claimed["interval"][1]), "the limit is not within the interval")
+        _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
+              <= fraction(claimed["interval"][1]), "the limit is not within the interval")
 
 
 def _same(claimed: Any, value: Any) -> bool:
