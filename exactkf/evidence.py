@@ -30,7 +30,7 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "first", "generic_index", "identity", "induction", "instances",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
     "lemma", "null_vector", "order", "positivity", "steps", "use", "within",
 ]
 
@@ -125,7 +125,7 @@ def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
     return {key: tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given)) for key, given in (("base", base), ("step", step)) if given}
 
 
-def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (),
+def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
                   in_values: bool = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
@@ -138,6 +138,8 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         The polynomial X[t] has exponents 0 .. t, which is shown before all else.
     closed : names of functions
         Not replaced by their definition except by a `use` of it.
+    whole : names of functions in z
+        Their coefficients are left as they are; as functions of z and 1/z (``in_values``) they are opened.
     uses : sequence of `use`
         Places at which the conclusion uses the lemmas.
     shift : int
@@ -151,6 +153,7 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
+                             **({"whole": [_name(x) for x in whole]} if whole else {}),
                              "uses": list(uses), "shift": shift, "in values": in_values}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
@@ -158,23 +161,46 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
-    (``z`` for the exponent in an equation of polynomials). In the step of a ``bare`` lemma exponents are of no account;
+    (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
     a ``direct`` one is shown at t for any t >= start, without induction.
     """
-    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses)}
+    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
+            **({"base": list(base)} if base else {})}
+
+
+def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+    """A lemma that turns a determinant, an inverse, a characteristic polynomial or coefficients at infinity into terms that can be opened.
+
+    ======================================  ========================================================  ================================
+    kind                                    says                                                      by
+    ======================================  ========================================================  ================================
+    ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
+    ``solve``                               inv(M) * v == x, or inv(M) == x
+    ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ======================================  ========================================================  ================================
+
+    See `exactkf.kernel.generic_facts` for why they hold.
+    """
+    made: dict[str, Any] = {"index": _name(index), "fact": kind, "says": to_expr(says).tree, "from": start, "uses": list(uses)}
+    if by is not None:
+        made["by"] = [_name(by[0]), to_expr(by[1]).tree] if isinstance(by, tuple) else to_expr(by).tree
+    return made
 
 
 def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
-    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``.
+    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
+    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
     if isinstance(number, Expr):
-        return {"definition": _name(number), "at": [to_expr(x).tree for x in args]}
+        place = {"place": {name: to_expr(x).tree for name, x in places.items()}} if places else {}
+        return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
     return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 

@@ -56,7 +56,7 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     first = _by_membership if not any(asked.get(key) for key in ("sums", "lemmas", "inside", "factors")) else _by_order  # hints are for an order
     for way in (first, _by_order if first is _by_membership else _by_membership):
         yield from way(id, statement, asked, seconds, degree)
-    if not _has_index(statement["says"]):
+    if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
         return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)

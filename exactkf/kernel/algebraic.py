@@ -97,6 +97,8 @@ class Algebraic(FieldElement):
             if x.field is not self.field:
                 raise Unknown("numbers of two different fields in one term")
             return x
+        if type(x) is int and self.field.irreducible:
+            return Algebraic(self.field, [x] if x else [])
         if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
             return Algebraic(self.field, self.field.tidy([Fraction(int(x.numerator), int(x.denominator))]) if x else [])
         return None

@@ -103,6 +103,8 @@ def definiteness(reader: Reader, tree: Any) -> int:
 def _block_diagonal(reader: Reader, table: Any) -> int:
     zero = all(_is_zero(x) for i, row in enumerate(table) for j, x in enumerate(row) if i != j)
     square = all(len(row) == len(table) for row in table)
+    whole = reader.read(["block", *table])  # a zero on the diagonal takes its sizes from those beside it
+    square = square and isinstance(whole, Blocks) and whole.rows == whole.cols
     return min(definiteness(reader, row[i]) for i, row in enumerate(table)) if zero and square else 0
 
 

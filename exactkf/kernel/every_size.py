@@ -22,7 +22,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactkf.kernel.index_induction import generic_index
-from exactkf.kernel.numbers import Rejected, Undefined, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
 from exactkf.kernel.order import Leaf, leaves, register_inverses
 from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
 from exactkf.kernel.recursion import Induction, along, before, inductions
@@ -88,7 +88,7 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
             _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
             start = relation.cols  # type: ignore[assignment]
         _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
-        factor = number(c)
+        factor = number(fraction(c))
         for (s, word), value in relation.poly.items():
             key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
             rest[key] = rest.get(key, 0) - factor * value
@@ -100,7 +100,7 @@ def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any)
     if isinstance(name, list):
         return reader.as_scalar(tuple(name))
     one = (("", 1),)
-    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(c) for c, s in name["numbers"]}
+    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(fraction(c)) for c, s in name["numbers"]}
     _need(all(type(e) is int for s, _ in poly for _, e in s), "an exponent is no integer")
     _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
     return Relation(poly, None, None)

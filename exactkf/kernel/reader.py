@@ -30,6 +30,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.wellformed import check_arguments
 from exactkf.kernel.words import ONE, Blocks, Poly, Relation, Size, Word, add, multiply, number, shape, text
 
 __all__ = ["Reader", "hypotheses", "relations", "residual_blocks", "word_sizes"]
@@ -124,6 +125,7 @@ class Reader:
             return {((), ()): tree} if tree else {}
         if not local and id(tree) in self.memory:
             return self.memory[id(tree)][1]
+        check_arguments(tree)
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")

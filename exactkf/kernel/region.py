@@ -17,6 +17,7 @@ Notation: a form is {parameter: integer} with '' for the constant; ``@`` is the 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 __all__ = ["INDEX", "Form", "Region", "Split", "form_key", "plus"]
 
@@ -62,7 +63,9 @@ class Region:
     def __init__(self, forms: list[Form], solved: Mapping[str, Form] | None = None) -> None:
         self.solved = dict(solved or {})
         self.forms = [self.reduce(f) for f in forms]
+        self.keys = frozenset(map(form_key, self.forms))
         self.answers: dict[tuple, bool | None] = {}
+        self.parts: dict[tuple, Region] = {}
         for form in list(self.forms):
             if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
                 value = {n: -c * form[name] for n, c in form.items() if n != name}
@@ -85,26 +88,8 @@ class Region:
         return form
 
     def _possible(self, extra: Form) -> bool:
-        """Some rational point has every form and this one >= 0, by Fourier-Motzkin elimination."""
-        forms = _bounded([*self.forms, extra])
-        while forms:
-            counts: dict[str, int] = {}
-            for f in forms:
-                for n in f:
-                    counts[n] = counts.get(n, 0) + 1
-            counts.pop("", None)
-            if not counts:
-                break
-            name = min(counts, key=counts.__getitem__)
-            low = [f for f in forms if f.get(name, 0) > 0]
-            high = [f for f in forms if f.get(name, 0) < 0]
-            kept = {frozenset(f.items()): f for f in forms if name not in f}
-            for a in low:
-                for b in high:
-                    f = plus({n: -b[name] * c for n, c in a.items()}, b, a[name])
-                    kept[frozenset(f.items())] = f
-            forms = _bounded(list(kept.values()))
-        return all(f.get("", 0) >= 0 for f in forms)
+        """Some rational point has every form and this one >= 0."""
+        return _possible(self.keys | {form_key(extra)})
 
     @property
     def empty(self) -> bool:
@@ -133,10 +118,38 @@ class Region:
         return self.holds(form) and self.holds({n: -c for n, c in form.items()})
 
     def and_(self, *forms: Form) -> Region:
-        return Region([*self.forms, *forms], self.solved)
+        """The part with these forms >= 0; regions do not change, so that one that is asked for again is the same."""
+        key = tuple(map(form_key, forms))
+        if key not in self.parts:
+            self.parts[key] = Region([*self.forms, *forms], self.solved)
+        return self.parts[key]
 
     def cases(self, form: Form) -> Iterator[Region]:
         for part in (form, plus({n: -c for n, c in form.items()}, {"": 1}, -1)):
             region = self.and_(part)
             if not region.empty:
                 yield region
+
+
+@lru_cache(maxsize=1 << 16)
+def _possible(keys: frozenset[tuple]) -> bool:
+    """Some rational point has all these forms >= 0, by Fourier-Motzkin elimination."""
+    forms = _bounded([dict(key) for key in sorted(keys)])
+    while forms:
+        counts: dict[str, int] = {}
+        for f in forms:
+            for n in f:
+                counts[n] = counts.get(n, 0) + 1
+        counts.pop("", None)
+        if not counts:
+            break
+        name = min(counts, key=counts.__getitem__)
+        low = [f for f in forms if f.get(name, 0) > 0]
+        high = [f for f in forms if f.get(name, 0) < 0]
+        kept = {frozenset(f.items()): f for f in forms if name not in f}
+        for a in low:
+            for b in high:
+                f = plus({n: -b[name] * c for n, c in a.items()}, b, a[name])
+                kept[frozenset(f.items())] = f
+        forms = _bounded(list(kept.values()))
+    return all(f.get("", 0) >= 0 for f in forms)

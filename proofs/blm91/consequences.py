@@ -117,7 +117,7 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
 odd, d, unit, none, first = symbols("odd d unit none first")
 claim("BLM91-X.10", "escape counts for every angle with p <= 60",
       forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(odd, ~exists(k, 1, p, 2 * k == p)), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
+      where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
              function(first, [j], j == 0)], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
       note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
            "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")

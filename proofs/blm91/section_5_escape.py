@@ -99,7 +99,7 @@ claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == sub
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
       where=[let(st, 2 * y / (1 + y**2)), let(gt, (1 - y**2) / (1 + y**2)), let(lam, gt**2 - st**2), ONE_LESS_A], by=[identity(), instances()],
       note="alpha_i = sin(theta/2), gamma_i = cos(theta/2), lambda = cos(theta). The zeros are 2 sin(theta/2)(sin(theta/2) +- i cos(theta/2)), the upper one with argument pi/2 - theta/2.")
-D_OF = (let(odd, ~exists(k, 1, p, 2 * k == p)), function(alternative, [t], when(odd, t == p, 2 * t == p)))
+D_OF = (let(odd, cospi(p, 1) == -1), function(alternative, [t], when(odd, t == p, 2 * t == p)))
 claim("BLM91-S87", "theta from omega, and the period of alpha",
       (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(Ut[t - 1] == 0, alternative(t))), sizes=["p"], over={q: integer(1, 19)},
       where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],

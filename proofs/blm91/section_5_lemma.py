@@ -24,7 +24,7 @@ p, q, d, j, k, r, s, x = symbols("p q d j k r s x")
 coprime_, divides, prime, good, bad, inside, lo, hi, last, down, serves = symbols("coprime divides prime good bad inside lo hi last down serves")
 
 #: d divides x; q and p have no common divisor but 1; x is prime
-DIVIDES = function(divides, [d, x], exists(k, 1, x, k * d == x))
+DIVIDES = function(divides, [d, x], when(d >= x, d == x, divides(d, x - d)))
 COPRIME = (DIVIDES, function(coprime_, [p, q], forall(d, 2, q, ~(divides(d, q) & divides(d, p)))))
 PRIME = (DIVIDES, function(prime, [x], (x > 1) & forall(d, 2, x - 1, ~divides(d, x))))
 MEANT = (p <= 4 * q) & (2 * q < p)  # 1/4 <= q/p < 1/2

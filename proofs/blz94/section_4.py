@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import (
     T,
     Z,
@@ -58,6 +58,8 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
+from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
+from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -68,14 +70,14 @@ from proofs.blz94.notation import (
     PHI,
     PHI_T,
     PI,
+    PI_T,
     PSI,
+    RHO_T,
     RICCATI,
-    STEP,
     VECTORS,
     A,
     D,
     F,
-    G,
     P,
     Toeplitz,
     a,
@@ -83,8 +85,10 @@ from proofs.blz94.notation import (
     a_of,
     alpha,
     alpha0,
+    apoly,
     b,
     b_of,
+    bpoly,
     c,
     cot,
     g,
@@ -109,7 +113,7 @@ from proofs.blz94.notation import (
     u,
 )
 
-v, w, ws, x, y, q, d, l, eta, xi = symbols("v w ws x y q d l eta xi")
+v, w, ws, x, y, q, d, l, eta, xi, G1 = symbols("v w ws x y q d l eta xi G1")
 Phi, Psi, Pi, T_line = symbols("Phi Psi Pi T_line")
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
@@ -180,29 +184,28 @@ claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
                                     "1/z, that is g_1(t). Lemma 4.2, with m to 3, reaches t = 4."),
           instances(n=(1, 2, 3, 4))])
 
-_A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
-                                               gamma0[n - i + 1] * gamma0[n - j + 1]
-                                               / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
-_ALPHA1 = column(i, n, alpha(1, i))
-claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", _ALPHA1 == A * alpha0, sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(A, _A)],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) "
-           "and (3.12a). The algorithm does not depend on t otherwise.")
+_START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
+_FOUND = {"sizes": ["n"], "over": VECTOR_POINT, "given": [standing("n >= 1", n >= 1)]}
+_FROM_POINT = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST, *COORDINATES_1)
+claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", column(i, n, alpha1(i)) == A[0] * alpha0, **_FOUND,
+      where=[*_FROM_POINT],
+      by=[generic_index(*INVERSE_LEMMAS, **OPENED, uses=[use(20, k=row, u=n), use(alpha, 1, row=row)]), instances(n=(2, 3, 4))],
+      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1), here alpha1, is found from (a(1), g(1)) by (3.11), (3.6) "
+           "and (3.12a). The algorithm does not depend on t otherwise. The orbit (4.4) and the sums after it serve the proof alone, but for A_0 = A(gamma).")
 
 claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
-      column(i, n, gamma(1, i - 1)) == G * gamma0, sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(G, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -alpha(1, n - j + 1))))],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="For an arbitrary point of the orbit; gamma(1) is found from (a(1), g(1)) by (3.11) and (3.6).")
+      column(i, n, gamma1(i - 1)) == G1 * gamma0, **_FOUND,
+      where=[*_FROM_POINT, let(G1, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -alpha1(n - j + 1))))],
+      by=[generic_index(*INVERSE_LEMMAS, ON_THE_LAST, **OPENED, uses=[
+          use(17, s=row - 1, m=row - 1, u=n - 1), use(cor, 1, row), use(6, k=row - 1, t=1), use(21, k=n, u=n), use(20, k=n, u=n)]),
+          instances(n=(2, 3, 4))],
+      note="For an arbitrary point of the orbit; gamma(1), here gamma1, and alpha(1) are found from (a(1), g(1)) as before; G1 is G(alpha(1)).")
 
-_START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
-_COORDINATES = [a[t] == a_of[t], g[t] == HALF * (b_of[t] - a_of[t])]
 claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the gamma_k(t) are shifted",
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
              & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
-      sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *_START, *FAST],
-      by=[induction(n=range(1, 7)), instances(n=(2, 3, 4), horizon=3)],
+      sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST],
+      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3)],
       note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 
@@ -292,12 +295,13 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
       by=[steps("BLZ94-SA8", prose="If d_1, ..., d_n vanish, d_0 = r_n, which does not."), instances(40, n=(1, 2, 3)),
           example(n=2, alpha=[0, "3/4"], gamma=[0, "5/4"]), example(n=2, alpha=[0, 0], gamma=["1/2", "1/2"])])
 
-_ORBIT_D = (*ORBIT, *VECTORS, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
-            function(D, [t], symmetric_part(monic_of(a_of[t]), monic_of(b_of[t]))))
+_ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
+            function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])), function(D, [t], symmetric_part(apoly[t], bpoly[t])))
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
-      over=VECTOR_POINT, where=_ORBIT_D,
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
+      over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly],
+                        uses=[use(9, t=t, z=row - 1)]), instances(n=(1, 2, 3), horizon=3)],
       note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later "
            "start.")
 
