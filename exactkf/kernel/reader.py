@@ -338,17 +338,18 @@ class Reader:
                 return basis
         name = f"{shape(x)}: {'; '.join(', '.join(text(p, '1') for p in row) for row in x.grid)}"  # of this matrix alone
         nullity: Size = ((f"{_NULLITY}[{name}]", 1),)
-        made = []
+        made: list[Blocks] = []
         for kind, rows, cols in (("ker", x.cols, (nullity,)), ("coker", (nullity,), x.cols), ("part", x.cols, x.rows)):
-            grid = []
+            grid: list[list[Poly]] = []
             for i, height in enumerate(rows):
                 names = [self._fresh(f"{kind}[{name}].{i}.{j}") for j in range(len(cols))]
                 for letter, width in zip(names, cols, strict=True):
                     self._letter(letter, height, width, False)
                 grid.append([{((), (letter,)): 1} for letter in names])
             made.append(Blocks(rows, cols, grid))
-        self.kernels.append((x, *made))
-        return made[0]
+        basis, left, part = made
+        self.kernels.append((x, basis, left, part))
+        return basis
 
     def _fresh(self, name: str) -> str:
         if name in self.sizes or name in self.kinds:
