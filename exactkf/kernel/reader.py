@@ -67,6 +67,7 @@ class Reader:
         self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
+        self.noted: dict[int, dict[str, Relation]] = {}  # what hypotheses say, by their number, see `relations`
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
@@ -526,7 +527,10 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
 def relations(reader: Reader) -> dict[str, Relation]:
     """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
     out: dict[str, Relation] = {}
-    for label, formula in hypotheses(reader.statement):
+    for place, (label, formula) in enumerate(hypotheses(reader.statement)):
+        if place in reader.noted:
+            out.update(reader.noted[place])
+            continue
         try:
             if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
                 formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
@@ -536,8 +540,11 @@ def relations(reader: Reader) -> dict[str, Relation]:
                 found = residual_blocks(reader, formula) + _other_side(reader, formula)
         except (Unknown, TypeError):
             continue  # an inequality is not used
+        noted: dict[str, Relation] = {}
         for n, blocks in enumerate(found):
-            _note(out, reader, f"{label}/{n}", blocks)
+            _note(noted, reader, f"{label}/{n}", blocks)
+        reader.noted[place] = noted  # what has been read once reads the same again
+        out.update(noted)
     for n, (term, inverse) in enumerate(reader.inverses, 1):
         _note(out, reader, f"inverse {n}/right", term.times(inverse).plus(Blocks.unit(term.rows), -1))
         _note(out, reader, f"inverse {n}/left", inverse.times(term).plus(Blocks.unit(term.cols), -1))
