@@ -95,6 +95,7 @@ class System:
         self.deadline = float("inf")
         self.written: dict[int, dict] = {}
         self.assumed = dict(assumed)
+        self.rows: Any = None  # of the polynomial that is being reduced
         #: relations p q = 1, with p, by the name of q
         self.quotients = {name: (f"quotient {n}", p) for n, (p, name) in enumerate(reader.quotients, 1) if f"quotient {n}" in assumed}
         self.waiting = sorted(assumed.items(), key=lambda item: (max((len(w) for _, w in item[1].poly), default=0), item[0]))
@@ -225,6 +226,7 @@ class System:
     # ------------------------------------------------------------------ reduction
     def _reduce(self, p: dict[str, Any]) -> tuple[dict[str, Any], Origin]:
         """What no rule applies to, and the multiples of rules that were taken off."""
+        self.rows = next((self._rows(word, 0) for key in p if (word := self._word(key))), None)
         pending, done, used = dict(p), dict[str, Any](), list[Any]()
         heap = [(-len(key), key) for key in pending]
         heapq.heapify(heap)
@@ -260,7 +262,8 @@ class System:
         found = self._search(word, key[len(word):])
         if found is None and self.mixed:
             found = self._number_in(word, key[len(word):])
-        self.hits[key] = found
+        if word:  # what applies to an empty word depends on the size
+            self.hits[key] = found
         return found
 
     def _search(self, word: str, scalars: str) -> tuple | None:
@@ -268,15 +271,17 @@ class System:
             for at in range(len(word) - n + 1):
                 for rule in self.rules.get(word[at:at + n], ()):
                     if not rule.scalars:
-                        if not n and word and self._rows(word, at) != self._rows_of(rule):
-                            continue  # I = 0, of one size; that of the empty word is not known here, a replay refuses a wrong one
+                        if not n and self._rows(word, at) not in (None, self._rows_of(rule)):
+                            continue  # I = 0, of one size
                         return rule, word[:at], word[at + n:], scalars
                     if (rest := _quotient(scalars, rule.scalars)) is not None:
                         return rule, word[:at], word[at + n:], rest
         return None
 
     def _rows(self, word: str, at: int) -> Any:
-        """Size between two letters of a word that is not empty."""
+        """Size between two letters of a word; of an empty word, that of the polynomial it stands in, if that is known."""
+        if not word:
+            return self.rows
         return self.reader.sizes[self.names[word[at]]][0] if at < len(word) else self.reader.sizes[self.names[word[-1]]][1]
 
     def _rows_of(self, rule: _Rule) -> Any:

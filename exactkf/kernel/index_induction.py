@@ -30,7 +30,6 @@ from typing import Any
 from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
-from exactkf.kernel.indefinite import BOUND
 from exactkf.kernel.numbers import Rejected, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
@@ -213,6 +212,14 @@ class _Proof:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
         self.close(region, goal, uses, names, place, current, in_values=self.in_values)
 
+    def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[Symbolic]:
+        """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too."""
+        terms.met.clear()
+        for x in self._instances(terms, use, names, current):
+            if terms.met <= granted:
+                yield x
+            terms.met.clear()
+
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
@@ -280,11 +287,11 @@ class _Proof:
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
-            granted = {name for x in wanted for name in _inverses(terms, x)}
-            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted]
+            granted = set(terms.met)
+            known = [x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)]
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
-                    for x in islice((x for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted), 1):
+                    for x in islice(self._granted(terms, use, names, current, granted), 1):
                         wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
         except Split as split:
             if splits >= _MOST_SPLITS:
@@ -313,21 +320,6 @@ class _Proof:
 
 def _is_determinant(part: Any) -> bool:
     return part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det"
-
-
-def _inverses(terms: Terms, x: Symbolic) -> set[tuple]:
-    """Inverses in a value: what is known of them is known where they exist, hence used only where the goal has the same ones."""
-    found: set[tuple] = set()
-    todo = [terms.atoms[place] for p in (x.num, *(x.field.factors[index] for index, _ in x.den)) for monomial in p
-            for place, e in enumerate(exponents(monomial)) if e]
-    while todo:
-        key = todo.pop()
-        if key[0] in BOUND:
-            todo.extend(inner for monomial in ([key[1]] if key[0] == "sum" else [m for m, _ in key[1]]) for inner, _ in monomial)
-        elif key[0] == "opaque" and '"inv"' in key[1]:
-            forms = key[2:-2] if key[1].startswith(('["*", ', '["inv", ')) else key[2:]
-            found.add((key[1], forms) if not any(name.startswith("#") for form in forms for name, _ in form) else (key, x))
-    return found
 
 
 def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, list[str], Any, Any]]:
