@@ -176,7 +176,8 @@ claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parame
       where=[*FAST, *INVERSE[:-1]],
       by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
       note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
-           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3.")
+           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3. For every n and t, Theorem 4.3 shows the "
+           "deletion for gamma(t) of the orbit (4.4), and the lemmas of (A-6) that gamma_n is the last entry of gamma(1).")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
