@@ -135,6 +135,18 @@ claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that i
            "to (a, b), at z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points "
            "arbitrarily near to z = 1.")
 
+
+
+def _from_coefficients(p, coefficients):
+    """The monic q of degree n for which q/(2p) begins with the given coefficients of 1/z, ..., z^-n."""
+    return Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(p, n - k) + 2 * sum_of(j, 1, k, coefficients[j] * coeff(p, n - k + j))))
+
+
+claim("BLZ94-X.5", "polynomials u, v from u and the first n coefficients of v/(2u)",
+      v == _from_coefficients(u, y), sizes=["n"], over={u: monic(n), v: monic(n)}, where=[let(y, column(k, n, laurent(v / (2 * u), k)))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      note="So every v comes from u and such coefficients.")
+
 #: gamma and alpha recovered from polynomials p, q
 f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o betabar")
 claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from U_gamma onto V_c with rational "
@@ -161,7 +173,7 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
              standing("(u, v) lies in V", prod(k, 1, n - 1, det(matrix_of(
                  i, j, k + 1, k + 1, when(i == j, 1, laurent(v / (2 * u), abs(i - j)))))) != 0)],
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
+      by=[identity(using={y: vector(n)}, given_by={v: _from_coefficients(u, y)}, covered_by="BLZ94-X.5", n=range(1, 7)), instances(n=(1, 2, 3))],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
            "the (tau, theta) found from it. That the first lies in V_c and the second in U_gamma is said where these "
            "sets are defined. gamma_{n-1} = 1 and -1 are allowed.")
