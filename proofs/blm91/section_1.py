@@ -46,7 +46,7 @@ claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (Y(t + i) * G * T(Y(t)) == Y(i) * G * T(Y(0))) & (Y(0) * G * T(Y(0)) == Identity(1)))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
       by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
 claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
-      by=[identity(n=range(0, 5)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
+      by=[identity(n=range(0, 7)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
 claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
       by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
 claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],

@@ -151,12 +151,12 @@ SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i)
           function(rr, [t], when(t == 0, 1, det(Toep(t)) / det(Toep(t - 1)))))
 claim("BLM91-E2.7", "the Schur parameter in terms of covariances",
       forall(t, 0, n, -coeff(phi(t + 1), 0) == 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1))), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 7)), instances(n=range(0, 5))],
       note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0). "
            "The coefficient phi_(t,t-k) belongs to z^k.")
 claim("BLM91-E2.8", "recursion of the squared norms",
       (rr(0) == 1) & forall(t, 0, n, rr(t + 1) == (1 - coeff(phi(t + 1), 0) ** 2) * rr(t)), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 5)), instances(n=range(0, 5))],
+      by=[identity(n=range(0, 7)), instances(n=range(0, 5))],
       note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
 
 # c -> gamma -> c and gamma -> c -> gamma
@@ -171,7 +171,7 @@ BACK_AND_THERE = (
 claim("BLM91-S15", "covariances and Schur parameters determine each other",
       forall(t, 1, n, (again(t) == cc(t)) & (delta(t - 1) == gg[t - 1])), sizes=["n"],
       over={c: sequence(1, n), gg: sequence(0, n - 1)}, where=[*THERE_AND_BACK, *BACK_AND_THERE],
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
       note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
 
 Low = sym("R_n")
@@ -187,7 +187,7 @@ claim("BLM91-E2.10", "the second recursion is the reversal of the first",
       forall(t, 0, n, phis[t] == rev(phi[t], t))
       & (rev(Z * x - y * rev(x, n), n + 1) == rev(x, n) - y * Z * x) & (rev(rev(x, n) - y * Z * x, n + 1) == Z * x - y * rev(x, n)),
       sizes=["n"], over={**C, x: polynomial(n), y: scalar()}, where=SZEGO,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
       note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
 
 # ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
@@ -197,17 +197,17 @@ PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))),
            function(err, [y], 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y))
 claim("BLM91-E2.11", "the linear least-squares prediction",
       err(x) == err(yhat) + T(x - yhat) * Toep(n - 1) * (x - yhat), sizes=["n"], over={c: sequence(1, n), x: vector(n)}, where=PREDICT,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
       note="E(y_n - x_1 y_0 - .. - x_n y_(n-1))^2 is written out; it exceeds the value at the coefficients of (2.11) by a square in the "
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
       vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 5))],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",
       Coe * Toep(n) * T(Coe) == Low, sizes=["n"], over={c: sequence(1, n)},
       where=[*SZEGO, TOEPLITZ, let(Coe, matrix_of(i, j, n + 1, n + 1, coeff(phi[i - 1], j - 1))),
              let(Low, matrix_of(i, j, n + 1, n + 1, when(i == j, r[i - 1], 0)))],
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
       note="Row t of the first factor holds the coefficients of the innovation at time t over y_0 .. y_n.")

@@ -130,7 +130,7 @@ claim("BLM91-E2.25", "the stripped fast algorithm",
 POLY = (*STRIPPED, *POLYNOMIALS)
 claim("BLM91-E2.26", "the polynomials carry the state of the algorithm",
       always(t, (Qp(t) == r[t] * charpoly(J - q[t] * T(h))) & (Qs(t) == r[t] * (charpoly(J - qs[t] * T(h)) - Z**n))), sizes=["n"], over=AG,
-      where=[FIRST, *POLY], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))],
+      where=[FIRST, *POLY], by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))],
       note="The display defines Q_t and Q*_t. Checked is another form of the same polynomials, by characteristic polynomials of J - q_t h' and J - q*_t h'.")
 NEXT = (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))
 LEFT = 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t)))
@@ -163,7 +163,7 @@ claim("BLM91-S21", "n independent first integrals",
              function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
                       / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
              let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
       note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
            "u_i/z + ..., so that their gradients at the origin are independent.")
 
