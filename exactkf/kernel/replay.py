@@ -105,7 +105,7 @@ def _well_named(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> No
     if "over" not in statement:  # a question about an orbit
         return
     over = [*statement["over"], *(evidence.get("parameters") or [])]
-    names = [*statement["sizes"], *(name for name, _ in over), *(d[1] for d in statement["where"])]
+    names = [*statement["sizes"], *(name for name, _ in over), *(d[1] for d in [*statement["where"], *(evidence.get("where") or [])])]
     for name in names:
         _need(isinstance(name, str) and name.isidentifier() and name != "horizon", f"{name!r} is no name for a size, a variable or a definition")
     _need(len(set(names)) == len(names), "two things have one name")
@@ -262,10 +262,14 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
     said = [formula for _, formula, _ in statement["given"]]  # a hypothesis x = term covers x by itself
     _need(bool(evidence.get("covered_by")) or all(["=", ["sym", name], tree] in said for name, tree in given_by.items()),
           "a parametrisation needs the claim that says it reaches everything")
-    parameters = evidence.get("parameters") or []
-    taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
+    parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
+    taken = {*statement["sizes"], *(d[1] for d in [*statement["where"], *own])}
     _need(not taken & set(given_by), "a parametrisation redefines a name")
-    for world, field in _cases({**statement, "over": [*parameters, *statement["over"]]}, evidence, given_by):
+    made = {**statement, "over": [*parameters, *statement["over"]], "where": [*statement["where"], *own]}
+    for world, field in _cases(made, evidence, given_by):
+        for d in own:  # definitions for the parametrisation alone: the statement must have a value without them
+            del world.definitions[d[1]]
+        world.memory = {key: value for key, value in world.memory.items() if key[0] in world.definitions}
         _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
     return found
