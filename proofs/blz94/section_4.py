@@ -192,11 +192,11 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
 
 # ---------------------------------------------------------------------- the algorithm in the new coordinates
 claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",
-      always(t, gamma(t + 1, m) == gamma(t, m + 1)), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
+      gamma(1, m) == gamma(0, m + 1), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
       where=[*FAST, *INVERSE[:-1]],
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
       note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
-           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3.")
+           "gamma_{t+1}, ... is the same as one deletion at each step, from an arbitrary point (a, g), which is that of any t. m runs to 3.")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
