@@ -30,8 +30,8 @@ from typing import Any
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "Evidence", "combination", "evaluation", "example", "generic_index", "identity", "induction", "instances", "lemma", "order", "positivity",
-    "steps", "use",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
+    "lemma", "null_vector", "order", "positivity", "steps", "use", "within",
 ]
 
 
@@ -86,6 +86,7 @@ def _rows(terms: Sequence[tuple[Any, str, Any]]) -> tuple:
 
 def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[Any, int, Any]]] = (),
               base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = (),
+              before: Sequence[Mapping[str, Any]] = (),
               shapes: Mapping[Expr | str, tuple[Sequence[Any], Sequence[Any]]] | None = None, **sizes: Iterable[int] | int) -> Evidence:
     """Base and step for a conclusion ``always(t, ...)`` or ``forall(t, a, b, ...)`` along recursions of the statement.
 
@@ -96,27 +97,39 @@ def induction(*, also: Sequence[Any] = (), cofactors: Sequence[Sequence[tuple[An
 
     Parameters
     ----------
-    also : sequence of formulas in t
-        What the induction carries along beside the conclusion.
+    also : sequence of formulas in t, or of such sequences
+        What the induction carries along beside the conclusion; for every size, a list for each conjunct where they differ.
     base, step : `order`, or a sequence of them
         Terms for the leaves of base and step, in the values at t, where the engine does not find them; one for each
         conjunct of the conclusion, or one for all. For every size.
+    before : sequence of `first`
+        Lemmas, each by an induction of its own, that what comes after them may use. For every size.
     shapes : mapping of recursion to (row sizes, column sizes)
         Blocks of its values, where those of the initial value are not fine enough. For every size.
     cofactors : for each equation, of the conclusion and of ``also``, a list of ``(left, number, right)``
         lhs - rhs at t + 1 = sum of left * (lhs - rhs of the equation so numbered, at t) * right.
     """
     rows = tuple(tuple((to_expr(left).tree, number, to_expr(right).tree) for left, number, right in row) for row in cofactors)
-    hints: dict[str, Any] = {"sizes": _ranges(sizes), "also": tuple(to_expr(e).tree for e in also), "cofactors": rows}
-    for key, given in (("base", base), ("step", step)):
-        if given:
-            hints[key] = tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given))
+    hints: dict[str, Any] = {"sizes": _ranges(sizes), "cofactors": rows,
+                             "also": tuple(tuple(to_expr(e).tree for e in some) if isinstance(some, (list, tuple)) else to_expr(some).tree for some in also)}
+    hints |= _base_and_step(base, step)
+    if before:
+        hints["before"] = tuple(before)
     if shapes:
         hints["shapes"] = {_name(k): [[to_expr(x).tree for x in side] for side in v] for k, v in shapes.items()}
     return Evidence("induction", hints)
 
 
-def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (),
+def first(says: Expr, *, also: Sequence[Any] = (), base: Evidence | Sequence[Evidence] = (), step: Evidence | Sequence[Evidence] = ()) -> dict[str, Any]:
+    """A formula, or ``forall`` of one, to be shown before the conclusion of an `induction`; base, step and also as there."""
+    return {"says": to_expr(says).tree, "also": tuple(to_expr(e).tree for e in also), **_base_and_step(base, step)}
+
+
+def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
+    return {key: tuple(e.hints for e in ([given] if isinstance(given, Evidence) else given)) for key, given in (("base", base), ("step", step)) if given}
+
+
+def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
                   in_values: bool = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
@@ -129,6 +142,8 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         The polynomial X[t] has exponents 0 .. t, which is shown before all else.
     closed : names of functions
         Not replaced by their definition except by a `use` of it.
+    whole : names of functions in z
+        Their coefficients are left as they are; as functions of z and 1/z (``in_values``) they are opened.
     uses : sequence of `use`
         Places at which the conclusion uses the lemmas.
     shift : int
@@ -142,6 +157,7 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
+                             **({"whole": [_name(x) for x in whole]} if whole else {}),
                              "uses": list(uses), "shift": shift, "in values": in_values}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
@@ -149,23 +165,46 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
-    (``z`` for the exponent in an equation of polynomials). In the step of a ``bare`` lemma exponents are of no account;
+    (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
     a ``direct`` one is shown at t for any t >= start, without induction.
     """
-    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses)}
+    return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
+            **({"base": list(base)} if base else {})}
+
+
+def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+    """A lemma that turns a determinant, an inverse, a characteristic polynomial or coefficients at infinity into terms that can be opened.
+
+    ======================================  ========================================================  ================================
+    kind                                    says                                                      by
+    ======================================  ========================================================  ================================
+    ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
+    ``solve``                               inv(M) * v == x, or inv(M) == x
+    ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ======================================  ========================================================  ================================
+
+    See `exactkf.kernel.generic_facts` for why they hold.
+    """
+    made: dict[str, Any] = {"index": _name(index), "fact": kind, "says": to_expr(says).tree, "from": start, "uses": list(uses)}
+    if by is not None:
+        made["by"] = [_name(by[0]), to_expr(by[1]).tree] if isinstance(by, tuple) else to_expr(by).tree
+    return made
 
 
 def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
-    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``.
+    """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
+    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
     if isinstance(number, Expr):
-        return {"definition": _name(number), "at": [to_expr(x).tree for x in args]}
+        place = {"place": {name: to_expr(x).tree for name, x in places.items()}} if places else {}
+        return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
     return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 
@@ -182,8 +221,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = ()) -> Evidence:
-    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank and similarity.
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+    """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
     Where the list is empty the engine tries the matrix itself, those of the hypotheses, and inverses of nonsingular variables.
@@ -194,8 +233,10 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     psd, pd, loewner, >=, >           semidefinite by their form; they add up to the matrix under the hypotheses
     invertible(X)                     its inverse; or none, or semidefinite ones, as for the equation v = 0 under Xv = 0
     rank(X) == its rows or columns    none, or semidefinite ones, in the same way
+    rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
+    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -207,10 +248,58 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         Shown first, and assumed for what follows.
     factors : sequence of (matrix, its factors)
         For determinants: that of the matrix is the product of theirs.
+    inside : sequence of `within`
+        What belongs to the proof of one leaf.
     """
+    inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
+    stable, passed = [], 0
+    for w in sorted(inside, key=lambda w: w["number"]):
+        stable.extend([w["number"] + passed + n, help_] for n, help_ in w["help"])
+        passed += len(w["lemmas"])
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
-                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors)})
+                              "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
+                              "inside": inner, "stable": stable})
+
+
+def null_vector(block: int = 0) -> Expr:
+    """The vector v of `within`, or a block of it."""
+    return Expr(("sym", f"v.{block}"))
+
+
+#: real and imaginary part of the eigenvector of `within`, and of its eigenvalue
+EIGENVECTOR = (null_vector(), Expr(("sym", "w.0")))
+EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
+
+
+def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
+           solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
+    """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
+
+    Parameters
+    ----------
+    lemmas : formulas
+        Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
+    vector : "right" or "left"
+        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
+        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
+    stein : term
+        A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
+    unique : pair of terms
+        Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
+    solutions : mapping of name to (M, Q)
+        Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
+    on : int, optional
+        The lemma, counted from 0, that ``stein``, ``unique``, ``solutions`` are for; else they are for the leaf.
+    """
+    help_: dict[str, Any] = {}
+    if stein is not None:
+        help_["stein"] = to_expr(stein).tree
+    if unique:
+        help_["unique"] = [to_expr(m).tree for m in unique]
+    if solutions:
+        help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
+    return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}
 
 
 def evaluation(**ranges: Iterable[int] | int) -> Evidence:

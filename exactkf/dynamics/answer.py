@@ -5,26 +5,33 @@ Main definitions
 ----------------
 ``Fact``     one sentence of the derivation, in words and in LaTeX
 ``Answer``   the decision about one orbit
+``later``    a value of an answer that is computed when it is first asked for
 
 Notation
 --------
 An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
 ``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
-(coefficients from :math:`x^0` up) in the open interval.
+(coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data
+is in intervals, ``{"interval": [lo, hi]}``.
 """
 
 from __future__ import annotations
 
 import json
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 from exactkf._errors import BadInput
 
-__all__ = ["BEHAVIOURS", "Answer", "Fact"]
+__all__ = ["BEHAVIOURS", "Answer", "Fact", "later"]
 
-#: What an orbit can do.  ``dense`` (order one): it fills its hyperbola, or the line, densely.
-BEHAVIOURS = ("converges", "escapes", "periodic", "dense", "not convergent, not periodic", "undecided")
+#: What an orbit can do.  ``eventually periodic``: it repeats, but never comes back to its start.  ``dense`` (order one): it fills its hyperbola,
+#: or the line, densely.
+BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "not convergent, not periodic", "undecided")
+
+
+_LATER = ("limit", "facts", "certificate")
 
 
 @dataclass(frozen=True)
@@ -41,6 +48,24 @@ class Fact:
 
     words: str
     latex: str
+
+
+class _Later:
+    """A value not computed yet, from the answer that it belongs to."""
+
+    __slots__ = ("make",)
+
+    def __init__(self, make: Callable[[Answer], Any]) -> None:
+        self.make = make
+
+
+def later(make: Callable[[Answer], Any]) -> Any:
+    """Return a stand-in for the limit, the facts or the certificate of an answer; `make` is called with the answer at the first look."""
+    return _Later(make)
+
+
+def _none() -> None:
+    return None
 
 
 @dataclass(frozen=True)
@@ -67,6 +92,8 @@ class Answer:
         Where the orbit starts.
     period : int or None
         The least period; one at an equilibrium.
+    preperiod : int or None
+        The first step to which an orbit that is eventually periodic comes back.
     torus_dimension : int or None
         The dimension of the torus that the orbit fills.
     enters_positive_real : int or None
@@ -88,20 +115,45 @@ class Answer:
     behaviour: str
     escape: int | None = None
     never_escapes: bool = False
-    limit: dict[str, Any] | None = None
+    limit: dict[str, Any] | None = field(default_factory=_none)  # without a value in the class, so that __getattr__ is asked
     rate: Any = None
     monotone_from: int | None = None
     region: str = ""
     period: int | None = None
+    preperiod: int | None = None
     torus_dimension: int | None = None
     enters_positive_real: int | None = None
-    facts: tuple[Fact, ...] = ()
+    facts: tuple[Fact, ...] = field(default_factory=tuple)
     reason: str = ""
     certificate: dict[str, Any] = field(default_factory=dict, repr=False)
 
     def __post_init__(self) -> None:
         if self.behaviour not in BEHAVIOURS:
             raise BadInput(f"behaviour = {self.behaviour!r} is not a behaviour of orbits; pass one of {', '.join(BEHAVIOURS)}")
+        self.__dict__["_later"] = {k: self.__dict__.pop(k).make for k in _LATER if isinstance(self.__dict__[k], _Later)}
+
+    @classmethod
+    def of_entries(cls, order: int, entries: Mapping[str, Any], later: Mapping[str, Callable[[Answer], Any]], start: Any) -> Answer:
+        """An answer with some entries, the rest as by default; quicker than the constructor.
+
+        Facts and certificate are made by functions that all answers may share: `start` is what they need to know of this one.
+        """
+        made = object.__new__(cls)
+        made.__dict__.update(_DEFAULTS, order=order)
+        made.__dict__.update(entries)
+        made.__dict__.update(_later=later, _start=start)
+        return made
+
+    def __getattr__(self, name: str) -> Any:
+        """Compute what was left for later; no other attribute is missing."""
+        make = self.__dict__.get("_later", {}).get(name)
+        if make is None:
+            raise AttributeError(f"an Answer has no attribute {name!r}")
+        self.__dict__[name] = value = make(self)
+        return value
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Answer, tuple(getattr(self, f.name) for f in fields(self))
 
     def decided(self) -> dict[str, Any]:
         """Return the fields that the certificate vouches for: all but the facts, the reason and the certificate."""
@@ -121,3 +173,6 @@ class Answer:
         """Return the derivation as a LaTeX list."""
         items = [f.latex for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else [])
         return "\n".join(["\\begin{itemize}", *(f"  \\item {item}" for item in items), "\\end{itemize}"])
+
+
+_DEFAULTS: dict[str, Any] = {k: v for k, v in Answer(1, "undecided").__dict__.items() if k not in ("facts", "certificate", "_later")}

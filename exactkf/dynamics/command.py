@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
+from flint import arb, fmpq
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.exact_json import polynomial_words
 from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
+from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.files import check_target, dump_json, write_text
 
@@ -125,6 +127,8 @@ def _headline(answer: Answer) -> str:
             return "the orbit is an equilibrium"
         case "periodic":
             return f"the orbit is periodic with period {answer.period}"
+        case "eventually periodic":
+            return f"the orbit has the period {answer.period} from step {answer.preperiod} on, and does not come back to its start"
         case "dense":
             return "the orbit never repeats and is dense in its invariant curve"
         case "converges":
@@ -144,9 +148,13 @@ def shown_number(value: Any, digits: int) -> str:
     """
     if not isinstance(value, dict):
         return str(value)
+    if "minpoly" not in value:
+        lo, hi = (fmpq(*map(int, end.split("/"))) for end in value["interval"])
+        with precision(4 * digits + 64):
+            return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
     field = RealField(value["minpoly"], value["interval"])
-    polynomial = re.sub(r"\+ \(-([0-9/]+)\)", r"- \1", str(field.minpoly))
-    return f"{field.gen().enclose(digits).str(digits, radius=False)}  (root {field.index + 1} of {polynomial}, from the left)"
+    digits_of = field.gen().enclose(digits).str(digits, radius=False)
+    return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"
 
 
 def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:

@@ -20,7 +20,8 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
   condition on the initial subspace is left over: coprime data never meet the codominant subspace (BLZ94 Lemma 6.12).
 * If `D` changes sign on the circle the orbit never converges.  It is periodic if and only if the zeros
   of `D` are distinct roots of unity; its period is then the least common multiple of their
-  orders.  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
+  orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.
+  With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
 * Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
   a question about zeros of linear recurring sequences, for which no general method is known.
 
@@ -34,26 +35,32 @@ BLZ94 Theorem 7.1, Corollary 7.2, Lemmas 6.7-6.12, Proposition 8.1.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cached_property
 from math import lcm
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq, fmpz
+from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.answer import Answer, Fact
+from exactkf.dynamics.answer import Answer, Fact, later
+from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
-from exactkf.dynamics.spectral_factor import spectral_factor
+from exactkf.dynamics.spectral_factor import Factor, spectral_factor
+from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
-    aperiodic_modulus,
+    Readings,
+    aperiodic_place,
     apparent_orders,
+    escape_seen,
     escapes_before,
+    irreducible_at,
     modulus_without_escape,
     no_escape_modulo,
-    prime_without_singularity,
-    torus_evidence,
+    places_without_escape,
 )
+from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.intervals import does_not_escape
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
@@ -65,9 +72,11 @@ from exactkf.theory.orbits import first_escape, integer_orbit
 __all__ = ["LimitDigits", "decide", "limit_digits"]
 
 MAX_STEPS = 2000
+_FEW = 60
 _LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
+_TORUS_OF_A_FIELD = "the relations between roots of a polynomial with irrational coefficients are not sought"
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
 
 
@@ -102,7 +111,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     -------
     Answer
         With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        described in the facts and not written as numbers, and orbits that neither converge nor repeat are undecided.
+        enclosed in intervals of 50 digits (`limit_digits` gives more), and the dimension of a torus is found up to one.
 
     Raises
     ------
@@ -128,10 +137,12 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     _describe(case, shape)
     if shape != "+-":
         return _convergent(case, max_steps)
-    period = _period(case)
+    pair = Readings.of(reduced.Q, reduced.S, case.D)
+    aperiodic = aperiodic_place(pair)
+    period = _period(case) if aperiodic is None else None
     if period is not None:
         return _returning(case, period)
-    return _wandering(case, max_steps)
+    return _wandering(case, pair, aperiodic, max_steps)
 
 
 def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
@@ -180,12 +191,13 @@ def _describe(case: _Case, shape: str) -> None:
 
 
 # ---------------------------------------------------------------------- answers
-def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | Callable[[], dict[str, Any]], reason: str = "", **fields: Any) -> Answer:
     n = len(case.a)
-    draft = Answer(n, behaviour, facts=tuple(case.facts), reason=reason, **fields)
-    statement = {"question": _question(case), "answer": draft.decided()}
-    certificate = seal("orbit", "orbit", statement, evidence)
-    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=certificate, **fields)
+    def sealed(answer: Answer) -> dict[str, Any]:
+        found = evidence() if callable(evidence) else evidence
+        return seal("orbit", "orbit", {"question": _question(case), "answer": answer.decided()}, found)
+
+    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=later(sealed), **fields)
 
 
 def _question(case: _Case) -> dict[str, Any]:
@@ -209,24 +221,45 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
     fields: dict[str, Any] = {"never_escapes": True, "enters_positive_real": entry}
     if all(x == 0 for x in case.g):
         fields["period"] = 1
-    if case.rational:
-        factor = spectral_factor(case.D) if len(case.D) > 1 else None
-        w = list(factor.coefficients) if factor else [fmpq(1)]
-        field = factor.field if factor else None
-        full = _product(w, case.reduced.removed)
-        alpha = [number_json(x) for x in reversed(full[:-1])]
-        evidence: dict[str, Any] = {"field": field_json(field), "factor": [element_json(x) for x in w]}
-        fields["limit"] = {"alpha": alpha, "gamma": "0"}
     elif len(case.D) == 1:
-        field = case.a[0].field
-        full = [x * field(1) for x in case.reduced.removed]
-        evidence = {"field": field_json(field), "factor": [["1"]]}
-        fields["limit"] = {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
-    else:
-        evidence = {}
+        case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    return _answer(case, "converges", evidence, **fields)
+    if case.rational or len(case.D) == 1:
+        found: Any = _Limit(case)
+    else:
+        found = EnclosedLimit.of(case.D, case.reduced.removed)
+        if found is None:
+            case.facts.append(Fact("It is not enclosed: a factor of D over the field has zeros on the circle and others of the same multiplicity off it.",
+                                   "$D$ has zeros on $|z| = 1$ that do not split off."))
+            return _answer(case, "converges", {}, **fields)
+    return _answer(case, "converges", lambda: found.evidence, limit=later(lambda _: found.limit), **fields)
+
+
+class _Limit:
+    """The limit of an orbit that converges, found when it is asked for."""
+
+    def __init__(self, case: _Case) -> None:
+        self.case = case
+
+    @cached_property
+    def factor(self) -> Factor:
+        """The spectral factor of D."""
+        if len(self.case.D) > 1:
+            return spectral_factor(self.case.D)
+        field = None if self.case.rational else self.case.a[0].field
+        return Factor(field, (fmpq(1) if field is None else field(1),))
+
+    @property
+    def limit(self) -> dict[str, Any]:
+        """The limit as an answer has it."""
+        full = _product(self.factor.coefficients, self.case.reduced.removed)
+        return {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
+
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """The spectral factor in its field, for the checker."""
+        return {"field": field_json(self.factor.field), "factor": [element_json(x) for x in self.factor.coefficients]}
 
 
 def _product(p: Sequence[Any], q: Sequence[Any]) -> list:
@@ -301,9 +334,7 @@ def _quotient(p: list, q: list) -> list:
 def _period(case: _Case) -> int | None:
     """Return the least p with z^p = 1 modulo D, if there is one."""
     if case.rational:
-        D = [Fraction(int(x.numerator), int(x.denominator)) for x in case.D]
-        if aperiodic_modulus(D) is not None:
-            return None
+        D = _fractions(case.D)
         order = common_order(len(D) - 1)
         return _least(order, D) if power_of_z(order, D) == [1] else None
     guess = _guess_order(case.D)
@@ -323,51 +354,92 @@ def _returning(case: _Case, period: int) -> Answer:
     for t, (Q, S) in zip(range(start + period), _pairs(case), strict=False):
         if Q[-1] * Q[-1] == S[-2] * S[-2]:
             return _escaped(case, t)
-    since = f" from step {start} on" if start else ""
     case.facts.append(Fact(f"The zeros of D are distinct roots of unity, of orders with least common multiple {period}: "
-                           f"the orbit has the period {period}{since}.",
-                           f"$S^{{{period}}} = I$: the orbit has the period ${period}${since}."))
+                           f"the orbit has the period {period}{f' from step {start} on' * (start > 0)}.",
+                           f"$S^{{{period}}} = I$: the orbit has the period ${period}${f' from step ${start}$ on' * (start > 0)}."))
+    if start:
+        case.facts.append(Fact(f"It does not come back to a state before step {start}: up to there the common factor of a and b grows with every step.",
+                               f"$\\deg (a, b)$ grows until step ${start}$, so no state before it comes back."))
     evidence: dict[str, Any] = {}
     if not case.rational:
-        Q, S = start_pair(_question(case))
-        evidence["bits"] = next(bits for k in range(12) if does_not_escape(Q, S, period, bits := (256 + 4 * period) << k))
+        reduced = reduce_pair(*start_pair(_question(case)))
+        evidence["bits"] = next(bits for k in range(12) if does_not_escape(reduced.Q, reduced.S, period, bits := (256 + 4 * period) << k))
+    if start:
+        return _answer(case, "eventually periodic", evidence, never_escapes=True, period=period, preperiod=start)
     return _answer(case, "periodic", evidence, never_escapes=True, period=period)
 
 
-def _wandering(case: _Case, max_steps: int) -> Answer:
-    if not case.rational:
-        for t, (Q, S) in zip(range(min(max_steps, 100) + 1), _pairs(case), strict=False):
-            if Q[-1] * Q[-1] == S[-2] * S[-2]:
-                return _escaped(case, t)
-        return _undecided(case, min(max_steps, 100), "D changes sign on the circle, so the orbit does not converge; "
-                          "for irrational data nothing here excludes that it escapes later or, if it does not, that it repeats with a long period")
-    escape = first_escape(case.a, case.g, max_steps)
+def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_steps: int) -> Answer:
+    seen = escape_seen(pair, min(max_steps, _FEW))
+    escape = None if seen is None else _first_escape(case, case.reduced.start + seen)
     if escape is not None:
         return _escaped(case, escape)
-    rational = [[Fraction(int(x.numerator), int(x.denominator)) for x in v] for v in (case.Q, case.S, case.reduced.Q, case.reduced.S, case.D)]
-    Q, S, q, s, D = rational
-    before = escapes_before(q, s)
-    modulus = prime_without_singularity(q, s, D, before) if before else modulus_without_escape(Q, S, D)
-    if modulus is None:
-        return _undecided(case, max_steps, "D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, "
-                          f"so it does not repeat; it does not escape in {max_steps} steps, but no modulus was found that excludes a later escape")
-    dimension, torus, reason = torus_evidence(D)
+    reason = "D changes sign on the circle, so the orbit does not converge; "
+    if aperiodic is None:
+        return _undecided(case, 0, reason + "its zeros seem to be roots of unity, of an order too large to decide whether it repeats")
+    irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
+    if irreducible.get("irreducible", 1) is None:
+        return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
+    evidence = _no_escape(case, pair)
+    if evidence is None:
+        steps = max_steps if case.rational else 0
+        escape = _first_escape(case, steps)
+        if escape is not None:
+            return _escaped(case, escape)
+        return _undecided(case, steps, reason + "its zeros are not distinct roots of unity, so it does not repeat; "
+                          f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
+                          + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    case.facts.append(Fact(f"The orbit does not escape modulo {modulus}{'^2' if before else ''}, so it never does.",
-                           f"$1 - \\gamma_t^2$ is no multiple of ${modulus}{'^2' if before else ''}$, so it is never zero."))
+    dimension, torus, reason = torus_evidence(_fractions(case.D)) if case.rational else (None, {}, _TORUS_OF_A_FIELD)
     if dimension is None:
         case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
     else:
         case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
                                f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
-    evidence = {"aperiodic": aperiodic_modulus(D), "modulus": modulus, "torus": torus, **({"before": before} if before else {})}
+    evidence = {**evidence, **irreducible, "aperiodic": aperiodic, "torus": torus}
     return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
+
+
+def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
+    """Evidence that the orbit never escapes, or None if none was found."""
+    before = escapes_before(pair)
+    if case.rational and not before and not _is_simple(case.D):
+        modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
+        if modulus is not None:
+            case.facts.append(Fact(f"The orbit does not escape modulo {modulus}, so it never does.",
+                                   f"$1 - \\gamma_t^2$ is no multiple of ${modulus}$, so it is never zero."))
+            return {"modulus": modulus}
+    places = places_without_escape(pair, before)
+    if places is None:
+        return None
+    shown = ", ".join(str(p) for p, *_ in places)
+    apart = f", apart from {', '.join(str(-k) for k in before)}, where it would have escaped before the start" if before else ""
+    case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
+                           f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
+    return {"places": places, "before": before}
+
+
+def _is_simple(D: Sequence[Any]) -> bool:
+    """Whether rational `D` has simple zeros only; True for other data."""
+    p = fmpq_poly(list(D)) if not isinstance(D[0], RealNumber) else fmpq_poly([0, 1])
+    return p.gcd(p.derivative()).degree() == 0
+
+
+def _first_escape(case: _Case, steps: int) -> int | None:
+    """The escape within so many steps."""
+    if case.rational:
+        return first_escape(case.a, case.g, steps)
+    return next((t for t, (Q, S) in zip(range(steps + 1), _pairs(case), strict=False) if Q[-1] * Q[-1] == S[-2] * S[-2]), None)
+
+
+def _fractions(values: Sequence[Any]) -> list[Fraction]:
+    return [Fraction(int(x.numerator), int(x.denominator)) for x in values]
 
 
 def _undecided(case: _Case, steps: int, reason: str) -> Answer:
     evidence: dict[str, Any] = {"searched": steps}
     if case.rational and steps:
-        modulus = next((N for N in _LARGE if no_escape_modulo(case.Q, case.S, steps, N)), None)
+        modulus = next((N for N in _LARGE if no_escape_modulo(_fractions(case.Q), _fractions(case.S), steps, N)), None)
         evidence.update({"modulus": modulus} if modulus else {})
     return _answer(case, "undecided", evidence, reason)
 
@@ -393,7 +465,7 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     answer : Answer
         Of an orbit that converges.
     digits : int
-        The relative error of each coefficient is at most ``10**-digits``.
+        The relative error of each coefficient is at most ``10**-digits``; for algebraic data that of coefficients below one is absolute.
 
     Returns
     -------
@@ -405,7 +477,27 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
         If the answer has no limit, or `digits` is not a positive integer.
     """
     if answer.limit is None or "alpha" not in answer.limit:
-        raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for rational data that converge")
+        raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for data that converge to such a limit")
+    if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
+        raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
+    if any(isinstance(x, dict) and "minpoly" not in x for x in values):
+        case = _case(*_state_of(answer.certificate["statement"]["question"]))
+        found, bits, _ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)  # type: ignore[union-attr]
+        return LimitDigits(tuple(_ball(lo, hi, bits) for lo, hi in found))
     numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
+
+
+def _ball(lo: int, hi: int, bits: int) -> arb:
+    """A ball around the interval from lo / 2^bits to hi / 2^bits."""
+    with precision(bits + 64):
+        return arb(fmpq(lo, 1 << bits)).union(arb(fmpq(hi, 1 << bits)))
+
+
+def _state_of(question: dict[str, Any]) -> tuple[list[RealNumber], list[RealNumber]]:
+    """The state that a question with algebraic data asks about."""
+    modulus, lo, hi = question["field"]
+    field = RealField(modulus, (lo, hi))
+    a, g = ([field(x if isinstance(x, list) else [x]) for x in question[k]] for k in ("a", "g"))
+    return a, g

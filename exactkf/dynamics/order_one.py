@@ -78,12 +78,11 @@ BLM91 (3.10), (3.13), (4.7), (4.11), (5.1), Theorems 3.5, 3.7, 4.1, Corollaries 
 from __future__ import annotations
 
 import gc
+import marshal
 import multiprocessing
 import threading
-from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from typing import Any, NamedTuple
 
 from flint import fmpq
@@ -167,8 +166,7 @@ def decide_order_one(alpha0: Any, gamma0: Any) -> Answer:
     [{'minpoly': ['8', '-19', '8'], 'interval': ['0', '1']}]
     """
     alpha, gamma = _one_field(alpha0=alpha0, gamma0=gamma0)
-    decision = _filter(alpha, gamma)
-    return _sealed("filter", {"alpha": [element_json(alpha)], "gamma": [element_json(gamma)]}, (alpha, gamma), decision)
+    return _answer((alpha, gamma), _filter(alpha, gamma))
 
 
 def decide_riccati_one(alpha0: Any, gamma0: Any, pi0: Any = 0) -> Answer:
@@ -194,26 +192,38 @@ def decide_riccati_one(alpha0: Any, gamma0: Any, pi0: Any = 0) -> Answer:
     2
     """
     alpha, gamma, pi = _one_field(alpha0=alpha0, gamma0=gamma0, pi0=pi0)
-    decision = _riccati(alpha, gamma, pi)
-    question = {"alpha": [element_json(alpha)], "gamma": [element_json(gamma)], "pi": element_json(pi)}
-    return _sealed("riccati", question, (alpha, gamma, pi), decision)
+    return _answer((alpha, gamma, pi), _riccati(alpha, gamma, pi))
 
 
-@dataclass
-class _Decision:
-    """Entries of the answer, and the derivation."""
+class _Decision(NamedTuple):
+    """Entries of the answer, and what tells the derivation."""
 
     entries: dict[str, Any]
-    facts: list[Fact]
+    facts: Callable[[], list[Fact]]
 
 
-def _sealed(system: str, numbers: dict[str, Any], scalars: tuple[Scalar, ...], decision: _Decision) -> Answer:
-    """The answer with its certificate."""
+def _answer(scalars: tuple[Scalar, ...], decision: _Decision) -> Answer:
+    """The answer; its derivation is told and its certificate sealed when they are asked for."""
+    return Answer.of_entries(1, decision.entries, _LATER, scalars)
+
+
+def _told(answer: Answer) -> tuple[Fact, ...]:
+    """The derivation; to decide again is quicker than to keep what thousands of answers might be asked."""
+    scalars = _scalars(answer.__dict__["_start"])
     field = field_of(*scalars)
-    told = [] if field is None else [facts.of_field(field)]
-    answer = Answer(order=1, facts=(*told, *decision.facts), **decision.entries)
-    question = {"order": 1, "system": system, "field": field_json(field), **numbers}
-    return replace(answer, certificate=seal("orbit", "orbit", {"question": question, "answer": answer.decided()}, {}))
+    return (*([] if field is None else [facts.of_field(field)]), *_decision(scalars).facts())
+
+
+def _sealed(answer: Answer) -> dict[str, Any]:
+    """The certificate of an answer."""
+    scalars = _scalars(answer.__dict__["_start"])
+    alpha, gamma, *pi = scalars
+    question = {"order": 1, "system": "riccati" if pi else "filter", "field": field_json(field_of(*scalars)),
+                "alpha": [element_json(alpha)], "gamma": [element_json(gamma)], **({"pi": element_json(pi[0])} if pi else {})}
+    return seal("orbit", "orbit", {"question": question, "answer": answer.decided()}, {})
+
+
+_LATER = {"facts": _told, "certificate": _sealed}
 
 
 def _one_field(**named: Any) -> list[Scalar]:
@@ -240,31 +250,34 @@ def _filter(alpha: Scalar, gamma: Scalar) -> _Decision:
         region = {-1: "I", 0: "boundary of I", 1: "IV"}[_sign(alpha * alpha - 1)] + ("+" if alpha > 0 else "-")
         entries = dict(behaviour="converges", never_escapes=True, limit={"alpha": [number_json(alpha)], "gamma": "0"}, monotone_from=0, region=region,
                        period=1, enters_positive_real=0 if inside else None)
-        return _Decision(entries, facts.equilibrium(alpha))
+        return _Decision(entries, lambda: facts.equilibrium(alpha))
     c = (1 + alpha * alpha - gamma * gamma) / (2 * alpha)
     found = course(c, alpha, 1)
     escape = None if found.zero is None else found.zero - 2
     region = "corridor" if found.kind == "elliptic" else _region(alpha, gamma, c, found.kind)
     entries = dict(escape=escape, never_escapes=escape is None, region=region)
-    told = facts.invariant(c, found, region)
+
+    def told() -> list[Fact]:
+        return facts.invariant(c, found, region)
+
     if escape is not None:
-        return _Decision({**entries, "behaviour": "escapes"}, told + facts.escape(escape, found))
+        return _Decision({**entries, "behaviour": "escapes"}, lambda: told() + facts.escape(escape, found))
     if found.kind == "elliptic":
-        return _Decision({**entries, **_turning(found.order)}, told + facts.turning(c, found.order, found.order, "filter"))
+        return _Decision({**entries, **_turning(found.order)}, lambda: told() + facts.turning(c, found.order, found.order, "filter"))
     limit = number_json(alpha - alpha + _sign(c)) if found.kind == "parabolic" else root_json(c, fmpq(1), c > 0)
     entries.update(behaviour="converges", limit={"alpha": [limit], "gamma": "0"}, monotone_from=max(found.change, 0))
     if found.kind == "hyperbolic":
         entries.update(rate=root_json(2 * c * c - 1, fmpq(1), True), enters_positive_real=max(found.change + 1, 0))
-    return _Decision(entries, told + facts.convergence(c, alpha, found))
+    return _Decision(entries, lambda: told() + facts.convergence(c, alpha, found))
 
 
 def _filter_at_zero(gamma: Scalar, inside: bool) -> _Decision:
     if gamma * gamma == 1:
-        return _Decision(dict(behaviour="escapes", escape=0, region="vertex"), facts.vertex())
+        return _Decision(dict(behaviour="escapes", escape=0, region="vertex"), lambda: facts.vertex())
     entries = dict(behaviour="converges", never_escapes=True, limit={"alpha": ["0"], "gamma": "0"}, monotone_from=0,
                    region="I" if inside else "II", rate=None if gamma == 0 else "0", period=1 if gamma == 0 else None,
                    enters_positive_real=0 if inside else 1)
-    return _Decision(entries, facts.axis(gamma))
+    return _Decision(entries, lambda: facts.axis(gamma))
 
 
 def _region(alpha: Scalar, gamma: Scalar, c: Scalar, kind: str) -> str:
@@ -290,37 +303,40 @@ def _riccati(alpha: Scalar, gamma: Scalar, pi: Scalar) -> _Decision:
     region = {0: "equilibrium", 1: "outside the equilibria", -1: "between the equilibria"}[form] if c * c >= 1 else "no equilibria"
     entries: dict[str, Any] = dict(region=region)
     if pi == 1:
-        return _Decision({**entries, "behaviour": "escapes", "escape": 0}, facts.riccati_escape(0, None))
+        return _Decision({**entries, "behaviour": "escapes", "escape": 0}, lambda: facts.riccati_escape(0, None))
     if form == 0:
         entries.update(behaviour="converges", never_escapes=True, limit={"pi": number_json(pi)}, monotone_from=0, period=1)
-        return _Decision(entries, facts.riccati_equilibrium(alpha, c, square))
+        return _Decision(entries, lambda: facts.riccati_equilibrium(alpha, c, square))
     a = alpha / (1 - pi)
     found = course(c, a, form)
     escape = None if found.zero is None else found.zero - 1
     entries.update(escape=escape, never_escapes=escape is None)
-    told = facts.riccati_invariant(alpha, c, square, found, region)
+
+    def told() -> list[Fact]:
+        return facts.riccati_invariant(alpha, c, square, found, region)
+
     if escape is not None:
-        return _Decision({**entries, "behaviour": "escapes"}, told + facts.riccati_escape(escape, found))
+        return _Decision({**entries, "behaviour": "escapes"}, lambda: told() + facts.riccati_escape(escape, found))
     if found.kind == "elliptic":
         halved = found.order if found.order is None or found.order % 2 else found.order // 2
-        return _Decision({**entries, **_turning(halved)}, told + facts.turning(c, found.order, halved, "riccati"))
+        return _Decision({**entries, **_turning(halved)}, lambda: told() + facts.turning(c, found.order, halved, "riccati"))
     if found.kind == "parabolic":
         limit = number_json(1 - alpha * _sign(c))
     else:  # 1 - pi tends to alpha times the root of larger modulus
         limit = root_json(1 - alpha * c, square, alpha * c > 0)
         entries.update(rate=root_json(2 * c * c - 1, fmpq(1), True))
     entries.update(behaviour="converges", limit={"pi": limit}, monotone_from=found.change + 1)
-    return _Decision(entries, told + facts.riccati_convergence(alpha, c, found))
+    return _Decision(entries, lambda: told() + facts.riccati_convergence(alpha, c, found))
 
 
 def _riccati_at_zero(square: Scalar, pi: Scalar) -> _Decision:
     entries: dict[str, Any] = dict(region="alpha = 0")
     if pi == 1 or square == 1:
         escape = 0 if pi == 1 else 1
-        return _Decision({**entries, "behaviour": "escapes", "escape": escape}, facts.riccati_escape(escape, None))
+        return _Decision({**entries, "behaviour": "escapes", "escape": escape}, lambda: facts.riccati_escape(escape, None))
     entries.update(behaviour="converges", never_escapes=True, limit={"pi": number_json(square)}, monotone_from=0,
                    period=1 if pi == square else None, rate=None if pi == square else "0")
-    return _Decision(entries, facts.riccati_axis(square))
+    return _Decision(entries, lambda: facts.riccati_axis(square))
 
 
 # ---------------------------------------------------------------------- many starts
@@ -355,27 +371,55 @@ def decide_many(starts: Iterable[Sequence[Any]], jobs: int = 1) -> list[Answer]:
 
 
 def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
-    """This process works too: it takes pieces from the end while the others take them from the front."""
-    size = max(1, len(starts) // (32 * jobs))
-    pieces = [starts[k : k + size] for k in range(0, len(starts), size)]
+    """This process works too.  The others send back what they decided and nothing that can be made from it."""
+    size = max(1, len(starts) // (64 * jobs))
     # a fork of a process with threads can hang; without threads it saves the start of an interpreter, and the copying of the starts
     forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
-    context = multiprocessing.get_context("fork" if forks else "spawn")
-    with ProcessPoolExecutor(jobs - 1, mp_context=context, initializer=_receive, initargs=(pieces,)) as pool:
-        tasks = [pool.submit(_piece, k) for k in range(len(pieces))]
-        mine = {k: _decide_all(pieces[k]) for k in reversed(range(len(pieces))) if tasks[k].cancel()}
-        return [answer for k, task in enumerate(tasks) for answer in (mine[k] if k in mine else task.result())]
+    context: Any = multiprocessing.get_context("fork" if forks else "spawn")
+    turn, workers = context.Value("l", 0), []
+    for _ in range(jobs - 1):
+        receiver, sender = context.Pipe(duplex=False)
+        process = context.Process(target=_work, args=(starts, size, turn, sender), daemon=True)
+        process.start()
+        sender.close()
+        workers.append((process, receiver))
+    found = {k: _decide_all(starts[k : k + size]) for k in _turns(turn, size, len(starts))}
+    for process, receiver in workers:
+        with suppress(EOFError, OSError):  # the work of a process that died is done again here
+            sent = marshal.loads(receiver.recv_bytes())
+            found.update({k: [Answer.of_entries(1, e, _LATER, s) for s, e in zip(starts[k : k + size], entries, strict=True)] for k, entries in sent.items()})
+        receiver.close()
+        process.join()
+    return [answer for k in range(0, len(starts), size) for answer in (found[k] if k in found else _decide_all(starts[k : k + size]))]
 
 
-_pieces: list[list[tuple]] = []  # of a worker process
+def _turns(turn: Any, size: int, stop: int) -> Iterator[int]:
+    """The pieces that this process gets: every process takes the next one when it is ready."""
+    while True:
+        with turn.get_lock():
+            k, turn.value = turn.value, turn.value + size
+        if k >= stop:
+            return
+        yield k
 
 
-def _receive(pieces: list[list[tuple]]) -> None:
-    _pieces[:] = pieces
+def _work(starts: list[tuple], size: int, turn: Any, sender: Any) -> None:
+    """What another process does.  A start that is refused ends its piece, and is refused again by the process that asked."""
+    gc.disable()
+    found = {}
+    for k in _turns(turn, size, len(starts)):
+        with suppress(Exception):
+            found[k] = [_decision(_scalars(s)).entries for s in starts[k : k + size]]
+    sender.send_bytes(marshal.dumps(found))
+    sender.close()
 
 
-def _piece(k: int) -> list[Answer]:
-    return _decide_all(_pieces[k])
+def _scalars(start: tuple) -> tuple[Scalar, ...]:
+    return tuple(_one_field(**dict(zip(("alpha0", "gamma0", "pi0"), start, strict=False))))
+
+
+def _decision(scalars: tuple[Scalar, ...]) -> _Decision:
+    return _filter(*scalars) if len(scalars) == 2 else _riccati(*scalars)
 
 
 @contextmanager
@@ -391,4 +435,4 @@ def _no_garbage() -> Iterator[None]:
 
 
 def _decide_all(starts: list[tuple]) -> list[Answer]:
-    return [decide_order_one(*s) if len(s) == 2 else decide_riccati_one(*s) for s in starts]
+    return [_answer(scalars, _decision(scalars)) for scalars in map(_scalars, starts)]

@@ -3,50 +3,50 @@ r"""Searches for orbits that neither converge nor repeat; what they find, the ch
 
 Main definitions
 ----------------
-``modulus_without_escape``  an `N` such that the orbit modulo `N` is finite without an escape
-``aperiodic_modulus``       a prime that shows that the zeros of `D` are not distinct roots of unity
-``torus_evidence``          the dimension of the torus that an orbit fills, with evidence
+``places_without_escape``  primes that together show that the orbit never escapes
+``aperiodic_place``        a prime that shows that the zeros of `D` are not distinct roots of unity
+``modulus_without_escape``  one small prime that shows it
+``escapes_before``         the times before the start at which the orbit would have escaped
+``Readings``               a pair and its `D` modulo primes
 
 Main statements
 ---------------
-See `exactkf.kernel.orbit_n` and `exactkf.kernel.orbit_wandering`.
+See `exactkf.kernel.orbit_n` and `exactkf.kernel.orbit_sieve`.
 
 Choice of algorithm
 -------------------
-An orbit modulo a prime `p` that divides no denominator either escapes or comes back.  It has
-one of about :math:`p^m` planes, but on the average torus of :math:`S_m` modulo `p` an
-orbit has a length of the order of `p`, and of its steps about two in `p` escape: a good part of the
-primes does.  That two roots of the circle are independent is seen in discrete logarithms; relations
-are sought by lattice reduction of the angles, and verified.
+Modulo a prime `p` that divides no denominator :math:`S_m` has a finite order `L`, and of the `L` determinants
+:math:`\det X_t` about one in `p` vanishes.  Where `L` is about `p`, which is so if the zeros of `D` modulo `p` have orders
+that divide p - 1 or p + 1, few times are left, and two or three such primes whose orders have a large common
+divisor leave none.  Small steps and giant steps: :math:`S^{i + jB}` is a product of two of :math:`2\sqrt L` matrices.
 
 References
 ----------
-BLZ94 Section 8.  A. K. Lenstra, H. W. Lenstra, L. Lovász, Factoring polynomials with rational
-coefficients, Math. Ann. 261 (1982).
+BLZ94 Section 8.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from math import gcd
-from typing import Any
+from math import isqrt, lcm
+from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_poly
+from flint import acb, acb_poly, arb, fmpq, fmpz, fmpz_mat, nmod_mat, nmod_poly
 
-from exactkf.dynamics.spectral_factor import zeros
 from exactkf.exact.balls import precision
-from exactkf.exact.numberfield import RealNumber
-from exactkf.exact.polynomials import count_roots
+from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_wandering import are_related, backward, check_independent, check_never_singular, has_infinite_order, modular_step, wandering_factor
+from exactkf.kernel.orbit_sieve import intersected, step_matrix
+from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["aperiodic_modulus", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "prime_without_singularity",
-           "primes", "torus_evidence"]
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
+           "no_escape_modulo", "places_without_escape", "primes"]
 
-_SMALL, _PRIME_BOUND = 60, 30_000
-_PADIC_BOUND = 2000
-_PLACE_BOUND = 2_000_000
+_LARGE = 10**15
+_SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
+_LONGEST, _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 5000, 12, 10_000, 200_000, 10_000
+_Taken = tuple[int, int | None, int, set[int]]
 
 
 def primes(start: int = 2) -> Iterator[int]:
@@ -58,33 +58,89 @@ def primes(start: int = 2) -> Iterator[int]:
         p += 1
 
 
-def _residues(p: Sequence[Any], N: int) -> list[int] | None:
-    """Return rational coefficients modulo `N`, or None if a denominator is no unit."""
-    if any(gcd(int(c.denominator), N) > 1 for c in p):
-        return None
-    return [int(c.numerator) * pow(int(c.denominator), -1, N) % N for c in p]
+class Readings(NamedTuple):
+    """A reduced pair and its `D`, to be read modulo primes.
 
-
-def modulus_without_escape(Q: Sequence[Fraction], S: Sequence[Fraction], D: Sequence[Fraction], bound: int = _PRIME_BOUND) -> int | None:
-    """Return a prime modulo which the orbit comes back without an escape, or None if none below `bound` does.
-
-    Parameters
+    Attributes
     ----------
-    Q, S : sequences of rationals, lengths n + 1
-        The pair; see `exactkf.kernel.orbit_n`.
-    D : sequence of rationals
-        The coefficients of z^m D of the reduced pair.  Above a small bound only primes are tried modulo which
-        the order of z modulo z^m D divides p - 1 or p + 1.
+    q, g : sequences of rationals or of elements of one field
+        The vectors of the pair.
+    D : sequence of the same
+        The coefficients of z^m D.
+    field : RealField or None
     """
-    integral = fmpq_poly([fmpq(c.numerator, c.denominator) for c in D]).numer()
+
+    q: Sequence[Any]
+    g: Sequence[Any]
+    D: Sequence[Any]
+    field: RealField | None
+
+    @classmethod
+    def of(cls, Q: Sequence[Any], S: Sequence[Any], D: Sequence[Any]) -> Readings:
+        """From the polynomials of a reduced pair."""
+        return cls(Q[-2::-1], S[-2::-1], D, next((x.field for x in Q if isinstance(x, RealNumber)), None))
+
+    def roots(self, p: int) -> Sequence[int | None]:
+        """The residues of the generator modulo `p`: simple zeros; one None for rational data."""
+        if self.field is None:
+            return [None]
+        f = self.field.minpoly
+        if f.denom() % p == 0:
+            return []
+        factors = nmod_poly([int(c.p) * pow(int(c.q), -1, p) % p for c in f.coeffs()], p).factor()[1]
+        return sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
+
+    def read(self, values: Sequence[Any], p: int, root: int | None, power: int = 1) -> list[int] | None:
+        """The values modulo `p` or its square; None if a denominator is no unit."""
+        N = p**power
+        if power > 1 and self.field is not None and root is not None:
+            f = self.field.minpoly
+            value, slope = f(fmpq(root)), f.derivative()(fmpq(root))
+            root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
+        out = []
+        try:
+            for x in values:
+                total = 0
+                for c in reversed(x.poly.coeffs()) if isinstance(x, RealNumber) else (x,):
+                    total = (total * (root or 0) + int(c.numerator) * pow(int(c.denominator), -1, N)) % N
+                out.append(total)
+        except ValueError:
+            return None
+        return out
+
+
+def irreducible_at(field: RealField) -> int | None:
+    """Return an `n` that shows the checker that the polynomial of the field is irreducible; see `exactkf.kernel.orbit_sieve`."""
+    f = field.minpoly.numer()
+    largest = max(abs(c) for c in field.minpoly.coeffs())
+    for n in range(int(largest) + 2, int(largest) + 5000):
+        value, c = abs(int(f(n))), 1
+        if value.bit_length() > 80:
+            return None
+        for r in range(2, 100):
+            while value % r == 0 and n > largest + 1 + c * r:
+                value, c = value // r, c * r
+        if n > largest + 2 and fmpz(value).is_prime():
+            return n
+    return None
+
+
+def _place(p: int, root: int | None, *entries: int) -> list[Any]:
+    """A place as evidence names it."""
+    return [p, *entries] if root is None else [p, *entries, root]
+
+
+# ---------------------------------------------------------------------- no escape
+def modulus_without_escape(Q: Sequence[Fraction], S: Sequence[Fraction], bound: int = _PRIME_BOUND_ALONE) -> int | None:
+    """Return a prime modulo which the orbit of a rational pair comes back without an escape, or None if none below `bound` does."""
     for p in primes():
         if p > bound:
             return None
-        if p > _SMALL and not _of_small_order(integral, p):
+        try:
+            if _comes_back(modular(list(Q), p), modular(list(S), p), p):
+                return p
+        except Undefined:
             continue
-        q, s = _residues(Q, p), _residues(S, p)
-        if q is not None and s is not None and _comes_back(q, s, p):
-            return p
     return None
 
 
@@ -101,10 +157,161 @@ def _comes_back(q: list[int], s: list[int], p: int) -> bool:
     return False
 
 
+def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] | None:
+    """Return places that together leave no time for an escape, or None.
+
+    Parameters
+    ----------
+    pair : Readings
+    before : list of int
+        The `k` with a singular plane `k` steps before the start.
+    """
+    taken: list[_Taken] = []
+    period, left, steps = 1, [0], 0
+    for p in primes(5 if before else 2):
+        if p > _PRIME_BOUND or steps > _MOST_STEPS:
+            return None
+        for root in pair.roots(p):
+            L = _short_order(pair, p, root)
+            found = None if L is None else _zeros_modulo(pair, p, root, L)
+            if found is None or L is None:
+                continue
+            steps += L
+            found -= {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, root, L)}
+            if len(found) > _MOST_ZEROS:
+                continue
+            one = (p, root, L, found)
+            few = next((some for some in ([one], *([one, other] for other in taken)) if not _left(some)), None)
+            period, left = intersected(period, left, L, found)
+            taken.append(one)
+            if few or not left:
+                return [_place(p, root, L) for p, root, L, _ in _needed(few or taken)]
+            if len(left) > _MOST_LEFT or period > 1 << 60 and min(left) < _SOON:  # an escape, it seems
+                return None
+    return None
+
+
+def _needed(taken: list[_Taken]) -> list[_Taken]:
+    """Leave out, from the longest period down, what is not needed to leave no time."""
+    for one in sorted(taken, key=lambda x: -x[2]):
+        fewer = [x for x in taken if x is not one]
+        if fewer and not _left(fewer):
+            taken = fewer
+    return taken
+
+
+def _left(taken: list[_Taken]) -> bool:
+    period, left = 1, [0]
+    for _, _, L, found in sorted(taken, key=lambda x: len(x[3])):
+        period, left = intersected(period, left, L, found)
+        if not left:
+            return False
+        if len(left) > _MOST_LEFT:
+            return True
+    return bool(left)
+
+
+def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
+    """The order of z modulo `D` at a place, if it divides p - 1 or p + 1, or is small."""
+    d = pair.read(pair.D, p, root)
+    if d is None or d[-1] == 0:
+        return None
+    f, z = nmod_poly(d, p), nmod_poly([0, 1], p)
+    power = z.pow_mod(p - 1, f)
+    if power == 1:
+        return _least(z, f, p - 1)
+    if power * z % f * z % f == 1:
+        return _least(z, f, p + 1)
+    if p > _SMALL:
+        return None
+    exponent = lcm(*(p ** g.degree() - 1 for g, _ in f.factor()[1]))
+    if z.pow_mod(exponent, f) != 1:  # a multiple zero
+        exponent *= p
+        if z.pow_mod(exponent, f) != 1:
+            return None
+    order = _least(z, f, exponent)
+    return order if order <= _LONGEST else None
+
+
+def _least(z: nmod_poly, f: nmod_poly, order: int) -> int:
+    for q, _ in fmpz(order).factor():
+        while order % int(q) == 0 and z.pow_mod(order // int(q), f) == 1:
+            order //= int(q)
+    return order
+
+
+def _zeros_modulo(pair: Readings, p: int, root: int | None, L: int) -> set[int] | None:
+    """The t below `L` with a singular X_t at a place, as `exactkf.kernel.orbit_sieve.zeros_modulo`, or None."""
+    S = _step_matrix(pair, p, root)
+    if S is None or S**L != _unit(S.nrows(), S.nrows(), p):
+        return None
+    m, size = S.nrows() // 2, isqrt(L) + 1
+    tops, power = [], _unit(m, 2 * m, p)
+    for _ in range(size):
+        tops.append(power)
+        power = power * S
+    found: set[int] = set()
+    leap, columns = S**size, _unit(2 * m, m, p)
+    for start in range(0, L, size):
+        found.update(start + i for i, top in enumerate(tops) if not (top * columns).det())
+        columns = leap * columns
+    return {t for t in found if t < L}
+
+
+def _step_matrix(pair: Readings, p: int, root: int | None, power: int = 1) -> nmod_mat | None:
+    """S_m modulo `p` or its square."""
+    values = pair.read([*pair.q, *pair.g], p, root, power)
+    if values is None:
+        return None
+    m = len(values) // 2
+    try:
+        return nmod_mat(2 * m, 2 * m, [x for row in step_matrix(values[:m], values[m:], p**power) for x in row], p**power)
+    except Undefined:
+        return None
+
+
+def _unit(rows: int, columns: int, p: int) -> nmod_mat:
+    return nmod_mat(rows, columns, [int(i == j) for i in range(rows) for j in range(columns)], p)
+
+
+def _is_alone(pair: Readings, k: int, p: int, root: int | None, L: int) -> bool:
+    """Whether det X_{L - k} is not zero modulo p^2; see `exactkf.kernel.orbit_sieve`, statement 3."""
+    S = _step_matrix(pair, p, root, 2)
+    if S is None:
+        return False
+    m, power = S.nrows() // 2, S ** (L - k)
+    return int(fmpz_mat(m, m, [int(power[i, j]) for i in range(m) for j in range(m)]).det()) % (p * p) != 0
+
+
+def escapes_before(pair: Readings, steps: int = 40) -> list[int]:
+    """Return the `k` up to `steps` for which the plane `k` steps before the start seems to be singular, as it is modulo a large prime."""
+    S = _modulo_large_prime(pair)
+    return [k for k, singular in enumerate(_singular(S.inv(), steps), 1) if singular]
+
+
+def escape_seen(pair: Readings, steps: int) -> int | None:
+    """Return the first step up to `steps` at which a reduced pair seems to escape, as it does modulo a large prime."""
+    return next((t - 1 for t, singular in enumerate(_singular(_modulo_large_prime(pair), steps + 2), 1) if singular), None)
+
+
+def _modulo_large_prime(pair: Readings) -> nmod_mat:
+    return next(S for p in primes(_LARGE) for root in pair.roots(p) if (S := _step_matrix(pair, p, root)) is not None)
+
+
+def _singular(S: nmod_mat, steps: int) -> Iterator[bool]:
+    """Whether the upper block of S^k (I; 0) is singular, k = 1, 2, ..."""
+    m, p = S.nrows() // 2, int(S.modulus())
+    top, columns = _unit(m, 2 * m, p), _unit(2 * m, m, p)
+    for _ in range(steps):
+        columns = S * columns
+        yield not (top * columns).det()
+
+
 def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p: int) -> bool:
     """Return whether no 1 - gamma^2 of the first `steps` steps vanishes modulo the prime `p`."""
-    q, s = _residues(Q, p), _residues(S, p)
-    if q is None or s is None:
+    try:
+        q, s = modular(list(Q), p), modular(list(S), p)
+    except Undefined:
         return False
     for _ in range(steps):
         if (1 - s[-2] * s[-2]) % p == 0:
@@ -113,60 +320,21 @@ def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p
     return True
 
 
-def _of_small_order(f: fmpz_poly, p: int) -> bool:
-    if int(f.leading_coefficient()) % p == 0:
-        return False
-    modulo = nmod_poly([int(c) % p for c in f.coeffs()], p)
-    power = _z_power(p - 1, modulo, p)
-    return power == 1 or power * nmod_poly([0, 0, 1], p) % modulo == 1
-
-
-def _z_power(k: int, f: nmod_poly, p: int) -> nmod_poly:
-    x, power = nmod_poly([0, 1], p), nmod_poly([1], p)
-    for bit in bin(k)[2:]:
-        power = power * power % f
-        if bit == "1":
-            power = power * x % f
-    return power
-
-
-def escapes_before(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int = 40) -> list[int]:
-    """Return the `k` up to `steps` for which the plane `k` steps before the start is singular; the pair is reduced."""
-    m, found = len(Q) - 1, []
-    q, g = [fmpq(x.numerator, x.denominator) for x in Q[-2::-1]], [fmpq(x.numerator, x.denominator) for x in S[-2::-1]]
-    X = [[fmpq(int(i == j)) for j in range(m)] for i in range(m)]
-    Y = [[fmpq(0)] * m for _ in range(m)]
-    for k in range(1, steps + 1):
-        X, Y = backward(X, Y, q, g)
-        if fmpq_mat(X).det() == 0:
-            found.append(k)
-    return found
-
-
-def prime_without_singularity(Q: Sequence[Fraction], S: Sequence[Fraction], D: Sequence[Fraction], before: list[int]) -> int | None:
-    """Return a prime that shows that a reduced pair that comes from escapes at the times `before` never escapes, or None."""
-    integral = fmpq_poly([fmpq(c.numerator, c.denominator) for c in D]).numer()
-    for p in primes(5):
-        if p > _PADIC_BOUND:
-            return None
-        if p > 13 and not _of_small_order(integral, p):
-            continue
-        try:
-            check_never_singular(list(Q), list(S), p, before)
-        except Undefined:
-            continue
-        return p
-    return None
-
-
-def aperiodic_modulus(D: Sequence[Fraction]) -> int | None:
-    """Return a prime that shows that the zeros of `D` are not distinct roots of unity, or None if they seem to be."""
-    for p in (10**9 + 7, 10**9 + 9, 998244353):
-        try:
-            if has_infinite_order(list(D), p):
-                return p
-        except Undefined:  # the prime divides a denominator
-            continue
+# ---------------------------------------------------------------------- no period
+def aperiodic_place(pair: Readings) -> list[Any] | None:
+    """Return a place that shows that the zeros of `D` are not distinct roots of unity, or None if they seem to be."""
+    degree = 1 if pair.field is None else pair.field.degree
+    N, tried, monic = common_order((len(pair.D) - 1) * degree), 0, [c / pair.D[-1] for c in pair.D]
+    for p in primes(10**9 + 7):
+        for root in pair.roots(p)[:1]:
+            read = pair.read(monic, p, root)
+            if read is None:
+                continue
+            if nmod_poly([0, 1], p).pow_mod(N, nmod_poly(read, p)) != 1:
+                return _place(p, root)
+            tried += 1
+            if tried == 2:
+                return None
     return None
 
 
@@ -189,77 +357,3 @@ def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:
                 return None
             orders.append(turn.denominator)
     return orders
-
-
-def torus_evidence(D: Sequence[Fraction]) -> tuple[int | None, dict[str, Any], str]:
-    """Return the dimension of the torus, evidence for the checker, and a reason if the dimension is not decided.
-
-    Parameters
-    ----------
-    D : sequence of rationals, length 2m + 1
-        The coefficients of z^m D.
-    """
-    full = [fmpq(c.numerator, c.denominator) for c in map(Fraction, wandering_factor(list(D)))]
-    f, k = fmpq_poly([1]), 0
-    for factor, _ in fmpq_poly(full).factor()[1]:
-        on = count_roots(factor).on
-        if on:
-            f, k = f * factor, k + on // 2
-    evidence: dict[str, Any] = {"factor": [str(c) for c in f.coeffs()]}
-    if k <= 1:
-        return k, evidence, ""
-    coefficients = [Fraction(int(c.p), int(c.q)) for c in f.coeffs()]
-    if len(coefficients) == 5:
-        relation = _relation(f)
-        if relation is not None and are_related(coefficients, relation):
-            return 1, {**evidence, "relation": relation}, ""
-    found = _places(f, coefficients, k)
-    if found is not None:
-        return k, {**evidence, "prime": found[0], "places": found[1]}, ""
-    return None, {}, (f"the {k} wandering roots on the circle could be shown neither independent nor dependent "
-                      f"by places up to {_PLACE_BOUND}, so the dimension of the torus is between 1 and {k}")
-
-
-def _relation(f: fmpq_poly) -> list[int] | None:
-    """Return small positive exponents a, b such that l^a m^b seems to be a root of unity for two zeros of `f`, by lattice reduction."""
-    bits = 200
-    with precision(bits + 60):
-        on = [z for z in zeros(f.numer())[1] if z.imag > 0]
-        angles = [z.log().imag / (2 * arb.pi()) for z in on]
-        scaled = [(x * arb(2) ** bits).mid().floor().unique_fmpz() for x in angles]
-    if len(scaled) != 2 or None in scaled:
-        return None
-    rows: Any = [[1, 0, 0, scaled[0]], [0, 1, 0, scaled[1]], [0, 0, 1, fmpz(2) ** bits]]
-    first = fmpz_mat(rows).lll().tolist()[0]
-    a, b = abs(int(first[0])), abs(int(first[1]))
-    return [a, b] if 0 < a < 100 and 0 < b < 100 and abs(int(first[3])) < 1 << (bits // 2) else None
-
-
-def _places(f: fmpq_poly, coefficients: list[Fraction], k: int) -> tuple[int, list[list]] | None:
-    """Return a prime and places that show to the checker that `k` of the zeros are independent."""
-    integral = f.numer()
-    if k > 3:
-        return None
-    q = 11 if len(coefficients) == 5 else 47
-    free = next((place for p in primes(3) if p < _PLACE_BOUND and (p - 1) % q and (place := _place(integral, p))), None)
-    places: list[list] = [free] if free else []
-    for p in range(2 * q + 1, _PLACE_BOUND if free else 0, 2 * q):
-        if fmpz(p).is_prime() and (place := _place(integral, p)):
-            places.append(place)
-            if len(places) > 2:
-                try:
-                    check_independent(coefficients, k, q, places)
-                except Undefined:
-                    continue
-                return q, places
-    return None
-
-
-def _place(f: fmpz_poly, p: int) -> list | None:
-    """Return `p` and the zeros modulo `p`, if there are as many simple ones as the degree."""
-    if int(f.leading_coefficient()) % p == 0:
-        return None
-    modulo = nmod_poly([int(c) % p for c in f.coeffs()], p)
-    if _z_power(p, modulo, p) != nmod_poly([0, 1], p) % modulo or modulo.gcd(modulo.derivative()).degree() > 0:
-        return None
-    return [p, sorted(int(-factor[0] / factor[1]) for factor, _ in modulo.factor()[1])]

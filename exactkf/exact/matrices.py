@@ -9,8 +9,7 @@ Notation
 --------
 :math:`A'` is the transpose.  The inertia of a symmetric matrix is the triple of
 the numbers of its positive, negative and zero eigenvalues.  A (1)-inverse of Z
-is a matrix G with Z G Z = Z.  :math:`J = \begin{pmatrix}0&I\\-I&0\end{pmatrix}`
-is the symplectic form: M is symplectic when M' J M = J.
+is a matrix G with Z G Z = Z.
 
 Choice of algorithm
 -------------------
@@ -48,7 +47,6 @@ __all__ = [
     "is_pd",
     "is_psd",
     "is_symmetric",
-    "is_symplectic",
     "ldlt",
     "matrix",
     "moore_penrose",
@@ -57,7 +55,6 @@ __all__ = [
     "power",
     "rank",
     "solve",
-    "symplectic_form",
     "transpose",
     "vstack",
     "zero",
@@ -145,11 +142,6 @@ def identity(n: int) -> fmpq_mat:
 def zero(n_rows: int, n_cols: int | None = None) -> fmpq_mat:
     """Return the zero matrix of the given shape (square if only one number is given)."""
     return fmpq_mat(n_rows, n_rows if n_cols is None else n_cols)
-
-
-def symplectic_form(n: int) -> fmpq_mat:
-    """Return the 2n x 2n matrix ``[[0, I], [-I, 0]]``."""
-    return block([[zero(n), identity(n)], [-identity(n), zero(n)]])
 
 
 def block(blocks: Sequence[Sequence[Any]]) -> fmpq_mat:
@@ -326,15 +318,6 @@ def is_symmetric(A: Any) -> bool:
     """Return whether A = A'."""
     A = matrix(A, name="A")
     return A.nrows() == A.ncols() and A.transpose() == A
-
-
-def is_symplectic(M: Any) -> bool:
-    """Return whether M' J M = J; a matrix of odd size or not square is not symplectic."""
-    M = matrix(M, name="M")
-    if M.nrows() != M.ncols() or M.nrows() % 2:
-        return False
-    J = symplectic_form(M.nrows() // 2)
-    return M.transpose() * J * M == J
 
 
 def inertia(A: Any) -> Inertia:

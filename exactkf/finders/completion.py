@@ -34,7 +34,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.reader import Reader
-from exactkf.kernel.words import Poly, Relation
+from exactkf.kernel.words import Poly, Relation, times_scalars
 
 __all__ = ["Stuck", "System", "system_of"]
 
@@ -94,6 +94,7 @@ class System:
         self.count = self.made = self.reached = 0
         self.deadline = float("inf")
         self.written: dict[int, dict] = {}
+        self.assumed = dict(assumed)
         #: relations p q = 1, with p, by the name of q
         self.quotients = {name: (f"quotient {n}", p) for n, (p, name) in enumerate(reader.quotients, 1) if f"quotient {n}" in assumed}
         self.waiting = sorted(assumed.items(), key=lambda item: (max((len(w) for _, w in item[1].poly), default=0), item[0]))
@@ -151,6 +152,17 @@ class System:
     # ------------------------------------------------------------------ goals
     def express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         """Terms [c, left, name, right] (with scalars as a fifth entry, where there are) that add up to the goal."""
+        found = self._express(goal, deadline)
+        powers = {n: max(-e for s, _ in goal for m, e in s if m == n) for s, _ in goal for n, e in s if e < 0}
+        if not isinstance(found, Stuck) or not powers:
+            return found
+        above, below = (tuple(sorted((n, sign * e) for n, e in powers.items())) for sign in (1, -1))
+        cleared = self._express({(times_scalars(s, above), word): c for (s, word), c in goal.items()}, deadline)
+        if isinstance(cleared, Stuck):
+            return found
+        return [[*term[:4], [list(x) for x in times_scalars(tuple((n, e) for n, e in (term[4] if len(term) > 4 else ())), below)]] for term in cleared]
+
+    def _express(self, goal: Poly, deadline: float) -> list[list] | Stuck:
         self.deadline = deadline
         rest, used = self._reduce(self.encode(goal))
         while rest:
@@ -256,10 +268,27 @@ class System:
             for at in range(len(word) - n + 1):
                 for rule in self.rules.get(word[at:at + n], ()):
                     if not rule.scalars:
+                        if not n and word and self._rows(word, at) != self._rows_of(rule):
+                            continue  # I = 0, of one size; that of the empty word is not known here, a replay refuses a wrong one
                         return rule, word[:at], word[at + n:], scalars
                     if (rest := _quotient(scalars, rule.scalars)) is not None:
                         return rule, word[:at], word[at + n:], rest
         return None
+
+    def _rows(self, word: str, at: int) -> Any:
+        """Size between two letters of a word that is not empty."""
+        return self.reader.sizes[self.names[word[at]]][0] if at < len(word) else self.reader.sizes[self.names[word[-1]]][1]
+
+    def _rows_of(self, rule: _Rule) -> Any:
+        """Number of rows of a relation, by the way it came about."""
+        for _, left, ref, _right, _scalars in rule.origin:
+            if left:
+                return self._rows(left, 0)
+            if isinstance(ref, str) and self.assumed[ref].rows is not None:
+                return self.assumed[ref].rows
+            if isinstance(ref, _Rule) and (ref.lead or ref.tail or not ref.scalars):
+                return self._rows(ref.lead, 0) if ref.lead else self._rows_of(ref)
+        return _ONE_ROW
 
     def _number_in(self, word: str, scalars: str) -> tuple | None:
         """A shortest 1 x 1 part of a word becomes a scalar, by a new rule."""
@@ -322,7 +351,8 @@ class System:
     def _add(self, lead: str, scalars: str, tail: dict[str, Any], origin: Origin) -> _Rule:
         self.made += 1
         rule = _Rule(lead, scalars, tail, origin, self.made)
-        old = [r for rules in self.rules.values() for r in rules if lead in r.lead and _quotient(r.scalars, scalars) is not None]
+        every = [r for rules in self.rules.values() for r in rules] if lead or scalars else []
+        old = [r for r in every if lead in r.lead and _quotient(r.scalars, scalars) is not None]
         for r in old:
             self.rules[r.lead].remove(r)
             if not self.rules[r.lead]:

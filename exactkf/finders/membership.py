@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,7 +26,8 @@ from exactkf.finders.completion import Stuck, system_of
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.recursion import Induction, inductions
+from exactkf.kernel.recursion import Induction, along, before, inductions
+from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
 
@@ -75,7 +77,7 @@ def find_membership(statement: dict, degree: int = 8, seconds: float = 5.0) -> l
 
 
 def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (), degree: int = 8, seconds: float = 5.0,
-               factors: Any = ()) -> list[dict] | None:
+               factors: Any = (), inside: Any = (), stable: Any = ()) -> list[dict] | None:
     """For every leaf of the lemmas and the conclusion the terms of a proof, or None.
 
     Parameters
@@ -90,13 +92,19 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         As in `search_membership`; where lemmas lead the way it is larger.
     factors : sequence of (matrix, its factors)
         For determinants.
+    inside : sequence of [number, vector, lemmas]
+        See `exactkf.kernel.order.leaves`.
+    stable : sequence of [number, {"solutions", "stein", "unique"}]
+        What the proof of a leaf, counted as the sums are, makes of stable matrices.
     """
     out = []
-    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas else degree
-    for k, (case, formula) in enumerate(leaves(statement, lemmas)):
+    degree = max(degree, _DEGREE_WITH_LEMMAS) if lemmas or inside else degree
+    helped = {number: help_ for number, help_ in stable}
+    for k, (case, formula) in enumerate(leaves(statement, lemmas, inside)):
         asked = [sums[k]] if k < len(sums) and sums[k] else []
         for terms in asked or _own_terms(case, formula):
-            found = _complete(case, formula, terms, {"roots": roots, "factors": factors}, bool(asked), degree, seconds)
+            more = {"roots": roots, "factors": factors, **helped.get(k, {})}
+            found = _complete(case, formula, terms, more, bool(asked), degree, seconds)
             if found is not None:
                 break
         else:
@@ -115,19 +123,30 @@ def find_induction(statement: dict, hints: Any = None, seconds: float = 5.0) -> 
     """
     hints = hints or {}
     for shapes in [hints["shapes"]] if hints.get("shapes") else _shapes(statement):
-        conjuncts = []
-        for number, part in enumerate(inductions(statement)):
-            try:
-                made = Induction(part, hints.get("also", ()), shapes)
-                proofs = _prove_cases(made, hints, number, seconds)
-            except (Unknown, Undefined, KeyError, TypeError):
-                proofs = None
-            if proofs is None:
+        first, rest = [], statement
+        for lemma in hints.get("before", ()):
+            alone, formula, rest = before(rest, lemma["says"])
+            also = list(lemma.get("also", ()))
+            first.append({"says": lemma["says"], "also": also, "proofs": _prove_part(alone, [formula, *also], shapes, lemma, 0, seconds)})
+            if first[-1]["proofs"] is None:
                 break
-            conjuncts.append(proofs)
         else:
-            return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes}
+            conjuncts = []
+            for number, part in enumerate(inductions(rest)):
+                conjuncts.append(_prove_part(part, along(hints.get("also", ()), number), shapes, hints, number, seconds))
+                if conjuncts[-1] is None:
+                    break
+            else:
+                lemmas = {"before": first} if first else {}
+                return {"conjuncts": conjuncts, "also": list(hints.get("also", ())), "shapes": shapes, **lemmas}
     return None
+
+
+def _prove_part(part: dict, also: Any, shapes: Any, hints: Any, number: int, seconds: float) -> list | None:
+    try:
+        return _prove_cases(Induction(part, also, shapes), hints, number, seconds)
+    except (Unknown, Undefined, KeyError, TypeError, IndexError):
+        return None
 
 
 def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> list | None:
@@ -140,11 +159,25 @@ def _prove_cases(made: Induction, hints: Any, number: int, seconds: float) -> li
         roots = [[name, made.at(t, case)] for name, t in given.get("roots", ())]
         own = [made.at(t, case) for t in given.get("lemmas", ())]
         factors = [[made.at(t, case), [made.at(x, case) for x in parts]] for t, parts in given.get("factors", ())]
-        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds, factors=factors)
+        inside = [[k, vector, [made.at(t, case) for t in inner]] for k, vector, inner in given.get("inside", ())]
+        stable = [[k, _help_at(made, case, help_)] for k, help_ in given.get("stable", ())]
+        found = find_order(case, sums, roots, [*own, *lemmas], seconds=seconds, factors=factors, inside=inside, stable=stable)
         if found is None:
             return None
-        proofs.append({"parts": found, "lemmas": own})
+        proofs.append({"parts": found, "lemmas": own, **({"inside": inside} if inside else {})})
     return proofs
+
+
+def _help_at(made: Induction, case: dict, help_: dict) -> dict:
+    """What the proof of a leaf makes of stable matrices, in the index of one of the bases or of the step."""
+    out: dict[str, Any] = {}
+    if "stein" in help_:
+        out["stein"] = made.at(help_["stein"], case)
+    if "unique" in help_:
+        out["unique"] = [made.at(m, case) for m in help_["unique"]]
+    if "solutions" in help_:
+        out["solutions"] = [[name, made.at(m, case), made.at(q, case)] for name, m, q in help_["solutions"]]
+    return out
 
 
 def _shapes(statement: dict) -> Iterator[dict]:
@@ -166,6 +199,8 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
     inverses = [["inv", x] for x in _nonsingular(case)]
     if op in ("=", "symmetric", "symplectic"):
         return [[], inverses] if inverses else [[]]
+    if op == "schur":
+        return [[]]
     if op in ("similar", "cospectral"):
         return [*([x[1], x] for x in inverses), *([x, x[1]] for x in inverses)]
     if op == "invertible":
@@ -196,12 +231,12 @@ def _nonsingular(case: dict) -> list:
 
 def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
-    more = {key: [list(x) for x in value] for key, value in more.items() if value}
+    more = {key: value if key == "stein" else [list(x) for x in value] for key, value in more.items() if value}
     for way in _ways(case, formula, terms if asked else []):
         try:
             leaf = Leaf(case, formula, terms, **more, **way)
             blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
-        except (Unknown, Undefined):
+        except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
             continue
         if None not in blocks:
             return {"sum": terms, "blocks": blocks, **more, **way}
@@ -213,15 +248,19 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
     op = formula[0]
     rank = op == "=" and isinstance(formula[1], list) and formula[1][0] == "rank"
     labels = [label for label, f, _ in reversed(case["given"]) if f[0] == "="]
-    if terms and all(isinstance(t, list) and t[0] == "inv" for t in terms):  # an inverse to be brought in, most likely
+    if terms and all(isinstance(t, list) and t[0] in ("inv", "/") for t in terms):  # an inverse to be brought in, most likely
         yield {}
     if op in ("=", "symmetric", "symplectic") and not rank:
         if terms:
+            units = [{"null": ["I", size]} for size in _size_of(case, terms[0])]
+            yield from (way for way in units if way["null"][1] == 1)
             yield from ({"null": label} for label in labels)
             yield from ({"null": ["sym", name]} for name, kind in case["over"] if kind[0] == "matrix")
+            yield from (way for way in units if way["null"][1] != 1)
+            yield from ({"null": ["sym", d[1]]} for d in case["where"] if d[0] == "let" and not d[2])
         yield {}
         return
-    if not rank:
+    if not rank or len(terms) == 4:
         yield {}
     if rank or op == "invertible":
         yield {"vector": True}
@@ -230,6 +269,26 @@ def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:
             yield from ({"vector": True, "null": ["sym", f"v.{k}"]} for k in range(3))
 
 
+def _size_of(case: dict, term: Any) -> Iterator[Any]:
+    """Number of rows of a term, if that can be said."""
+    with suppress(Unknown, Undefined):
+        reader = Reader(case)
+        found = reader.read(term)
+        if isinstance(found, Blocks):
+            yield size_tree(reader.total(found.rows))
+
+
+#: lemmas of the leaf, and what its proof brings in: these are tried before all assumptions are
+_NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
+
+
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
-    found = system_of(leaf.reader, leaf.assumed(k), degree).express(leaf.goals[k][0], time.perf_counter() + seconds)
-    return None if isinstance(found, Stuck) else found
+    goal, assumed = leaf.goals[k][0], leaf.assumed(k)
+    tries = [assumed]
+    if any(name.startswith(("inner lemma", "solution")) for name in assumed):
+        tries.insert(0, {name: relation for name, relation in assumed.items() if name.startswith(_NEAREST)})
+    for number, some in enumerate(tries, 1):
+        found = system_of(leaf.reader, some, degree).express(goal, time.perf_counter() + (seconds if number == len(tries) else min(seconds, 2.0)))
+        if not isinstance(found, Stuck):
+            return found
+    return None

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 import sys
 
-from exactkf.kernel.replay import NotACertificate, Rejected, replay
+from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 
 
 def main(paths: list[str]) -> int:
@@ -15,7 +15,10 @@ def main(paths: list[str]) -> int:
     for path in paths:
         try:
             with open(path, encoding="utf-8") as file:
-                replay(json.load(file))
+                certificate = json.load(file)
+            replay(certificate)
+            if needed := rests_on(certificate):
+                print(f"{path}: replays assuming {needed} for its parametrisation to reach everything")
         except Rejected as error:
             print(f"{path}: rejected: {error}")
             worst = max(worst, 1)

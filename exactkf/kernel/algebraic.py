@@ -13,7 +13,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown
+from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown
 from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
 
 __all__ = ["Algebraic", "AlgebraicField"]
@@ -83,7 +83,7 @@ def _remainder(p: list, m: list) -> list:
     return p
 
 
-class Algebraic:
+class Algebraic(FieldElement):
     """Polynomial in theta, reduced modulo the modulus."""
 
     __slots__ = ("c", "field")
@@ -120,9 +120,6 @@ class Algebraic:
     def __sub__(self, other: Any) -> Any:
         return NotImplemented if isinstance(other, (Laurent, Ratio)) else self + (-other)
 
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
     def __mul__(self, other: Any) -> Any:
         if isinstance(other, (int, Fraction)):
             return Algebraic(self.field, self.field.tidy([v * other for v in self.c]) if other else [])
@@ -156,14 +153,6 @@ class Algebraic:
                     new[i + j] -= x * y
             a, b, s, t = b, r, t, new
         return self.field.element(self.field.tidy([x / b[0] for x in t]))
-
-    def __truediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else self * y.inverse()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else y * self.inverse()
 
     def sign(self) -> int:
         """Sign of the real number: zero is decided by a gcd, the rest by interval arithmetic."""

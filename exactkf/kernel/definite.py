@@ -64,6 +64,7 @@ def apart(reader: Reader) -> Reader:
     probe = copy(reader)
     probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
     probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
+    probe.kernels = list(reader.kernels)
     return probe
 
 
@@ -102,6 +103,8 @@ def definiteness(reader: Reader, tree: Any) -> int:
 def _block_diagonal(reader: Reader, table: Any) -> int:
     zero = all(_is_zero(x) for i, row in enumerate(table) for j, x in enumerate(row) if i != j)
     square = all(len(row) == len(table) for row in table)
+    whole = reader.read(["block", *table])  # a zero on the diagonal takes its sizes from those beside it
+    square = square and isinstance(whole, Blocks) and whole.rows == whole.cols
     return min(definiteness(reader, row[i]) for i, row in enumerate(table)) if zero and square else 0
 
 
@@ -220,8 +223,8 @@ def nonsingular(reader: Reader, tree: Any) -> bool:
         return True
     if tree[0] == "T":
         return nonsingular(reader, tree[1])
-    if tree[0] == "*":
-        return all(nonsingular(reader, x) or (_is_number(reader, x) and sign(reader, x) == 2) for x in tree[1:])
+    if tree[0] == "*" and all(nonsingular(reader, x) or (_is_number(reader, x) and sign(reader, x) == 2) for x in tree[1:]):
+        return True
     if tree[0] == "sym" and tree[1] in reader.kinds and reader.kinds[tree[1]][0] in ("nonsingular", "pd"):
         return True
     if tree[0] == "sym" and tree[1] not in reader.kinds:

@@ -22,10 +22,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactkf.kernel.index_induction import generic_index
-from exactkf.kernel.numbers import Rejected, Undefined, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
 from exactkf.kernel.order import Leaf, leaves, register_inverses
 from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
-from exactkf.kernel.recursion import Induction, inductions
+from exactkf.kernel.recursion import Induction, along, before, inductions
 from exactkf.kernel.words import Blocks, Poly, Relation, Size, Word, number, text, times_scalars
 
 __all__ = ["KINDS"]
@@ -88,7 +88,7 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
             _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
             start = relation.cols  # type: ignore[assignment]
         _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
-        factor = number(c)
+        factor = number(fraction(c))
         for (s, word), value in relation.poly.items():
             key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
             rest[key] = rest.get(key, 0) - factor * value
@@ -100,7 +100,7 @@ def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any)
     if isinstance(name, list):
         return reader.as_scalar(tuple(name))
     one = (("", 1),)
-    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(c) for c, s in name["numbers"]}
+    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(fraction(c)) for c, s in name["numbers"]}
     _need(all(type(e) is int for s, _ in poly for _, e in s), "an exponent is no integer")
     _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
     return Relation(poly, None, None)
@@ -111,12 +111,16 @@ def _text(term: Blocks) -> str:
     return rows[0] if len(rows) == len(term.grid[0]) == 1 else f"[{'; '.join(rows)}]"
 
 
+#: what the proof of a leaf may bring in beside its terms
+_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique")
+
+
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    todo = list(leaves(statement, evidence.get("lemmas", ())))
+    todo = list(leaves(statement, evidence.get("lemmas", ()), evidence.get("inside", ())))
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for place, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
-        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in ("roots", "null", "vector", "factors") if key in proof})
+        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in _HELP if key in proof})
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
         _need(len(blocks) == len(leaf.goals), f"part {place}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
@@ -126,19 +130,28 @@ def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[st
 
 
 def _word_induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    denominators: list[str] = []
+    for place, lemma in enumerate(evidence.get("before", ()), 1):
+        alone, formula, statement = before(statement, lemma["says"])
+        made = Induction(alone, [formula, *lemma.get("also", ())], evidence.get("shapes"))
+        _by_cases(f"lemma {place}", made, lemma["proofs"], denominators)
     todo = list(inductions(statement))
     _need(len(todo) == len(evidence["conjuncts"]), "as many inductions as the conclusion has conjuncts are needed")
-    denominators: list[str] = []
     for place, (part, proofs) in enumerate(zip(todo, evidence["conjuncts"], strict=True), 1):
-        made = Induction(part, evidence.get("also", ()), evidence.get("shapes"))
-        cases = [*((f"base {k}", s) for k, s in enumerate(made.bases)), *([("step", made.step)] if made.step else [])]
-        _need(len(proofs) == len(cases), f"conjunct {place}: a proof for each base and for the step is needed")
-        for (name, case), lemmas, proof in zip(cases, made.lemmas, proofs, strict=True):
-            try:
-                denominators.extend(d for d in _order(case, {**proof, "lemmas": [*proof.get("lemmas", ()), *lemmas]}) if d not in denominators)
-            except (Rejected, Undefined, Unknown) as error:
-                raise Rejected(f"conjunct {place}, {name}: {error}") from error
+        made = Induction(part, along(evidence.get("also", ()), place - 1), evidence.get("shapes"))
+        _by_cases(f"conjunct {place}", made, proofs, denominators)
     return denominators
+
+
+def _by_cases(name: str, made: Induction, proofs: list, denominators: list[str]) -> None:
+    """Each base and the step by an ``order``."""
+    cases = [*((f"base {k}", s) for k, s in enumerate(made.bases)), *([("step", made.step)] if made.step else [])]
+    _need(len(proofs) == len(cases), f"{name}: a proof for each base and for the step is needed")
+    for (which, case), lemmas, proof in zip(cases, made.lemmas, proofs, strict=True):
+        try:
+            denominators.extend(d for d in _order(case, {**proof, "lemmas": [*proof.get("lemmas", ()), *lemmas]}) if d not in denominators)
+        except (Rejected, Undefined, Unknown) as error:
+            raise Rejected(f"{name}, {which}: {error}") from error
 
 
 KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}

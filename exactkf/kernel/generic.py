@@ -23,21 +23,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from itertools import count
 from typing import Any
 
+from exactkf.kernel.indefinite import BOUND, Indefinite
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.packed import BITS, exponents
-from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
+from exactkf.kernel.opaque import opaque
+from exactkf.kernel.packed import BITS
+from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms"]
+__all__ = ["Terms", "connected"]
 
 _MOST_OPEN = 60  # definitions opened within each other
 
 
 # ---------------------------------------------------------------------- terms
-class Terms:
+class Terms(Indefinite):
     """Terms of a statement in a region, as rational functions of atoms.
 
     Parameters
@@ -48,13 +49,15 @@ class Terms:
         The region of the parameters.
     supported : names of recursions X whose value X_t is a polynomial with exponents 0 .. t
     closed : names of functions that are opened at integers alone
+    whole : names of recursions that are opened at their initial values alone, and of functions in z whose coefficients are not computed
     rules : mapping of name to (least index or None for the hypothesis of an induction, index name, term)
         X_t = term, shown before.
     """
 
     def __init__(self, statement: Mapping[str, Any], region: Region, supported: Any = (), rules: Mapping[str, tuple] | None = None,
-                 closed: Any = ()) -> None:
+                 closed: Any = (), whole: Any = ()) -> None:
         self.statement, self.region, self.supported, self.rules, self.closed = statement, region, set(supported), dict(rules or {}), set(closed)
+        self.whole = set(whole)
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
@@ -62,10 +65,13 @@ class Terms:
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
-        self.fresh = count()
+        self.nested = 0
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
+        self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
+        self.unused: set[str] = set()  # recursions that are not opened
+        self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
         if key not in self.places:
@@ -128,7 +134,7 @@ class Terms:
         op = tree[0]
         if op == "rat":
             return self.number(Fraction(tree[1], tree[2]))
-        if self.is_matrix(tree):
+        if self.is_matrix(tree) and not self._is_power_of_number(tree, env):
             if self.shape(tree, env) != ({"": 1}, {"": 1}):
                 raise Undefined("a matrix stands where a scalar is needed")
             return self.entry(tree, {"": 1}, {"": 1}, env)
@@ -149,8 +155,13 @@ class Terms:
             return self.value(tree[2] if self.condition(tree[1], env) else tree[3], env)
         if op == "coeff":
             return self.coefficient(tree[1], self.index(tree[2], env), env)
+        if op in ("det", "laurent"):
+            return self.opaque(tree, env)
         if op == "sum":
             return self._sum(tree, env, self.value)
+        if op == "prod":
+            _, name, low, high, body = tree
+            return self.product(self.index(low, env), self.index(high, env), lambda inner, j: inner._reread(inner.value, body, {**env, name: j}))
         if op == "sym":
             if tree[1] in env or tree[1] in self.statement["sizes"]:
                 raise Unknown(f"index {tree[1]!r} as a number")
@@ -186,6 +197,8 @@ class Terms:
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
             return self.coefficient(tree[1], plus({}, m, -1), env)
+        if op == "charpoly" and not self.has_z(tree[1]):
+            return self.opaque(tree, env, m)
         if op == "if":
             return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
         if op == "sum":
@@ -252,6 +265,11 @@ class Terms:
                 return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
         raise Unknown(f"{op!r} as a function of z")
 
+    def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
+        """The value of a term that is not opened, or its coefficient or entry at a place."""
+        text, forms = opaque(tree, env, self.index)
+        return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
     def has_z(self, tree: Any) -> bool:
         return _mentions_z(tree, self.in_z)
 
@@ -264,12 +282,16 @@ class Terms:
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
         last = args[-1] if args else {}
+        if m is not None and name in self.whole:
+            return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
                 return found
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
+                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                    raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         self.depth += 1
@@ -291,20 +313,33 @@ class Terms:
             return read(d[4][offset.get("", 0)], {})
         return read(d[5], {d[2]: plus(k, {"": 1}, -1)})
 
-    def defining(self, name: str, args: tuple[Form, ...]) -> Symbolic:
-        """Value of a function that is kept closed, less what defines it there."""
-        d = self.definitions[name]
-        if d[0] != "let" or name not in self.recursive or name in self.in_z or not all(self.region.holds(a) for a in args):
+    def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
+        """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
+        d = self.definitions.get(name)
+        if d is None or name not in self.recursive or name in self.unused:
             raise Unknown(f"no definition of {name} to be used there")
+        if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
+            raise Unknown(f"the definition of {name} says nothing there")
+        if name in self.in_z:
+            m = places["z"]
+            read: Callable = lambda body, inner: self.coefficient(body, m, inner)
+            return self._call(name, args, read, m) - self._open(d, args, read)
+        if d[0] == "rec" and self.is_matrix(d[4][0]):
+            place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
+            read = lambda body, inner: self.entry(body, place[0], place[1] if len(place) > 1 else {"": 1}, inner)
+            return self._call(name, args, read, place=place) - self._open(d, args, read)
         return self.atom(("at", name, *map(form_key, args))) - self._open(d, args, self.value)
 
     def _opens(self, d: Any, last: Form) -> bool:
-        """At an integer not before the start, or at the index of the induction plus a positive integer."""
+        """At an integer not before the start, or at an index that is >= 0, as that of the induction, plus a positive integer."""
         least = d[3] if d[0] == "rec" else 0
         c = last.get("", 0)
+        if d[1] in self.unused:
+            return False
         if set(last) <= {""}:
-            return c >= least
-        return d[1] not in self.closed and set(last) <= {INDEX, ""} and last[INDEX] == 1 and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1)
+            return c >= least and (d[0] == "let" or d[1] not in self.whole or c < least + len(d[4]))
+        return (d[1] not in self.closed | self.whole and len(last) == 2 and any(last.get(x) == 1 for x in self.always)
+                and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1))
 
     def _solved(self, name: str, args: tuple[Form, ...], read: Callable) -> Symbolic | None:
         if name not in self.rules or len(args) != 1:
@@ -328,120 +363,14 @@ class Terms:
     def _reread(self, read: Callable, body: Any, env: Mapping[str, Form]) -> Symbolic:
         return read(body, env)
 
-    def total(self, low: Form, high: Form, summand: Callable[[Terms, Form], Symbolic]) -> Symbolic:
-        """Sum of the summand from low to high, cut where its form changes."""
-        if not self.region.holds(plus(plus(high, low, -1), {"": 1})) or self.region.decide(plus(high, low, -1)) is False:
-            return self.number(0)
-        length = self.region.reduce(plus(high, low, -1))
-        if self.region.decide(plus({}, length, -1)) is True:
-            length = {}
-        if set(length) <= {""}:
-            out = self.number(0)
-            for k in range(length.get("", 0) + 1):
-                out = out + summand(self, self.region.reduce(plus(low, {"": k})))
-            return out
-        name = f"#{next(self.fresh)}"
-        j = {name: 1}
-        outer = self.region
-        self.region = outer.and_(plus(j, low, -1), plus(high, j, -1))
-        try:
-            body = summand(self, j)
-        except Split as split:
-            self.region = outer
-            c = split.form.get(name, 0)
-            if not c:
-                raise
-            if abs(c) != 1:
-                raise Unknown("a sum is to be cut at a fraction") from None
-            # form >= 0 for j >= cut (c = 1) or j <= cut (c = -1); above and below go separately
-            rest = {n: -c * x for n, x in split.form.items() if n != name}
-            cut = plus(rest, {"": 1}, -1) if c == 1 else rest  # last index of the lower part
-            if not outer.holds(plus(plus(cut, low, -1), {"": 1})) or not outer.holds(plus(high, cut, -1)):
-                raise Unknown("a sum is cut outside its range") from None
-            return self.total(low, cut, summand) + self.total(plus(cut, {"": 1}), high, summand)
-        finally:
-            self.region = outer
-        return self._indefinite(body, name, low, high)
-
-    def _indefinite(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
-        """F(high) - F(low - 1) for every monomial of the body in the index of the sum."""
-        if any(self._moves(k, name) for index, _ in body.den for e in self.field.factors[index] for k, _ in self._atoms_of(e)):
-            raise Unknown("a sum of quotients")
-        out = self.number(0)
-        below = Symbolic(self.field, {0: 1}, body.q, body.den)
-        for monomial, c in list(body.num.items()):
-            moving, factor = [], below * c
-            for key, e in self._atoms_of(monomial):
-                if self._moves(key, name):
-                    moving.append((key, e))
-                else:
-                    for _ in range(e):
-                        factor = factor * self.atom(key)
-            out = out + factor * self._difference(moving, name, low, high)
-        return out
-
-    def _atoms_of(self, monomial: int) -> list[tuple[tuple, int]]:
-        return [(self.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e]
-
-    @staticmethod
-    def _moves(key: Any, name: str) -> bool:
-        return key == name or isinstance(key, tuple) and any(Terms._moves(x, name) for x in key)
-
-    def _difference(self, moving: list, name: str, low: Form, high: Form) -> Symbolic:
-        if not moving:
-            raise Unknown("a sum of a term that does not depend on its index")
-        best = None
-        for key, _ in moving:  # the index is changed so that some place becomes the index itself
-            for form in _forms(key):
-                s = form.get(name, 0)
-                if abs(s) != 1:
-                    continue
-                offset = {n: -s * c for n, c in form.items() if n != name}  # j = s i + offset
-                made = tuple(sorted((_moved(k, name, s, offset), e) for k, e in moving))
-                if best is None or made < best[0]:
-                    best = made, s, offset
-        if best is None:
-            raise Unknown("a sum over multiples of its index")
-        made, s, offset = best
-        if s > 0:
-            low, high = plus(low, offset, -1), plus(high, offset, -1)
-        else:
-            low, high = plus(offset, high, -1), plus(offset, low, -1)
-        return self._sum_to(made, high) - self._sum_to(made, plus(low, {"": 1}, -1))
-
-    def _sum_to(self, made: tuple, high: Form) -> Symbolic:
-        """The indefinite sum, by its value where the constant is zero and the terms from there."""
-        high = self.region.reduce(high)
-        c = high.get("", 0)
-        base = {n: x for n, x in high.items() if n}
-        out = self.atom(("sum", made, form_key(base)))
-        for q in range(min(c, 0) + 1, max(c, 0) + 1):
-            term = self.number(1 if c > 0 else -1)
-            for key, e in made:
-                for _ in range(e):
-                    term = term * self._again(_moved(key, "#", 0, plus(base, {"": q})))
-            out = out + term
-        return out
-
-    def _again(self, key: tuple) -> Symbolic:
-        """An atom at new places, opened if these allow it."""
-        if key[0] == "sum":
-            raise Unknown("sums within sums that depend on the outer index")
-        forms = [dict(x) for x in key[2:]]
-        if key[0] == "entry":
-            t, i, *j = (self.region.reduce(x) for x in forms)
-            return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
-        if key[0] == "coeff":
-            *args, m = forms
-            return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)
-        return self._call(key[1], tuple(self.region.reduce(a) for a in forms), self.value)
-
     # ------------------------------------------------------------------ matrices
     def is_matrix(self, tree: Any) -> bool:
         if isinstance(tree, int):
             return False
-        if tree[0] in ("mat", "col", "I", "O", "T", "block"):
+        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
             return True
+        if tree[0] in ("^", "subst"):
+            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
         if tree[0] in ("sym", "at"):
             d = self.definitions.get(tree[1])
             kinds = {name: kind[0] for name, kind in self.statement["over"]}
@@ -451,6 +380,9 @@ class Terms:
         if tree[0] == "/":
             return self.is_matrix(tree[1])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
+
+    def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
+        return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
@@ -482,8 +414,12 @@ class Terms:
             if d[0] == "rec":
                 return self.shape(d[4][0], {})
             return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
-        if op == "/":
+        if op in ("/", "^"):
             return self.shape(tree[1], env)
+        if op == "inv":
+            return self.shape(tree[1], env)[::-1]
+        if op == "subst":
+            return self.shape(tree[2], env)
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -525,6 +461,10 @@ class Terms:
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if self._is_power_of_number(tree, env):
+            return self.value(tree, env)
+        if op in ("inv", "^", "subst"):
+            return self._chain([tree], i, j, env)
         if op in ("sym", "at"):
             if tree[1] in self.sequences:
                 return self.atom(("at", tree[1], form_key(i)))
@@ -539,8 +479,13 @@ class Terms:
         """A product as products of size 1 x 1, and what is left; sizes that fit are checked."""
         one: tuple[Form, Form] = ({"": 1}, {"": 1})
         scalars, chain, shape = list[list](), list[Any](), one
-        for x in tree[1:]:
+        todo = list(tree[1:])
+        while todo:
+            x = todo.pop(0)
             mine = self.shape(x, env)
+            if not isinstance(x, int) and x[0] == "*" and mine != one:  # (AB)C = A(BC); a product of size 1 x 1 is a number
+                todo = [*x[1:], *todo]
+                continue
             if chain and shape != one and mine != one:
                 if self.region.reduce(plus(shape[1], mine[0], -1)):
                     raise Undefined("sizes do not fit")
@@ -554,10 +499,33 @@ class Terms:
         return scalars, chain
 
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
+        """Entry (i, j) of a product; one with an inverse or a power is not opened, and p(F) is the sum of p_k F^k."""
+        if len(parts) == 1 and not self.is_matrix(parts[0]):
+            return self.value(parts[0], env)
+        for k, part in enumerate(parts):
+            if not isinstance(part, int) and part[0] == "subst":
+                return self._polynomial_in(parts, k, i, j, env)
+        if any(not isinstance(x, int) and x[0] in ("inv", "^") and not self._is_power_of_number(x, env) for x in parts):
+            return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
         if len(parts) == 1:
-            return self.entry(parts[0], i, j, env) if self.is_matrix(parts[0]) else self.value(parts[0], env)
+            return self.entry(parts[0], i, j, env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
+
+    def _polynomial_in(self, parts: list, at: int, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
+        """A product with p(F) as its factor at a place, for a polynomial p = X_t with exponents 0 .. t."""
+        _, p, matrix = parts[at]
+        if p[0] != "at" or p[1] not in self.supported or self.limited:
+            raise Unknown("a value of a polynomial whose degree is not known")
+        degree, name = self.index(p[-1], env), f"@{len(env)}"
+
+        def term(terms: Terms, k: Form) -> Symbolic:
+            power = [*parts[:at], ["^", matrix, ["sym", name]], *parts[at + 1:]]
+            return terms.coefficient(p, k, env) * terms._chain(power, i, j, {**env, name: k})
+
+        if not self.region.holds(degree):
+            raise Unknown("a polynomial of negative index")
+        return self.total({}, degree, term)
 
 
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
@@ -566,25 +534,13 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 }
 
 
-def _forms(key: Any) -> Iterator[Form]:
-    if key[0] == "sum":
-        return
-    for x in key[2:]:
-        yield dict(x)
-
-
-def _moved(key: tuple, name: str, s: int, offset: Form) -> tuple:
-    """The atom with s # + offset in place of the index of the sum; '#' stands for the new index."""
-    if key[0] == "sum":
-        if Terms._moves(key, name):
-            raise Unknown("sums within sums that depend on the outer index")
-        return key
-    return (*key[:2], *(form_key(plus({n: c for n, c in x if n != name}, plus({"#": s} if s else {}, offset), dict(x).get(name, 0))) for x in key[2:]))
-
-
 def _atom_text(key: tuple) -> str:
-    if key[0] == "sum":
-        return f"sum({'*'.join(_atom_text(k) for k, _ in key[1])}, {_form_text(key[2])})"
+    if key[0] == "opaque":
+        return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"
+    if key[0] in BOUND:
+        monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
+        body = " + ".join("*".join([*([str(c)] if c != 1 or not m else []), *(_atom_text(k) for k, e in m for _ in range(e))]) for m, c in monomials)
+        return f"{key[0]}({body}, {_form_text(key[2])})"
     return f"{key[1]}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else key[1]
 
 
@@ -633,9 +589,26 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return False
     if tree[0] in ("coeff", "laurent"):
         return False
-    if tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+    if tree[0] == "subst":
+        return _mentions_z(tree[2], in_z)
+    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
+
+
+def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
+    """Names that a definition leads to and that lead back to it."""
+    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
+
+    def reached(start: str) -> set[str]:
+        todo, seen = [start], set[str]()
+        while todo:
+            new = calls[todo.pop()] - seen
+            seen |= new
+            todo.extend(new)
+        return seen
+
+    return {n for n in reached(name) if name in reached(n)}
 
 
 def _in_z(definitions: Mapping[str, Any]) -> set[str]:

@@ -7,17 +7,17 @@ between bounds; the hypothesis of the induction and the lemmas before may be use
 places. In each region of the parameters the equation then has to follow from them by elimination
 of atoms that they contain linearly with a constant factor.
 
-Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed.
+Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed. So everything is said of
+elements of the field of rational functions in the variables, and carries over to every instance on which the conclusion
+has a value. In that field recursions must have values, and nothing that is divided by may be zero, in a lemma
+neither: `exactkf.kernel.defined` sees to that.
 
 Main definitions
 ----------------
 `generic_index`
     Replay of such a certificate.
 
-Main statements
----------------
-* The determinant of M is d_1 ... d_n when LM is upper triangular with the diagonal d_1, ..., d_n for
-  a lower triangular L with ones on the diagonal.
+Determinants, inverses and the like are not opened; what turns them into other terms is in `exactkf.kernel.generic_facts`.
 """
 
 from __future__ import annotations
@@ -27,47 +27,54 @@ from contextlib import suppress
 from itertools import islice
 from typing import Any
 
+from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
+from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
+from exactkf.kernel.indefinite import BOUND
 from exactkf.kernel.numbers import Rejected, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
+from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
-_FIRST = ("value", "value at 1/z", "sum", "coeff", "entry", "at")  # atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _RESERVED = {INDEX, "z", "row", "column"}
-_PLACE: dict[str, Form] = {"row": {"row": 1}, "column": {"column": 1}}
 _ONE: Form = {"": 1}
 Goal = Callable[[Terms], list[Symbolic]]
 
 
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
-    proof = _Proof(statement, evidence.get("closed") or ())
-    for name in evidence.get("supported") or []:
-        proof.supported.append(name)
-    for name in proof.supported:
-        proof.support(name)
-    for lemma in evidence["lemmas"]:
-        proof.lemma(lemma)
-    proof.conclude(evidence)
+    try:
+        proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
+        proof.supported.extend(evidence.get("supported") or [])
+        for name in proof.supported:
+            proof.support(name)
+        for lemma in evidence["lemmas"]:
+            proof.lemma(lemma)
+        proof.conclude(evidence)
+    except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
+        raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
     return proof.denominators
 
 
 class _Proof:
     """The lemmas shown so far."""
 
-    def __init__(self, statement: Mapping[str, Any], closed: Any) -> None:
-        self.statement, self.closed = statement, closed
+    def __init__(self, statement: Mapping[str, Any], closed: Any, whole: Any = ()) -> None:
+        self.statement, self.closed, self.whole = statement, closed, whole
+        self.always = {INDEX}
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
-        names = _RESERVED & {*statement["sizes"], *(d[1] for d in statement["where"])}
+        self.not_zero: set[frozenset] = set()
+        names = _RESERVED & {*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
         self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
@@ -77,6 +84,7 @@ class _Proof:
                 with suppress(Unknown):
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
+        self.witness, self.ill_founded = Witness(statement, self.sizes), ill_founded(statement, self.sizes)
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -94,21 +102,28 @@ class _Proof:
                 return [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)]
 
             for outside in ({"z": -1, "": -1}, plus({"z": 1, "": -1}, last, -1)):
-                self._close(Region([*forms, outside]), goal, [], {}, f"exponents of {name}", limited=True)
+                self.close(Region([*forms, outside]), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
         index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
         if type(first) is not int or first < 0:
             raise Rejected(f"{place}: it starts before zero")
+        check_formula(self.statement, says, index)
         rules = list(_rules(says, index, place)) if lemma.get("rule") else []
         self.in_values = bool(lemma.get("in values"))
         generic = Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)])
+        if "fact" in lemma:
+            if lemma["fact"] not in FACTS or index in _RESERVED | set(self.statement["sizes"]):
+                raise Rejected(f"{place}: no fact of that name, or an index that is taken")
+            FACTS[lemma["fact"]](self, lemma, {index: {INDEX: 1}}, generic, place)
+            self.lemmas.append(lemma)
+            return
         if lemma.get("direct"):  # no induction: at any index from the first on
             self._show(says, {index: {INDEX: 1}}, generic, lemma.get("uses", ()), place)
             self.lemmas.append(lemma)
             return
-        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), [], f"{place}, base")
+        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), lemma.get("base", ()), f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
         self.rules.update((name, (None, index, term)) for name, term in rules)
@@ -131,52 +146,14 @@ class _Proof:
                 if part[0] == "forall":
                     forms.append(plus(terms.index(part[3], {}), t, -1))
                 self._show(part[-1], {part[1]: t}, Region(forms), uses, name)
-            elif part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det":
-                if part[2] == 1:
-                    self._unit_triangular(part[1][1], uses, name)
-                elif isinstance(part[2], list) and part[2][0] == "prod":
-                    self._determinant(part, evidence["triangular"], uses, name)
-                else:
+            elif _is_determinant(part) and part[2] == 1:
+                unit_triangular(self, part[1][1], {}, Region(self.sizes), uses, name)
+            elif _is_determinant(part) and "triangular" in evidence:
+                if not isinstance(part[2], list) or part[2][0] != "prod":
                     raise Rejected(f"{name}: a determinant at a generic size is one, or a product over the rows")
+                determinant(self, part, evidence["triangular"], {}, Region(self.sizes), uses, name)
             else:
                 self._show(part, {}, Region(self.sizes), uses, name)
-
-    def _determinant(self, part: Any, triangular: Any, uses: Any, name: str) -> None:
-        """det M = product of d_k: LM is upper triangular with diagonal d, L is unit lower triangular."""
-        _, k, low, high, body = part[2]
-        terms = Terms(self.statement, Region(self.sizes))
-        rows = terms.shape(part[1][1], {})[0]
-        first, last = terms.index(low, {}), terms.index(high, {})
-        if plus(plus(rows, last, -1), plus(first, _ONE, -1)):
-            raise Rejected(f"{name}: as many factors as the matrix has rows are needed")
-        self._unit_triangular(triangular, uses, f"{name}, L")
-        product = ["*", triangular, part[1][1]]
-        on, _, below = self._triangles(product, name)
-
-        def diagonal(t: Terms) -> list[Symbolic]:
-            return [_entry(t, product) - t.value(body, {k: t.region.reduce(plus(plus(first, {"row": 1}), _ONE, -1))})]
-
-        self._close(on, diagonal, uses, _PLACE, f"{name}: diagonal of LM")
-        self._close(below, lambda t: [_entry(t, product)], uses, _PLACE, f"{name}: LM is upper triangular")
-
-    def _unit_triangular(self, matrix: Any, uses: Any, name: str) -> None:
-        """Lower triangular with ones on the diagonal, hence of determinant one."""
-        on, above, _ = self._triangles(matrix, name)
-        self._close(on, lambda t: [_entry(t, matrix) - t.number(1)], uses, _PLACE, f"{name}: diagonal")
-        self._close(above, lambda t: [_entry(t, matrix)], uses, _PLACE, f"{name}: lower triangular")
-
-    def _triangles(self, matrix: Any, name: str) -> list[Region]:
-        """Places on, above and below the diagonal of a square matrix."""
-        terms = Terms(self.statement, Region(self.sizes))
-        if not terms.is_matrix(matrix):
-            raise Rejected(f"{name}: no matrix")
-        rows, cols = terms.shape(matrix, {})
-        if plus(rows, cols, -1):
-            raise Rejected(f"{name}: the matrix is not square")
-        i, j = {"row": 1}, {"column": 1}
-        square = Region([*self.sizes, plus(i, _ONE, -1), plus(rows, i, -1), plus(j, _ONE, -1), plus(rows, j, -1)])
-        gap = plus(j, i, -1)
-        return [square.and_(gap, plus({}, gap, -1)), square.and_(plus(gap, _ONE, -1)), square.and_(plus(plus({}, gap, -1), _ONE, -1))]
 
     # ------------------------------------------------------------------ formulas
     def _show(self, says: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: Mapping[str, Form] | None = None,
@@ -191,23 +168,34 @@ class _Proof:
                 self._show(part, env, region, uses, place, names, current)
         elif op == "forall":
             _, name, low, high, body = says
-            if name in env or name in names or name in self.statement["sizes"] or name in _RESERVED or name.startswith("#"):
+            if self.is_bound(name, env, names):
                 raise Unknown(f"index {name!r} bound twice")
             terms = Terms(self.statement, region)
             k: Form = {name: 1}
             inner = region.and_(plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))
             self._show(body, {**env, name: k}, inner, uses, place, {**names, name: k}, current)
+        elif op == "always":
+            _, name, body = says
+            if self.is_bound(name, env, names):
+                raise Unknown(f"index {name!r} bound twice")
+            self.always.add(name)
+            self._show(body, {**env, name: {name: 1}}, region.and_({name: 1}), uses, place, {**names, name: {name: 1}}, current)
+            self.always.discard(name)
         elif op == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
                 self._equation(left, right, env, region, uses, place, names, current)
         else:
             raise Unknown(f"{op!r} at a generic index")
 
+    def is_bound(self, name: str, *taken: Mapping[str, Form]) -> bool:
+        """A name that an index may not have here, as it is that of another parameter or of none."""
+        return any(name in names for names in taken) or name in self.statement["sizes"] or name in _RESERVED or not name.isidentifier()
+
     def _equation(self, left: Any, right: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: dict[str, Form],
                   current: int | None) -> None:
         terms = Terms(self.statement, region)
-        if terms.is_matrix(left) or terms.is_matrix(right):
-            shapes = [terms.shape(x, env) if terms.is_matrix(x) else (_ONE, _ONE) for x in (left, right)]
+        shapes = [terms.shape(x, env) for x in (left, right)]  # a number has one row and one column
+        if shapes != [(_ONE, _ONE)] * 2:
             if any(plus(x, y, -1) for x, y in zip(*shapes, strict=True)):
                 raise Rejected(f"{place}: matrices of different sizes")
             i, j = {"row": 1}, {"column": 1}
@@ -222,13 +210,14 @@ class _Proof:
 
             def goal(t: Terms) -> list[Symbolic]:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
-        self._close(region, goal, uses, names, place, current, in_values=self.in_values)
+        self.close(region, goal, uses, names, place, current, in_values=self.in_values)
 
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
             with suppress(Unknown):  # it speaks of names of another part
-                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]))
+                places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
+                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
             return
         number = use["lemma"]
         if type(number) is not int or not 0 <= number < len(self.lemmas):
@@ -250,6 +239,10 @@ class _Proof:
         if says[0] == "and":
             for part in says[1:]:
                 yield from self._said(terms, part, env, places)
+        elif says[0] == "always":
+            _, name, body = says
+            if name in places and terms.region.holds(places[name]):
+                yield from self._said(terms, body, {**env, name: places[name]}, places)
         elif says[0] == "forall":
             _, name, low, high, body = says
             if name not in places:
@@ -259,7 +252,10 @@ class _Proof:
                 yield from self._said(terms, body, {**env, name: k}, places)
         elif says[0] == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
-                if terms.has_z(left) or terms.has_z(right):
+                if terms.is_matrix(left) or terms.is_matrix(right):
+                    if "row" in places:
+                        yield from self._entries(terms, left, right, places["row"], places.get("column", _ONE), env)
+                elif terms.has_z(left) or terms.has_z(right):
                     if terms.in_values:
                         yield from (terms.at_z(left, env, flip) - terms.at_z(right, env, flip) for flip in (False, True))
                     elif "z" in places:
@@ -267,37 +263,70 @@ class _Proof:
                 else:
                     yield _difference(terms, left, right, {}, env)
 
+    @staticmethod
+    def _entries(terms: Terms, left: Any, right: Any, i: Form, j: Form, env: dict[str, Form]) -> Iterator[Symbolic]:
+        """An equation of matrices at a place that they have."""
+        rows, cols = terms.shape(left, env)
+        if all(terms.region.holds(x) for x in (plus(i, _ONE, -1), plus(rows, i, -1), plus(j, _ONE, -1), plus(cols, j, -1))):
+            yield terms.entry(left, i, j, env) - terms.entry(right, i, j, env)
+
     # ------------------------------------------------------------------ one equation
-    def _close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
+    def close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
                splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
         """The goal follows from the uses in every part of the region."""
-        terms = Terms(self.statement, region, self.supported, self.rules, self.closed)
-        terms.limited, terms.in_values = limited, in_values
+        terms = Terms(self.statement, region, self.supported, self.rules, self.closed, self.whole)
+        terms.always |= self.always
+        terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
-            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current)]
+            granted = {name for x in wanted for name in _inverses(terms, x)}
+            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted]
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
-                    for x in islice(self._instances(terms, use, names, current), 1):
+                    for x in islice((x for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted), 1):
                         wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
         except Split as split:
             if splits >= _MOST_SPLITS:
                 raise Rejected(f"{place}: too many cases") from None
             for part in region.cases(split.form):
-                self._close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+                self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
             return
         for x in wanted:
             rest = _reduced(terms, x, known)
             if rest.num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in region.forms)
                 raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
-        for f in terms.field.factors:
-            if (text := terms.field.text(f)) not in self.denominators:
+        for f in list(terms.field.factors):
+            key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
+            if key in self.not_zero:
+                continue
+            text = terms.field.text(f)
+            if not self.witness.is_not_zero(terms, f):
+                equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
+                if not (equal and self.witness.is_not_zero(terms, equal)):
+                    raise Rejected(f"{place}: nothing tells that {text} is not zero")
+            self.not_zero.add(key)
+            if text not in self.denominators:
                 self.denominators.append(text)
 
 
-def _entry(terms: Terms, matrix: Any) -> Symbolic:
-    return terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), {})
+def _is_determinant(part: Any) -> bool:
+    return part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det"
+
+
+def _inverses(terms: Terms, x: Symbolic) -> set[tuple]:
+    """Inverses in a value: what is known of them is known where they exist, hence used only where the goal has the same ones."""
+    found: set[tuple] = set()
+    todo = [terms.atoms[place] for p in (x.num, *(x.field.factors[index] for index, _ in x.den)) for monomial in p
+            for place, e in enumerate(exponents(monomial)) if e]
+    while todo:
+        key = todo.pop()
+        if key[0] in BOUND:
+            todo.extend(inner for monomial in ([key[1]] if key[0] == "sum" else [m for m, _ in key[1]]) for inner, _ in monomial)
+        elif key[0] == "opaque" and '"inv"' in key[1]:
+            forms = key[2:-2] if key[1].startswith(('["*", ', '["inv", ')) else key[2:]
+            found.add((key[1], forms) if not any(name.startswith("#") for form in forms for name, _ in form) else (key, x))
+    return found
 
 
 def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, Any]]:
@@ -366,18 +395,15 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
 
 
 def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
-    """A multiple of x, by a power of the nonzero factor of the atom in the row, without the atom."""
+    """x with the value of the atom by the row inserted; the factor of the atom there is a number over denominators met already."""
     mine, theirs = _parts(x, place), _parts(row, place)
     if set(mine) <= {0}:
         return x
-    field, top = x.field, max(mine)
-    lead, rest = (Symbolic(field, theirs.get(e, {}), 1, ()) for e in (1, 0))
-    out = terms.number(0)
-    for e, part in mine.items():
-        term = Symbolic(field, part, 1, ())
-        for _ in range(e):
-            term = term * -rest
-        for _ in range(top - e):
-            term = term * lead
-        out = out + term
+    field = x.field
+    value = -Symbolic(field, theirs.get(0, {}), 1, ()) * Symbolic(field, theirs[1], 1, ()).inverse()
+    out, power = terms.number(0), terms.number(1)
+    for e in range(max(mine) + 1):
+        if e in mine:
+            out = out + Symbolic(field, mine[e], x.q, x.den) * power
+        power = power * value
     return out

@@ -9,20 +9,15 @@ the world in which every variable consists of independent symbols.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import Signal, World, is_invertible, is_pd, is_psd, is_symmetric, truth
-from exactkf.kernel.numbers import Laurent, Undefined, Unknown, rational
+from exactkf.kernel.meaning import Listed, Signal, World, is_invertible, is_pd, is_psd, is_symmetric, truth
+from exactkf.kernel.numbers import Laurent, Undefined, Unknown, fraction, rational
 from exactkf.kernel.symbolic import SymbolicField
 
-__all__ = ["TYPES", "admissible", "computed", "generic", "read_instance", "read_number"]
-
-#: types of variables, besides ``sequence_of`` and ``signal_of`` of one of them
-TYPES = ("integer", "scalar", "nonzero", "positive", "nonneg", "sequence", "signal", "poly", "monic",
-         "matrix", "nonsingular", "diagonal", "symmetric", "psd", "pd")
+__all__ = ["admissible", "computed", "generic", "read_instance", "read_number"]
 
 
 def read_number(text: Any, field: AlgebraicField | None) -> Any:
@@ -30,10 +25,8 @@ def read_number(text: Any, field: AlgebraicField | None) -> Any:
     if isinstance(text, list):
         if field is None:
             raise Undefined("an algebraic number needs the instance's field")
-        return field.element([Fraction(c) for c in text])
-    if isinstance(text, bool) or not isinstance(text, (int, str)):
-        raise Undefined(f"{text!r} is not an exact number")
-    value = Fraction(text)
+        return field.element([fraction(c) for c in text])
+    value = fraction(text)
     return int(value) if value.denominator == 1 else rational(value.numerator, value.denominator)
 
 
@@ -42,7 +35,7 @@ def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number:
     field = None
     if data.get("field"):
         modulus, lo, hi = data["field"]
-        field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+        field = AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
     read = number or (lambda x: read_number(x, field))
     values: dict[str, Any] = {}
     for name in statement["sizes"]:
@@ -62,7 +55,8 @@ def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
         first = world.integer(kind[1], {})
         if kind[0] == "sequence_of" and len(data) != max(0, world.integer(kind[2], {}) - first + 1):
             raise Undefined("a sequence lists all its matrices")
-        return {first + k: _read_value(world, kind[-1], x, read) for k, x in enumerate(data)}
+        listed = Listed if kind[0] == "signal_of" else dict
+        return listed((first + k, _read_value(world, kind[-1], x, read)) for k, x in enumerate(data))
     args = [world.integer(a, {}) for a in kind[1:]]
     match kind[0]:
         case "integer":
@@ -74,7 +68,7 @@ def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
         case "sequence":
             return dict(zip(range(args[0], args[1] + 1), [read(x) for x in data], strict=True))
         case "signal":
-            return {args[0] + k: read(x) for k, x in enumerate(data)}
+            return Listed((args[0] + k, read(x)) for k, x in enumerate(data))
         case "poly" | "monic":
             if len(data) != args[0] + 1:
                 raise Undefined("a polynomial lists its coefficients from z^0 to z^n")

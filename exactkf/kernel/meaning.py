@@ -28,13 +28,43 @@ from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, r
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
 from exactkf.kernel.symbolic import Symbolic
 
-__all__ = ["Signal", "World", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
+__all__ = ["Generic", "Listed", "Signal", "World", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
 
 _DEEPEST = 100  # levels of recursion a definition may take
 
 
 class _TooDeep(Undefined):
     """A definition that calls itself too often from here; from elsewhere it may have a value."""
+
+
+class _Ended(Undefined):
+    """An entry of a sequence without end that an instance does not list; the sequence has one."""
+
+
+class Generic(int):
+    """An index t, or t + k, of which an induction knows no more than that.
+
+    It is an integer that no recursion reaches from its start, and an entry at an integer of this size written out in the
+    statement would be taken for the one at t: so those are refused (`World.at`), and so are values before that at t.
+    """
+
+    FAR = 10**5  # the indices of an instance are below this
+    T = 10**6
+
+    def _moved(self, k: Any, direction: int) -> Generic:
+        if type(k) is not int or abs(k) > 100:
+            raise Unknown("a generic index plus anything but a small integer")
+        return Generic(int(self) + direction * k)
+
+    def __add__(self, k: Any) -> Generic: return self._moved(k, 1)
+    def __sub__(self, k: Any) -> Generic: return self._moved(k, -1)
+    def __mul__(self, k: Any) -> Any: raise Unknown("a multiple of a generic index")
+    __radd__ = __add__
+    __rsub__ = __rmul__ = __neg__ = __mul__
+
+
+class Listed(dict):
+    """The entries of a sequence without end that an instance lists."""
 
 
 class Signal(dict):
@@ -119,16 +149,21 @@ class World:
         name = tree[1]
         definition = self.definitions.get(name)
         if definition is not None and (definition[0] == "rec" or definition[2]) and name not in self.values and name not in local:
-            return self.call(name, tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local)
-                                          for a in tree[2:]]))
+            args = tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local) for a in tree[2:]])
+            if self.symbolic:
+                _need_near(args)
+            return self.call(name, args)
         sequence = self.name(tree, local)
         if isinstance(sequence, Matrix):
             return _pick(sequence, *(self.integer(a, local) for a in tree[2:]))
         if not isinstance(sequence, dict):
             raise Undefined(f"{name} is not a sequence")
         k = self.integer(tree[2], local)
+        if self.symbolic:
+            _need_near((k,))
         if k not in sequence:
-            raise Undefined(f"{name}[{k}] is outside the sequence")
+            ended = isinstance(sequence, Listed) and k > max(sequence, default=k - 1)
+            raise (_Ended if ended else Undefined)(f"{name}[{k}] is outside the sequence")
         return sequence[k]
 
     def call(self, name: str, args: tuple) -> Any:
@@ -187,6 +222,8 @@ class World:
         (k,) = args
         if not isinstance(k, int) or k < start:
             raise Undefined(f"{name}[{k}] lies before the start of the recursion")
+        if isinstance(k, Generic) and k <= Generic.T:
+            raise Unknown(f"a value of {name} before a generic one")
         if k < start + len(initial):
             return self.value(initial[k - start], {})
         return self.value(step, {index: k - 1})
@@ -288,7 +325,7 @@ def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
         raise Unknown("definedness of a quantity with variables")
     try:
         world.value(tree[1], local)
-    except _TooDeep as error:
+    except (_TooDeep, _Ended) as error:
         raise Unknown(str(error)) from error
     except Undefined:
         return False
@@ -336,6 +373,12 @@ def _rounds_to(x: Any, printed: str) -> bool:
 
 
 # ---------------------------------------------------------------------- operations on values
+def _need_near(indices: tuple) -> None:
+    """No index is an integer that stands for a generic one."""
+    if any(type(k) is int and abs(k) >= Generic.FAR for k in indices):
+        raise Unknown("an index that is too large for symbols")
+
+
 def _count(n: int) -> int:
     if n < 0:
         raise Undefined("negative size")
@@ -432,7 +475,11 @@ def _substitute(p: Any, x: Any) -> Any:
 
 
 def _at_infinity(f: Any, k: Any) -> Any:
-    return Ratio.of(_scalar(f)).at_infinity(k)
+    f = Ratio.of(_scalar(f))
+    lead = f.den.get(f.den.degree)
+    if isinstance(lead, Symbolic) and (any(lead.num) or lead.den):  # where it vanishes the expansion is another
+        raise Unknown("an expansion by a leading coefficient with variables")
+    return f.at_infinity(k)
 
 
 def _charpoly(m: Any) -> Laurent:
@@ -495,6 +542,8 @@ def _chain(test: Callable[[Any, Any], bool]) -> Callable:
         for x in xs:
             if x is True or x is False:
                 raise Undefined("a formula stands where a term is needed")
+            if isinstance(x, dict):  # those without end would be compared as far as they have been looked at
+                raise Undefined("a sequence stands where a term is needed")
         return test(*xs) if len(xs) == 2 else all(test(x, y) for x, y in zip(xs, xs[1:], strict=False))
     return holds
 

@@ -16,12 +16,13 @@ A scalar is an int, a Fraction, a `exactkf.kernel.symbolic.Symbolic`, a
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "rational", "rationals", "sign"]
+__all__ = ["FieldElement", "Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "fraction", "rational", "rationals", "sign"]
 
 
 class Undefined(Exception):
@@ -34,6 +35,23 @@ class Unknown(Exception):
 
 class Rejected(Exception):
     """A step of the certificate does not replay."""
+
+
+class FieldElement:
+    """Subtraction from the left and division, for numbers with ``+``, ``-x``, ``*``, `inverse` and `_coerce`."""
+
+    __slots__ = ()
+
+    def __rsub__(self, other: Any) -> Any:
+        return -self + other  # type: ignore[operator]
+
+    def __truediv__(self, other: Any) -> Any:
+        y = self._coerce(other)  # type: ignore[attr-defined]
+        return NotImplemented if y is None else self * y.inverse()  # type: ignore[operator]
+
+    def __rtruediv__(self, other: Any) -> Any:
+        y = self._coerce(other)  # type: ignore[attr-defined]
+        return NotImplemented if y is None else y * self.inverse()  # type: ignore[attr-defined]
 
 
 _rational: Callable[[int, int], Any] = Fraction
@@ -53,6 +71,16 @@ def rationals(make: Callable[[int, int], Any]) -> Iterator[None]:
 def rational(p: int, q: int) -> Any:
     """p / q in the type of quotients in force."""
     return _rational(p, q)
+
+
+_EXACT = re.compile(r"[-+]?[0-9]+(/[0-9]+|\.[0-9]+)?")
+
+
+def fraction(data: Any) -> Fraction:
+    """An int, ``"p/q"`` or a decimal of a certificate; powers of ten, whose digits nobody could wait for, are refused."""
+    if type(data) is int or isinstance(data, str) and _EXACT.fullmatch(data):
+        return Fraction(data)
+    raise Undefined(f"{str(data)[:40]!r} is no exact number")
 
 
 def divide(x: Any, y: Any) -> Any:

@@ -42,7 +42,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.algebraic import AlgebraicField
-from exactkf.kernel.numbers import Undefined, sign
+from exactkf.kernel.numbers import Undefined, fraction, sign
 from exactkf.kernel.roots import count_real, divmod_poly
 from exactkf.kernel.rotation import coefficients, first_zero, modulus, order, sign_at, zero_bound
 
@@ -50,7 +50,7 @@ __all__ = ["check_order_one"]
 
 _BLANK: dict[str, Any] = {
     "order": 1, "behaviour": "", "escape": None, "never_escapes": True, "limit": None, "rate": None, "monotone_from": None,
-    "region": "", "period": None, "torus_dimension": None, "enters_positive_real": None,
+    "region": "", "period": None, "preperiod": None, "torus_dimension": None, "enters_positive_real": None,
 }
 
 
@@ -62,7 +62,7 @@ def check_order_one(question: Mapping[str, Any], answer: Mapping[str, Any]) -> s
     field = None
     if question["field"] is not None:
         polynomial, lo, hi = question["field"]
-        field = AlgebraicField([Fraction(c) for c in polynomial], Fraction(lo), Fraction(hi))
+        field = AlgebraicField([fraction(c) for c in polynomial], fraction(lo), fraction(hi))
     (alpha,), (gamma,) = ([_read(x, field) for x in question[name]] for name in ("alpha", "gamma"))
     if system == "filter":
         found, limits, rate = _filter(alpha, gamma, answer, field)
@@ -84,10 +84,10 @@ def check_order_one(question: Mapping[str, Any], answer: Mapping[str, Any]) -> s
 
 def _read(data: Any, field: AlgebraicField | None) -> Any:
     if isinstance(data, str):
-        return Fraction(data)
+        return fraction(data)
     if field is None:
         raise Undefined("an algebraic number needs the field of the question")
-    return field.element([Fraction(c) for c in data])
+    return field.element([fraction(c) for c in data])
 
 
 def _are(data: Any, limits: Mapping[str, _Root] | None) -> bool:
@@ -112,11 +112,11 @@ class _Root:
     def is_named_by(self, data: Any) -> bool:
         """The number in JSON, ``"p/q"`` or a polynomial with an interval that holds one of its roots, is this root."""
         if isinstance(data, str):
-            z = Fraction(data)
+            z = fraction(data)
             return self.form(z) == 0 and self._on_my_side(z)
         if not isinstance(data, dict) or set(data) != {"minpoly", "interval"}:
             return False
-        p, (lo, hi) = [Fraction(c) for c in data["minpoly"]], (Fraction(x) for x in data["interval"])
+        p, (lo, hi) = [fraction(c) for c in data["minpoly"]], (fraction(x) for x in data["interval"])
         if not lo < hi or _at(p, lo) == 0 or _at(p, hi) == 0 or count_real(p, lo, hi) != 1:
             return False
         rest = divmod_poly(p, [self.q, -2 * self.b, Fraction(1)])[1]

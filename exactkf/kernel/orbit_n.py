@@ -31,9 +31,10 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    multiple of |w|^2.
 5. The orbit has a period p if and only if S_m^p = I: periodicity makes (S_m^p - c)^j Im(I; 0),
    the last one that is not zero, a part of an invariant isotropic subspace, which 1 forbids;
-   so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.
+   so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.  The states before the reduced
+   pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
 6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N,
-   which is finite, 1 - g^2 is never zero.
+   which is finite, 1 - g^2 is never zero.  Other congruences are in `exactkf.kernel.orbit_sieve`.
 
 References
 ----------
@@ -48,15 +49,16 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.intervals import does_not_escape, is_schur
-from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
-from exactkf.kernel.orbit_wandering import check_never_escapes, check_never_singular, check_torus, has_infinite_order, modular, modular_step
+from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
+from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
+from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
+from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
 __all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
            "start_pair", "states", "step"]
 
-_FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period",
+_FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period", "preperiod",
            "torus_dimension", "enters_positive_real")
 
 
@@ -96,9 +98,9 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
     behaviour = answer["behaviour"]
     _need(behaviour in _CHECKS, f"behaviour {behaviour!r} is not decided for every order")
     required = _REQUIRED[behaviour]
-    filled = {k for k in ("escape", "limit", "period", "torus_dimension", "enters_positive_real") if answer[k] is not None}
+    filled = {k for k in ("escape", "limit", "period", "preperiod", "torus_dimension", "enters_positive_real") if answer[k] is not None}
     _need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
-    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "not convergent, not periodic")),
+    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "eventually periodic", "not convergent, not periodic")),
           "never_escapes does not go with the behaviour")
     _CHECKS[behaviour](Q, S, answer, evidence)
 
@@ -107,16 +109,16 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
 def _number(x: Any, field: AlgebraicField | None) -> Any:
     if isinstance(x, list):
         _need(field is not None, "an algebraic number needs the field")
-        return field.element([Fraction(c) for c in x])  # type: ignore[union-attr]
+        return field.element([fraction(c) for c in x])  # type: ignore[union-attr]
     _need(isinstance(x, str), "a number is a string p/q")
-    return field.element([Fraction(x)]) if field is not None else Fraction(x)
+    return field.element([fraction(x)]) if field is not None else fraction(x)
 
 
 def _field(data: Any) -> AlgebraicField | None:
     if data is None:
         return None
     modulus, lo, hi = data
-    return AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    return AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
 
 
 def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
@@ -290,6 +292,9 @@ def is_positive_real(Q: list, S: list) -> bool:
 
 def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
     """The limit is the stable spectral factor of D times the factors taken out."""
+    if "center" in evidence:
+        _enclosed_limit(reduced, D, limit, evidence)
+        return
     field = _field(evidence.get("field"))
     one = _number("1", field)
     w = [_number(x, field) for x in evidence["factor"]]
@@ -306,11 +311,29 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
         _need(_same(claimed, value), "the limit is another number than the coefficient of the spectral factor")
 
 
+def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
+    """The same in intervals: D is the square of e, all of whose zeros are on the circle, times a part without zeros there."""
+    field = next((x.field for x in D if isinstance(x, Algebraic)), None)
+    e = [_number(x, field) for x in evidence["circle"]]
+    bits, center = evidence["bits"], evidence["center"]
+    _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
+    _need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
+    _need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
+    rest, left = divmod_poly(D, _product(e, e))
+    _need(not left and (len(rest) == 1 or spectral_sign(rest) in ("+", "-")), "D has other zeros on the circle than the squares of e")
+    w = stable_factor(rest, center, bits) if len(rest) > 1 else [around(Fraction(1), bits)]
+    full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
+    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
+        _need(set(claimed) == {"interval"} and Fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
+              <= Fraction(claimed["interval"][1]), "the limit is not within the interval")
+
+
 def _same(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
-        return value == Fraction(claimed)
-    p, (lo, hi) = [Fraction(c) for c in claimed["minpoly"]], (Fraction(x) for x in claimed["interval"])
+        return value == fraction(claimed)
+    p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
     _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
     return value > lo and value < hi and _eval(p, value) == 0
 
@@ -326,13 +349,19 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
+    before = 0 if answer["preperiod"] is None else _step_number(answer["preperiod"], "preperiod")
+    _need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
-    primes = [q for q in range(2, p + 1) if p % q == 0 and all(q % r for r in range(2, q))]
-    _need(all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
+    primes, rest = list[int](), p
+    degree = (len(D) - 1) * (len(D[-1].field.modulus) - 1 if isinstance(D[-1], Algebraic) else 1)
+    for q in range(2, degree + 2):  # a root of unity of an order that q divides has degree at least q - 1
+        while rest % q == 0:
+            primes, rest = [*primes, q], rest // q
+    _need(rest == 1 and all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
     if isinstance(D[-1], Algebraic):
-        _need(reduced.start == 0 and does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
+        _need(does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
     else:
         count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
         _need(count == p + 1, "the orbit escapes within a period")
@@ -350,16 +379,28 @@ def power_of_z(k: int, modulus: list) -> list:
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
-    _need(all(isinstance(x, Fraction) for x in Q), "only rational data are decided here")
+    algebraic = next((x for x in Q if isinstance(x, Algebraic)), None)
+    if algebraic is not None:
+        check_irreducible(algebraic.field, evidence["irreducible"])
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _need(has_infinite_order(D, evidence["aperiodic"]), "S may be of finite order")
-    if "before" in evidence:
-        check_never_singular(reduced.Q, reduced.S, evidence["modulus"], evidence["before"])
-    else:
+    _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
+    if "modulus" in evidence:
+        _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
+    else:
+        check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
+        _need(algebraic is None, "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
+
+
+def _aperiodic(D: list, degree: int, place: Any) -> None:
+    """The zeros of D are not distinct roots of unity."""
+    _need(len(place) in (1, 2), "a place is a modulus and, for algebraic data, a residue")
+    p, root = place[0], place[1] if len(place) == 2 else None
+    _need(type(p) is int and p > 1, "a modulus is an integer above one")
+    _need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
 
 
 def _nonconvergent(Q: list, S: list) -> Reduced:
@@ -384,11 +425,12 @@ def _undecided(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
             q, s = modular_step(q, s, N)
 
 
-_CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic,
+_CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic, "eventually periodic": _periodic,
            "not convergent, not periodic": _wanders, "undecided": _undecided}
 # fields that go with a behaviour, and fields that may
 _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
     "escapes": ({"escape"}, set()), "converges": ({"enters_positive_real"}, {"limit", "period"}), "periodic": ({"period"}, set()),
+    "eventually periodic": ({"period", "preperiod"}, set()),
     "not convergent, not periodic": (set(), {"torus_dimension"}), "undecided": (set(), set()),
 }
 

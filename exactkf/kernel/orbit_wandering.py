@@ -4,7 +4,6 @@ r"""Orbits of the fast filter that neither converge nor repeat: what is checked 
 Main definitions
 ----------------
 `check_never_escapes`  the orbit modulo N is finite, and 1 - g^2 is a unit all the way
-`check_never_singular` the same in the p-adic integers, for orbits that come from an escape
 `has_infinite_order`   the zeros of D are not distinct roots of unity
 `check_torus`          the dimension of the torus that the orbit fills
 
@@ -17,17 +16,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
-from itertools import permutations, product
-from math import gcd, isqrt, lcm
-from operator import mul
+from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.linear import Matrix, char_coefficients
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
+from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
-__all__ = ["are_related", "backward", "check_independent", "check_never_escapes", "check_never_singular", "check_torus", "common_order",
-           "determinant", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
+__all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
 
 
 def _residue(x: Any, N: int) -> int:
@@ -58,11 +54,6 @@ def check_never_escapes(Q: list, S: list, N: Any) -> None:
         q, s = modular_step(q, s, N)
 
 
-def _monic_modulo(D: list, p: int) -> list[int]:
-    residues = modular([Fraction(c) / Fraction(D[-1]) for c in D], p)
-    return residues
-
-
 def _modular_power(base: list[int], k: int, modulus: list[int], p: int) -> list[int]:
     """base^k modulo a monic polynomial, modulo p."""
     out = [1]
@@ -87,20 +78,29 @@ def _modular_rest(f: list[int], modulus: list[int], p: int) -> list[int]:
 
 
 @cache
-def _totient(k: int) -> int:
-    return sum(1 for i in range(1, k + 1) if gcd(i, k) == 1)
+def _orders(degree: int) -> tuple[int, ...]:
+    """The orders of all roots of unity of at most this degree."""
+    stop = 2 * degree * degree + 3  # phi(k) >= sqrt(k/2)
+    totient = list(range(stop))
+    for p in range(2, stop):
+        if totient[p] == p:
+            for k in range(p, stop, p):
+                totient[k] -= totient[k] // p
+    return tuple(k for k in range(1, stop) if totient[k] <= degree)
 
 
 @cache
 def common_order(degree: int) -> int:
     """A common multiple of the orders of all roots of unity of at most this degree."""
-    return lcm(*(k for k in range(1, 2 * degree * degree + 3) if _totient(k) <= degree))  # phi(k) >= sqrt(k/2)
+    return lcm(*_orders(degree))
 
 
-def has_infinite_order(D: list, p: Any) -> bool:
-    """The zeros of D are not distinct roots of unity: else z^N = 1 modulo D, also modulo p."""
-    modulus = _monic_modulo(D, p)
-    return _modular_power([0, 1], common_order(len(D) - 1), modulus, p) != [1]
+def has_infinite_order(D: list[int], degree: int, p: int) -> bool:
+    """The zeros of D are not distinct roots of unity: else z^N = 1 modulo D, also modulo p.
+
+    D is monic and read modulo p, and its zeros have at most the given degree over the rational numbers.
+    """
+    return _modular_power([0, 1], common_order(degree), D, p) != [1]
 
 
 # ---------------------------------------------------------------------- the torus
@@ -109,23 +109,29 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
 
     The closure of the planes S_m^t Im(I; 0) accumulates on an orbit of the closure H of
     (l_1^t, ..., l_k^t), where the l_i are the zeros of D on the upper half circle of odd
-    multiplicity; by statement 1 the stabilizer in H is finite.  So d = k - rank of the
-    lattice of relations prod l_i^{e_i} = 1.
+    multiplicity; by statement 1 the stabilizer in H is finite.  So d is the largest number of l_i
+    between which there is no relation prod l_i^{e_i} = 1: as many are shown to have none, and each of the
+    others to have one with them (`exactkf.kernel.torus`).
     """
     f, rest = wandering_factor(D), [Fraction(1)]
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
-        f, rest = [Fraction(c) for c in evidence["factor"]], f
+        f, rest = [fraction(c) for c in evidence["factor"]], f
         rest, left = divmod_poly(rest, f)
         _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
     k = count_circle(f)[1] // 2 if len(f) > 1 else 0
     if k <= 1:
         _need(d == k, f"the dimension is {k}")
-    elif evidence.get("relation") is not None:
-        _need(k == 2 and len(f) == 5 and d == 1, "a relation of two roots leaves dimension one")
-        _need(are_related(f, evidence["relation"]), "the relation does not hold")
-    else:
-        _need(d == k and gcd_poly(f, f[::-1]) == [c / f[-1] for c in f], f"the dimension is {k}")
-        check_independent(f, k, evidence["prime"], evidence["places"])
+        return
+    numbers = CircleNumbers.of(f, evidence["zeros"])
+    _need(len(numbers.zeros) == k, f"there are {k} zeros")
+    free = evidence["independent"]["of"]
+    _need(all(type(i) is int and 0 <= i < k for i in free) and len(set(free)) == len(free) == d > 0, f"{d} of the zeros are to be named")
+    if d > 1:
+        check_independent(numbers, free, evidence["independent"]["bits"], evidence["independent"]["basis"])
+    for i in set(range(k)) - set(free):
+        exponents: list = next((r[1] for r in evidence["relations"] if r[0] == i), [])
+        _need(len(exponents) == d + 1 and all(type(e) is int for e in exponents) and exponents[-1] != 0, f"no relation for the zero {i}")
+        _need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
 
 
 def wandering_factor(D: list) -> list:
@@ -142,197 +148,17 @@ def wandering_factor(D: list) -> list:
         if k % 2 and len(f) > 1:
             odd = _times(odd, f)
         w, g, k = y, divmod_poly(g, y)[0], k + 1
-    for order in range(1, 2 * len(D) ** 2 + 3):  # take out roots of unity
-        if _totient(order) <= len(odd) - 1:
-            common = gcd_poly(odd, [Fraction(-1)] + [Fraction(0)] * (order - 1) + [Fraction(1)])
+    for order in _orders(len(odd) - 1):  # take out roots of unity
+        power = _power_of_z(order, odd)
+        if len(odd) > 1 and len(common := gcd_poly(odd, [power[0] - 1, *power[1:]])) > 1:
             odd = divmod_poly(odd, common)[0]
     return odd
 
 
-def _power_sums(f: list, count: int) -> list[Fraction]:
-    """Sums of powers 0, ..., count of the zeros, by Newton's identities."""
-    n = len(f) - 1
-    e = [Fraction(f[n - i]) / f[n] * (-1) ** i for i in range(n + 1)]
-    p = [Fraction(n)]
-    for k in range(1, count + 1):
-        acc = Fraction(0)
-        for i in range(1, min(k - 1, n) + 1):
-            acc += (-1) ** (i - 1) * e[i] * p[k - i]
-        if k <= n:
-            acc += (-1) ** (k - 1) * k * e[k]
-        p.append(acc)
-    return p
-
-
-def are_related(f: list, exponents: Any) -> bool:
-    r"""Whether l_1^a l_2^b or l_1^b l_2^a, up to inverses, is a root of unity; f has zeros l_1, l_2 and their inverses.
-
-    The products l^a m^b over all pairs of zeros number 16.  Pairs with m = l or 1/l give powers
-    l^(a+b), l^(a-b), roots of unity only for a = b.  Other roots of unity show a relation.
-    """
-    a, b = exponents
-    _need(type(a) is int and type(b) is int and 0 < a < 100 and 0 < b < 100 and len(f) == 5, "a relation is a pair of positive exponents")
-    big = _power_sums(f, 16 * max(a, b))
-    products = _from_power_sums([big[a * j] * big[b * j] for j in range(17)])
-    trivial = 4 * (a == b)
-    found = 0
-    for order in range(1, 2 * 16 * 16 + 3):
-        if _totient(order) <= 16:
-            common, rest = _cyclotomic(order), products
-            while len(gcd_poly(rest, common)) == len(common):
-                rest, found = divmod_poly(rest, common)[0], found + len(common) - 1
-    return found > trivial
-
-
-def _from_power_sums(p: list[Fraction]) -> list:
-    """The monic polynomial whose zeros have the given sums of powers."""
-    n = int(p[0])
-    e = [Fraction(1)]
-    for k in range(1, n + 1):
-        e.append(sum(((-1) ** (i - 1) * e[k - i] * p[i] for i in range(1, k + 1)), Fraction(0)) / k)
-    return [(-1) ** (n - i) * e[n - i] for i in range(n + 1)]
-
-
-def _cyclotomic(order: int) -> list:
-    f = [Fraction(-1)] + [Fraction(0)] * (order - 1) + [Fraction(1)]
-    for d in range(1, order):
-        if order % d == 0:
-            f = divmod_poly(f, gcd_poly(f, [Fraction(-1)] + [Fraction(0)] * (d - 1) + [Fraction(1)]))[0]
-    return f
-
-
-def check_independent(f: list, k: int, prime: Any, places: Any) -> None:
-    r"""Any k of the zeros l_1, ..., l_K, one of each pair l, 1/l, are multiplicatively independent.
-
-    Else a relation prod l_i^{e_i} = c exists with coprime e_i, k of them at most not zero, and a
-    root of unity c.  Reduce the splitting field of f at a place where f has 2K simple zeros modulo p, p = 1 modulo the prime q:
-    with discrete logarithms modulo q, sum e_i log l_i = 0 modulo q, for c is a q-th power if q
-    does not divide its order.  That it does not is seen at a place with p != 1 modulo q, which
-    shows that the splitting field has no root of unity of order q.  Which zero modulo p is which
-    is not known, so every signed choice is tried: for every e != 0 modulo q, up to a factor, some
-    place must exclude all of them.
-    """
-    _need(type(prime) is int and 2 < prime < 200 and all(prime % r for r in range(2, prime)), "the exponents' modulus is not an odd prime")
-    logarithms, free = [], False
-    for p, zeros in places:
-        _check_place(f, p, zeros)
-        if (p - 1) % prime:
-            free = True
-        else:
-            logarithms.append(_signed_choices(_discrete(zeros, p, prime), k))
-    _need(free, "no place shows that there is no root of unity of that order")
-    for e in product(range(prime), repeat=k):
-        if next((x for x in e if x), 0) == 1:
-            _need(any(all(sum(map(mul, e, logs)) % prime for logs in choices) for choices in logarithms), f"exponents {e} are not excluded")
-
-
-def _signed_choices(logs: list[int], k: int) -> list[tuple[int, ...]]:
-    """Every k of the logarithms in every order with every sign, up to a common sign."""
-    return [tuple(map(mul, chosen, (1, *signs))) for chosen in permutations(logs, k) for signs in product((1, -1), repeat=k - 1)]
-
-
-def _check_place(f: list, p: Any, zeros: Any) -> None:
-    _need(type(p) is int and 2 < p < 10**8 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not an odd prime")
-    residues = _monic_modulo(f, p)
-    distinct = {x for x in zeros if type(x) is int and 0 <= x < p}
-    _need(len(distinct) == len(zeros) == len(f) - 1 and all(_horner(residues, x, p) == 0 for x in zeros), f"modulo {p} there are not enough zeros")
-
-
-def _horner(f: list[int], x: int, p: int) -> int:
-    acc = 0
-    for c in reversed(f):
-        acc = (acc * x + c) % p
-    return acc
-
-
-def _discrete(zeros: list[int], p: int, q: int) -> list[int]:
-    """Discrete logarithms modulo q of one zero of each pair l, 1/l."""
-    chosen: list[int] = []
-    for x in zeros:
-        if x not in chosen and pow(x, -1, p) not in chosen:
-            chosen.append(x)
-    _need(2 * len(chosen) == len(zeros), "the zeros do not come in pairs")
-    u = next(v for c in range(2, p) if (v := pow(c, (p - 1) // q, p)) != 1)
-    table, v = {}, 1
-    for i in range(q):
-        table[v] = i
-        v = v * u % p
-    return [table[pow(x, (p - 1) // q, p)] for x in chosen]
-
-
-# ---------------------------------------------------------------------- powers of the symplectic matrix
-def _forward(X: list, Y: list, q: list, g: list, inverse: Any, N: int) -> tuple[list, list]:
-    """(X; Y) -> (A'^-1 (X - hh'Y); gg'X' + AY) modulo N, A = J - qh', row by row; `inverse` is 1/q_m."""
-    m = len(q)
-    W = [[x - y for x, y in zip(X[0], Y[0], strict=True)], *X[1:]]
-    last = [-x * inverse for x in W[0]]  # row i of A'V is row i - 1 of V; row 0 is -q'V
-    above = W[1:]
-    for i in range(m - 1):
-        last = [x - q[i] * inverse * y for x, y in zip(last, above[i], strict=True)]
-    new_x = [[x % N for x in row] for row in [*above, last]]
-    along = [sum(map(mul, g, column)) for column in zip(*new_x, strict=True)]
-    new_y = [[(g[i] * s - q[i] * y + (Y[i + 1][j] if i + 1 < m else 0)) % N for j, (s, y) in enumerate(zip(along, Y[0], strict=True))] for i in range(m)]
-    return new_x, new_y
-
-
-def backward(X: list, Y: list, q: list, g: list) -> tuple[list, list]:
-    """The plane before, over the rationals: Y = A^-1 (Y' - gg'X'), X = A'X' + hh'Y."""
-    m = len(q)
-    along = [sum(map(mul, g, column)) for column in zip(*X, strict=True)]
-    R = [[y - g[i] * s for y, s in zip(Y[i], along, strict=True)] for i in range(m)]
-    top = [-r / q[-1] for r in R[-1]]  # A v = r: v_{i+1} = r_i + q_i v_1
-    new_y = [top, *([r + q[i] * t for r, t in zip(R[i], top, strict=True)] for i in range(m - 1))]
-    new_x = [[-sum(map(mul, q, column)) for column in zip(*X, strict=True)], *X[:-1]]
-    new_x[0] = [x + y for x, y in zip(new_x[0], new_y[0], strict=True)]
-    return new_x, new_y
-
-
-def determinant(rows: list, N: int | None = None) -> Any:
-    """By the division-free recursion of Berkowitz, modulo N if given."""
-    value = char_coefficients(Matrix(rows))[0] * (-1) ** len(rows)
-    return value if N is None else value % N
-
-
-def check_never_singular(Q: list, S: list, p: Any, before: Any) -> None:
-    r"""det X_t is not zero for t >= 0, (X_t; Y_t) the powers of S_m applied to (I; 0), so that nothing escapes.
-
-    With M = S_m^L = I + pB over the p-adic integers, det X_{r + Ls} is f_0 + p f_1 s + p^2 u(s), u a
-    power series with integral coefficients, for p^j binomial(s, j) has the coefficients of p^j / j!,
-    divisible by p for j = 1 and by p^2 for j > 1, p >= 5.  Where it is not zero modulo p it never vanishes.  Where it
-    vanishes for some s_0, here at a time before the start, it has no other zero if it is not zero
-    modulo p^2 at s_0 + 1.
-    """
-    _need(type(p) is int and 3 < p < 10**6 and all(p % r for r in range(2, isqrt(p) + 1)), "the modulus is not a prime above three")
-    m, N = len(Q) - 1, p * p
-    q, g = modular(Q[-2::-1], N), modular(S[-2::-1], N)
-    _need(q[-1] % p != 0, "S is singular modulo p")
-    inverse = pow(q[-1], -1, N)
-    eye = [[int(i == j) for j in range(2 * m)] for i in range(2 * m)]
-    X, Y, t, found = eye[:m], eye[m:], 0, {}
-    while t == 0 or any((x - e) % p for row, unit in zip([*X, *Y], eye, strict=True) for x, e in zip(row, unit, strict=True)):
-        value = determinant([row[:m] for row in X], N)
-        if value % p == 0:
-            found[t] = value
-        X, Y = _forward(X, Y, q, g, inverse, N)
-        t += 1
-    explained = _singular_before(Q, S, before)
-    for r, value in found.items():
-        _need(any((r + k) % t == 0 and r + k == t for k in explained) and value != 0, f"nothing excludes an escape at times {r} modulo {t}")
-
-
-def _singular_before(Q: list, S: list, before: Any) -> list[int]:
-    """The times -k at which X is singular, of those named, checked exactly."""
-    _need(all(type(k) is int and 0 < k < 1000 for k in before), "times before the start are positive numbers")
-    m = len(Q) - 1
-    q, g = Q[-2::-1], S[-2::-1]
-    X: list = [[Fraction(i == j) for j in range(m)] for i in range(m)]
-    Y: list = [[Fraction(0)] * m for _ in range(m)]
-    found = []
-    for k in range(1, max(before, default=0) + 1):
-        X, Y = backward(X, Y, q, g)
-        if k in before and determinant(X) == 0:
-            found.append(k)
-    return found
+def _power_of_z(k: int, modulus: list) -> list:
+    """z^k modulo a polynomial, padded to its degree."""
+    out = divmod_poly([Fraction(0)] * k + [Fraction(1)], modulus)[1]
+    return [*out, *[Fraction(0)] * max(1, len(modulus) - 1 - len(out))]
 
 
 def _times(p: list, q: list) -> list:

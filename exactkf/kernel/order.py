@@ -21,11 +21,12 @@
    only for v = 0;
 9. AT = TB with a nonsingular T makes A and B similar, and then they have one
    characteristic polynomial;
-10. the determinant of a product of square matrices is the product of theirs, that
+10. the rank of BC is the number of columns of B if B has a left and C a right inverse;
+11. the determinant of a product of square matrices is the product of theirs, that
    of a transpose the same, of a block triangular matrix that of its diagonal blocks.
 
-A conclusion is taken apart by `leaves`: conjunctions, implications and
-equivalences become equations, statements of order and of invertibility, each
+A conclusion is taken apart by `leaves`: conjunctions, implications,
+equivalences and inequations become equations, statements of order and of invertibility, each
 with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
@@ -44,6 +45,8 @@ from typing import Any
 from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
+from exactkf.kernel.stable import is_stable, no_eigenvector
+from exactkf.kernel.wellformed import check_arguments
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
 __all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
@@ -53,14 +56,45 @@ _LAZY = ("forall", "exists", "always", "sum", "prod", "mat", "col", "defined")
 
 
 # ---------------------------------------------------------------------- taking a conclusion apart
-def leaves(statement: Mapping[str, Any], lemmas: Any = ()) -> Iterator[tuple[dict, Any]]:
-    """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses."""
+def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> Iterator[tuple[dict, Any]]:
+    """Statements whose conclusions together are the lemmas and the conclusion, each with its own hypotheses.
+
+    Parameters
+    ----------
+    lemmas : sequence of formulas
+    inside : sequence of [number, vector, lemmas]
+        Lemmas that belong to one leaf, counted from 0 without those of other leaves. If ``vector`` is "right" or "left", the leaf
+        (stability, invertibility or full rank) is first replaced by: Xv = 0, or an eigenvector v of X outside the open disc, is
+        zero, where X is the matrix or its transpose.
+    """
+    inner = {number: (vector, formulas) for number, vector, formulas in inside}
+    for number, (case, formula) in enumerate(_outer_leaves(statement, lemmas)):
+        vector, formulas = inner.get(number, ("", ()))
+        lemma, said = case.get("lemma", False), [*case.get("said", ()), formula]
+        if vector:
+            case, formula = _through_vector(case, formula, vector == "left")
+        for part in formulas:
+            yield from _leaves({**case, "lemma": True, "said": []}, part)
+            case = {**_assume({**case, "lemma": True}, f"inner lemma {len(case['given'])}", part), "lemma": lemma}
+        yield {**case, "said": said}, formula  # the inverses of a lemma must exist, those of what a vector has replaced too
+
+
+def _outer_leaves(statement: Mapping[str, Any], lemmas: Any) -> Iterator[tuple[dict, Any]]:
     own = [statement["says"]]
     for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
+            _well_formed(lemma)
             yield from _leaves({**case, "lemma": True}, lemma)
             case = {**_assume({**case, "lemma": True}, f"lemma {len(case['given'])}", lemma), "lemma": False}
         yield from _leaves(case, statement["says"])
+
+
+def _well_formed(lemma: Any) -> None:
+    """What is shown is what is used afterwards: as many arguments as the operation takes; its terms are seen to where they are read."""
+    check_arguments(lemma)
+    if lemma[0] in ("and", "=>", "<=>"):
+        for part in lemma[1:]:
+            _well_formed(part)
 
 
 def _cases(statement: dict, rest: list) -> Iterator[dict]:
@@ -94,13 +128,17 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
         for part in formula[1:]:
             statement = _evaluated(statement, part)  # where the parts before are true
             yield from _leaves(statement, part)
-            if part[0] in ("psd", "pd", "invertible"):  # what is proved may be used for what follows
+            if part[0] in ("psd", "pd", "invertible", "schur"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
     elif formula[0] == "=>":
         yield from _leaves(_evaluated(_assume(statement, label, formula[1]), formula[2]), formula[2])
     elif formula[0] == "<=>":
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
+    elif formula[0] == "!=" and (differ := [f[1:] for _, f, _ in statement["given"] if f[0] == "!="]):
+        # a = b would make equal what a hypothesis, the last of this form, says to differ; in a lemma a and b must have values
+        contrary = {**_assume(statement, label, ["=", *formula[1:]]), "said": [*statement.get("said", ()), formula]}
+        yield from _leaves(contrary, ["=", *differ[-1]])
     else:
         yield statement, formula
 
@@ -123,6 +161,12 @@ class Leaf:
         An invertibility or a full rank is shown by: Xv = 0 only for v = 0. The terms are then those of an equation.
     factors : sequence of (tree, trees)
         A matrix and factors of it: its determinant is the product of theirs.
+    solutions : sequence of (name, M, Q)
+        Matrices X = MXM' + Q for a stable M and semidefinite Q, see `exactkf.kernel.stable`.
+    stein : tree
+        A stable matrix M: instead of X the terms add up to X - MXM', for an order.
+    unique : pair of trees
+        Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
 
     Attributes
     ----------
@@ -138,8 +182,8 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = ()) -> None:
-        said = formula
+                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = ()) -> None:
+        said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
         self.reader = reader = Reader(statement)
@@ -149,16 +193,20 @@ class Leaf:
             register_inverses(reader, tree)
         reader.granted = list(reader.inverses), list(reader.quotients), set(reader.units)
         self.known = list(reader.inverses)  # those of the statement: an instance without them is outside it
-        if statement.get("lemma") and not all(exists(reader, x, self.known) for x in said[1:]):
+        if statement.get("lemma") and not all(exists(reader, x, self.known) for f in said for x in f[1:]):
             raise Unknown("a lemma with an inverse that need not exist")
         if op == "invertible":
             found = [reader.read(formula[1])]
             if not isinstance(found[0], Blocks) or reader.total(found[0].rows) != reader.total(found[0].cols):
                 raise Unknown("invertibility of scalars or of matrices that are not square")
+        elif op == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
+            found = self._factored_rank(formula, terms)
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
         elif op in ("similar", "cospectral"):
             found = [reader.read(x) for x in formula[1:]]
+        elif op == "schur":
+            self._stable(formula[1])
         else:
             goal, wanted = goal_of(reader, formula)
             found = [goal]
@@ -166,9 +214,15 @@ class Leaf:
         self.extra: dict[str, Relation] = {}
         for name, tree in roots:
             self._root(name, tree)
+        for name, m, q in solutions:
+            self._solution(name, m, q)
         for tree in terms:
             if not exists(reader, tree, self.known):
                 raise Unknown("an inverse that need not exist")
+        if unique:
+            found = self._contracted(found, unique, op == "=")
+        if stein is not None:
+            found = self._contracted(found, [stein, ["T", stein]], bool(wanted))
         if op == "invertible":
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
@@ -208,6 +262,21 @@ class Leaf:
         found = [reader._plus(reader._times(sides[0], t), reader._times(t, sides[1]), -1)]
         return [*found, *(reader._plus(reader._times(t, reader.read(s)), Blocks.unit(t.rows), -1) for s in terms[1:])]
 
+    def _factored_rank(self, formula: Any, terms: Any) -> list[Blocks]:
+        """X = BC with LB = I and CN = I: the rank is the number of columns of B, as LXN = I of that size."""
+        reader = self.reader
+        if len(terms) != 4:
+            raise Unknown("a rank is shown by X = BC with a left inverse of B and a right inverse of C")
+        x, b, c, left, right = (reader.read(tree) for tree in (formula[1][1], *terms))
+        if not all(isinstance(m, Blocks) for m in (x, b, c, left, right)):
+            raise Unknown("factors that are no matrices")
+        rows, cols, rank = reader.total(x.rows), reader.total(x.cols), reader.size(formula[2])
+        sides = [(rows, rank), (rank, cols), (rank, rows), (cols, rank)]  # a 1 x 1 matrix is no number here
+        if [(reader.total(m.rows), reader.total(m.cols)) for m in (b, c, left, right)] != sides:
+            raise Unknown("the first factor has not as many columns, or the second not as many rows, as the rank, or another size does not fit")
+        return [reader._plus(x, reader._times(b, c), -1), reader._plus(reader._times(left, b), Blocks.unit(b.cols), -1),
+                reader._plus(reader._times(c, right), Blocks.unit(c.rows), -1)]
+
     def _factored(self, factors: Any) -> list[Blocks]:
         """Matrices less the products of their factors; determinants are then products."""
         reader, out = self.reader, []
@@ -218,6 +287,8 @@ class Leaf:
             right = reader.det(product)
             for part in parts[1:]:
                 factor = reader.read(part)
+                if reader.total(factor.rows) != reader.total(product.rows):  # a 1 x 1 factor of a larger matrix is a number
+                    raise Unknown("factors of different sizes")
                 product, right = reader._times(product, factor), multiply(right, reader.det(factor))
             out.append(reader._plus(whole, product, -1))
             self.shown[f"det {n}"] = Relation(add(reader.det(whole), right, -1), None, None)
@@ -235,6 +306,34 @@ class Leaf:
         reader._letter(name, square.rows[0], square.rows[0], True)
         self.extra[f"root {name}"] = Relation(add({((), (name, name)): 1}, square.grid[0][0], -1), square.rows[0], square.rows[0])
 
+    def _stable(self, tree: Any) -> Any:
+        if not exists(self.reader, tree, self.known) or not is_stable(self.reader, tree):
+            raise Unknown("a matrix that no hypothesis says to be stable")
+        return self.reader.read(tree)
+
+    def _solution(self, name: str, m: Any, q: Any) -> None:
+        """A letter for the solution X of X = MXM' + Q."""
+        reader = self.reader
+        taken = {*reader.kinds, *reader.lets, *reader.sizes, *reader.statement["sizes"]}
+        level = definiteness(reader, q)
+        step, free = self._stable(m), reader.read(q)
+        if not name.isidentifier() or name in taken or not level or not exists(reader, q, self.known):
+            raise Unknown("a solution that need not exist")
+        if not isinstance(free, Blocks) or free.rows != step.rows or len(free.rows) != 1:
+            raise Unknown("a solution of another size than the stable matrix, or in blocks")
+        reader.kinds[name] = ["pd" if level == 2 else "psd"]
+        reader._letter(name, free.rows[0], free.rows[0], True)
+        x = reader.read(["sym", name])
+        rest = reader._plus(reader._plus(x, reader._times(reader._times(step, x), reader.transpose(step)), -1), free, -1)
+        self.extra[f"solution {name}"] = Relation(rest.grid[0][0], free.rows[0], free.rows[0])
+
+    def _contracted(self, found: list, sides: Any, fits: bool) -> list:
+        """X - MXN in the place of X, for stable M and N."""
+        if len(sides) != 2 or not fits:
+            raise Unknown("two stable matrices are for an equation, one for an order")
+        left, right = (self._stable(m) for m in sides)
+        return [self.reader._plus(x, self.reader._times(self.reader._times(left, x), right), -1) for x in found]
+
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
         reader = self.reader
@@ -245,6 +344,8 @@ class Leaf:
         rest = reader.read(factors[0] if len(factors) == 1 else ["*", *factors])
         for tree in terms:
             rest = reader._plus(rest, reader.read(tree), -1)
+        if not isinstance(rest, Blocks):
+            raise Unknown("no matrix K in the hypothesis Kx = 0")
         self._vanish(x, terms)
         return rest
 
@@ -277,13 +378,19 @@ class Leaf:
         return {**self.always, **self.shown} if goal >= self.first > 0 else self.always
 
 
-def _through_vector(statement: Mapping[str, Any], formula: Any) -> tuple[dict[str, Any], Any]:
-    """Xv = 0 as a hypothesis and v = 0 as the conclusion, for a square X or one of full column rank; X' for full row rank."""
+def _through_vector(statement: Mapping[str, Any], formula: Any, left: bool = False) -> tuple[dict[str, Any], Any]:
+    """Xv = 0 as a hypothesis and v = 0 as the conclusion, for a square X or one of full column rank; X' for full row rank.
+
+    Stability is said in the same way through eigenvectors; ``left`` takes the transpose of a square X.
+    """
+    if formula[0] == "schur":
+        return no_eigenvector(statement, ["T", formula[1]] if left else formula[1])
     reader = Reader(statement)
     rank = formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank"
     if not rank and formula[0] != "invertible":
         raise Unknown("a vector is for an invertibility or a full rank")
     tree = formula[1][1] if rank else formula[1]
+    tree = ["T", tree] if left and not rank else tree
     x = reader.read(tree)
     if not isinstance(x, Blocks):
         raise Unknown("the rank of a scalar")

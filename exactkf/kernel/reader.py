@@ -16,7 +16,8 @@ Main definitions
 `relations`
     What the statement assumes: its equations, transposed too; V E = 1 and E V = 1
     for each inverse V of E; V A = 1 or A V = 1 for a matrix A of which a hypothesis
-    says that its rank is its number of columns or rows. A term without value is
+    says that its rank is its number of columns or rows; of a basis N of a null space
+    what `Reader` says of it. A term without value is
     outside the statement, so an inverse that is written down exists. A one-sided
     inverse of a square matrix is two-sided: M'JM = J gives MJM' = J, and XY = I
     gives YX = I.
@@ -29,11 +30,13 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.wellformed import check_arguments
 from exactkf.kernel.words import ONE, Blocks, Poly, Relation, Size, Word, add, multiply, number, shape, text
 
 __all__ = ["Reader", "hypotheses", "relations", "residual_blocks", "word_sizes"]
 
 _ONE_ROW: Size = (("", 1),)
+_NULLITY = "nullity of "  # begins the name of a size that is no size of the statement
 
 
 def hypotheses(statement: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -61,6 +64,7 @@ class Reader:
         self.transposed: dict[str, str] = {}  # letter -> letter of its transpose
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
+        self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
         self.dets: dict[str, Blocks] = {}
@@ -93,14 +97,18 @@ class Reader:
         op = tree[0]
         if op == "sym" and tree[1] in self.statement["sizes"]:
             return {tree[1]: 1}
-        if op in ("+", "-"):
+        if op in ("+", "-", "neg"):
             out: dict[str, int] = {}
             for k, part in enumerate(tree[1:]):
                 for n, c in self._linear(part).items():
-                    out[n] = out.get(n, 0) + (-c if op == "-" and k else c)
+                    out[n] = out.get(n, 0) + (-c if op == "neg" or (op == "-" and k) else c)
             return out
         if op == "*" and len(tree) == 3 and isinstance(tree[1], int):
             return {n: tree[1] * c for n, c in self._linear(tree[2]).items()}
+        if op == "sym" and tree[1].startswith(_NULLITY):
+            return {tree[1]: 1}
+        if op in ("nrows", "ncols") and isinstance(x := self.read(tree[1]), Blocks):
+            return dict(self.total(x.rows if op == "nrows" else x.cols))
         raise Unknown(f"size {tree!r} is not linear in the named sizes")
 
     # ------------------------------------------------------------------ terms
@@ -111,6 +119,7 @@ class Reader:
             return {((), ()): tree} if tree else {}
         if not local and id(tree) in self.memory:
             return self.memory[id(tree)][1]
+        check_arguments(tree)
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")
@@ -225,9 +234,12 @@ class Reader:
         return Relation({((), word): 1, (((self.scalar_name(word), 1),), ()): -1}, _ONE_ROW, _ONE_ROW)
 
     def _read_power(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        if not isinstance(tree[2], int):
-            raise Unknown("an exponent that is no number")
         base = self.read(tree[1], local)
+        if not isinstance(tree[2], int):
+            if isinstance(base, Blocks) or list(base.values()) != [1] or any(word for _, word in base):
+                raise Unknown("a power, with a size in the exponent, of what is no product of scalars")
+            ((scalars, _),) = base
+            return self._to_size(scalars, self.size(tree[2]))
         base = self._inverse(base) if tree[2] < 0 else base
         if tree[2] == 0:
             raise Unknown("power zero")
@@ -235,6 +247,22 @@ class Reader:
         for _ in range(abs(tree[2]) - 1):
             acc = self._times(acc, base)
         return acc
+
+    def _to_size(self, scalars: Any, size: Size) -> Poly:
+        """A product of scalars to the power of a size: t^(2k - n + 1) is (t^k)^2 (t^n)^-1 t, where t^k is a scalar of its own.
+
+        A size is not negative, so that t^k has a value; to divide by it t must not vanish.
+        """
+        out: dict[str, int] = {}
+        for name, e in scalars:
+            for n, c in size:
+                if e * c < 0 and name not in self.units:
+                    raise Unknown(f"{name} is divided by, and may vanish")
+                power = f"{name}^{n}" if n else name
+                out[power] = out.get(power, 0) + e * c
+                if name in self.units:
+                    self.units.add(power)
+        return {(tuple(sorted((n, e) for n, e in out.items() if e)), ()): 1}
 
     def _read_transpose(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return self.transpose(self.read(tree[1], local))
@@ -290,6 +318,32 @@ class Reader:
                     self.transposed[name] = names[j][i]
         return Blocks(x.cols, x.rows, [[{((), (name,)): 1} for name in row] for row in names])
 
+    def _read_kernel(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        """A basis N of the null space of X, with as many columns as it takes.
+
+        It has a left inverse, and for any (1)-inverse Y of X the columns of I - YX lie in the null space, so that I - YX = NM
+        with M = L(I - YX) for a left inverse L of N; then MN = LN = I. So there are M and Y with the relations that `relations` notes.
+        """
+        x = self.read(tree[1], local)
+        if not isinstance(x, Blocks):
+            raise Unknown("the null space of a scalar")
+        for known, basis, _, _ in self.kernels:
+            if known == x:
+                return basis
+        name = f"{shape(x)}: {'; '.join(', '.join(text(p, '1') for p in row) for row in x.grid)}"  # of this matrix alone
+        nullity: Size = ((f"{_NULLITY}[{name}]", 1),)
+        made = []
+        for kind, rows, cols in (("ker", x.cols, (nullity,)), ("coker", (nullity,), x.cols), ("part", x.cols, x.rows)):
+            grid = []
+            for i, height in enumerate(rows):
+                names = [self._fresh(f"{kind}[{name}].{i}.{j}") for j in range(len(cols))]
+                for letter, width in zip(names, cols, strict=True):
+                    self._letter(letter, height, width, False)
+                grid.append([{((), (letter,)): 1} for letter in names])
+            made.append(Blocks(rows, cols, grid))
+        self.kernels.append((x, *made))
+        return made[0]
+
     def _fresh(self, name: str) -> str:
         if name in self.sizes or name in self.kinds:
             raise Unknown(f"two meanings of {name}")
@@ -327,6 +381,8 @@ class Reader:
         p = x.grid[0][0]
         if n == 1 and len(p) == 1 and all(self.sizes[a] == (x.rows[0], x.rows[0]) for (_, word) in p for a in word):
             ((scalars, word), c), = p.items()
+            if c == 1 and scalars and not word:
+                return self._to_size(scalars, x.rows[0])
             if c == 1 and not scalars and len(word) != 1:
                 out = dict(ONE)
                 for a in word:
@@ -399,6 +455,7 @@ def _is_number(x: Any) -> bool:
 _METHODS = {
     "rat": "rational", "sym": "name", "at": "call", "+": "sum", "-": "difference", "neg": "minus", "*": "product", "/": "quotient",
     "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block", "det": "det",
+    "kernel": "kernel",
 }
 
 
@@ -472,6 +529,10 @@ def relations(reader: Reader) -> dict[str, Relation]:
     for n, (term, inverse) in enumerate(reader.inverses, 1):
         _note(out, reader, f"inverse {n}/right", term.times(inverse).plus(Blocks.unit(term.rows), -1))
         _note(out, reader, f"inverse {n}/left", inverse.times(term).plus(Blocks.unit(term.cols), -1))
+    for n, (x, basis, left, part) in enumerate(reader.kernels, 1):
+        _note(out, reader, f"null space {n}/zero", x.times(basis))
+        _note(out, reader, f"null space {n}/left", left.times(basis).plus(Blocks.unit(basis.cols), -1))
+        _note(out, reader, f"null space {n}/all", part.times(x).plus(basis.times(left)).plus(Blocks.unit(x.cols), -1))
     for n, (p, name) in enumerate(reader.quotients, 1):
         out[f"quotient {n}"] = Relation(add(multiply(p, {(((name, 1),), ()): 1}), ONE, -1), None, None)
     return out

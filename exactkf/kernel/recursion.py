@@ -12,6 +12,8 @@ Main definitions
 ----------------
 `inductions`
     The conclusion taken apart: conjuncts, with or without an index.
+`before`
+    A lemma with an index of its own, shown first.
 `Induction`
     Base statements and step statement of one conjunct.
 
@@ -28,9 +30,10 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
+from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["FAMILIES", "Induction", "inductions"]
+__all__ = ["FAMILIES", "Induction", "along", "before", "inductions"]
 
 #: types of variables that take an index
 FAMILIES = {"sequence": "scalar", "signal": "scalar", "sequence_of": "", "signal_of": ""}
@@ -58,6 +61,27 @@ def inductions(statement: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
         yield from inductions({**statement, "given": [*statement["given"], premise], "says": says[2]})
     else:
         yield {**statement}
+
+
+def along(also: Any, conjunct: int) -> Any:
+    """What an induction shows along with a conjunct: formulas for all conjuncts, or a list of formulas for each of them."""
+    each = bool(also) and all(not some or not isinstance(some[0], str) for some in also)
+    return also[conjunct] if each else also
+
+
+def before(statement: Mapping[str, Any], says: Any) -> tuple[dict[str, Any], Any, dict[str, Any]]:
+    """A formula, or ``forall`` of one, that is shown first: a statement to show it along with, the formula, the statement that has it.
+
+    It is shown along with 0 = 0, so that no inverse in it is taken for granted, and is a lemma in what follows. Values of a
+    recursion that do not exist may be chosen at will here: what is used of them is the step, where it has a value, and
+    hypotheses, which give them one.
+    """
+    check_formula(statement, says)
+    nothing = ["=", 0, 0]
+    indexed = says[0] == "forall"
+    alone = [*says[:4], nothing] if indexed else nothing
+    after = {**statement, "given": [*statement["given"], [f"shown {len(statement['given'])}", says, "lemma"]]}
+    return {**statement, "says": alone}, says[4] if indexed else says, after
 
 
 class Induction:
@@ -108,6 +132,8 @@ class Induction:
         self.nodes = 0
         self.first = max([low, *(d[3] + len(d[4]) - 1 for d in self.recursions.values())]) if self.index else low
         self.also, self.lemmas = also, list[Any]()
+        for formula in also:
+            check_formula(statement, formula, *([self.index] if self.index else []))
         self.bases = [self._base(k) for k in range(low, self.first + 1)]
         self.step = self._step() if self.index else None
         for made in [*self.bases, self.step]:
@@ -136,7 +162,7 @@ class Induction:
         where = self._where(letters)
         generic = [{_T: 1}, {_T: 1, "": 1}] if k is None else [{"": k}]
         forms = [dict(f) for f in dict.fromkeys(tuple(sorted(f.items())) for f in [*generic, *(f for f, _ in letters.values())])]
-        hypotheses = [[name, formula, "standing"] for label, formula, _ in self.statement["given"]
+        hypotheses = [[name, formula, "lemma" if kind == "lemma" else "standing"] for label, formula, kind in self.statement["given"]
                       for name, formula in self._hypotheses(label, formula, forms, letters, k)]
         return {**self._frame(letters, where), "given": hypotheses + given, "says": says}
 

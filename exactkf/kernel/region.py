@@ -17,6 +17,7 @@ Notation: a form is {parameter: integer} with '' for the constant; ``@`` is the 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 __all__ = ["INDEX", "Form", "Region", "Split", "form_key", "plus"]
 
@@ -85,26 +86,8 @@ class Region:
         return form
 
     def _possible(self, extra: Form) -> bool:
-        """Some rational point has every form and this one >= 0, by Fourier-Motzkin elimination."""
-        forms = _bounded([*self.forms, extra])
-        while forms:
-            counts: dict[str, int] = {}
-            for f in forms:
-                for n in f:
-                    counts[n] = counts.get(n, 0) + 1
-            counts.pop("", None)
-            if not counts:
-                break
-            name = min(counts, key=counts.__getitem__)
-            low = [f for f in forms if f.get(name, 0) > 0]
-            high = [f for f in forms if f.get(name, 0) < 0]
-            kept = {frozenset(f.items()): f for f in forms if name not in f}
-            for a in low:
-                for b in high:
-                    f = plus({n: -b[name] * c for n, c in a.items()}, b, a[name])
-                    kept[frozenset(f.items())] = f
-            forms = _bounded(list(kept.values()))
-        return all(f.get("", 0) >= 0 for f in forms)
+        """Some rational point has every form and this one >= 0."""
+        return _possible(frozenset([*map(form_key, self.forms), form_key(extra)]))
 
     @property
     def empty(self) -> bool:
@@ -140,3 +123,27 @@ class Region:
             region = self.and_(part)
             if not region.empty:
                 yield region
+
+
+@lru_cache(maxsize=1 << 16)
+def _possible(keys: frozenset[tuple]) -> bool:
+    """Some rational point has all these forms >= 0, by Fourier-Motzkin elimination."""
+    forms = _bounded([dict(key) for key in sorted(keys)])
+    while forms:
+        counts: dict[str, int] = {}
+        for f in forms:
+            for n in f:
+                counts[n] = counts.get(n, 0) + 1
+        counts.pop("", None)
+        if not counts:
+            break
+        name = min(counts, key=counts.__getitem__)
+        low = [f for f in forms if f.get(name, 0) > 0]
+        high = [f for f in forms if f.get(name, 0) < 0]
+        kept = {frozenset(f.items()): f for f in forms if name not in f}
+        for a in low:
+            for b in high:
+                f = plus({n: -b[name] * c for n, c in a.items()}, b, a[name])
+                kept[frozenset(f.items())] = f
+        forms = _bounded(list(kept.values()))
+    return all(f.get("", 0) >= 0 for f in forms)

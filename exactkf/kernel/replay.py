@@ -21,7 +21,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ===============  ==================================================================
 
 What is proved with symbols holds wherever the recorded denominators are not
-zero. `replay` returns them as text.
+zero. `replay` returns them as text. What else a certificate takes for granted `rests_on` tells.
 """
 
 from __future__ import annotations
@@ -34,21 +34,22 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.every_size import KINDS
-from exactkf.kernel.instances import TYPES, admissible, generic, read_instance
+from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
-from exactkf.kernel.meaning import World
+from exactkf.kernel.meaning import Generic, World
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
+from exactkf.kernel.wellformed import check_statement
 
-__all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "seal"]
+__all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "rests_on", "seal"]
 
 FORMAT, VERSION = "exactkf-certificate", 1
 _FIELDS = ("format", "version", "id", "kind", "statement", "evidence", "digest")
-_GENERIC_T = 10**6  # stands for "some t" in an induction step; no recursion can reach it from its start
+_GENERIC_T = Generic(Generic.T)  # stands for "some t" in an induction step
 
 
 class NotACertificate(Exception):
@@ -92,7 +93,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
     try:
         with rationals(Fraction):
             evidence = certificate["evidence"]
-            _well_named(certificate["statement"], evidence)
+            _well_formed(certificate)
             return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})
     except (Undefined, Unknown) as error:
         raise Rejected(f"{certificate['kind']}: {error}") from error
@@ -100,17 +101,33 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         raise Rejected(f"{certificate['kind']}: malformed data ({type(error).__name__}: {error})") from error
 
 
-def _well_named(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
-    """Names are identifiers, each of one thing, none of it the horizon; types exist."""
-    if "over" not in statement:  # a question about an orbit
+def rests_on(certificate: Mapping[str, Any]) -> str:
+    """What a certificate that replays takes for granted, '' for nothing.
+
+    An identity in the parameters of a parametrisation holds for what the parametrisation reaches. That this is
+    everything the hypotheses admit is another claim, or a classical fact: it is named in the certificate, and not looked at here.
+    """
+    statement, evidence = certificate["statement"], certificate["evidence"]
+    if certificate["kind"] != "identity" or _is_said(statement, evidence.get("given_by") or {}):
+        return ""
+    return str(evidence["covered_by"])
+
+
+def _is_said(statement: Mapping[str, Any], given_by: Mapping[str, Any]) -> bool:
+    """A hypothesis x = term covers x by itself."""
+    said = [formula for _, formula, _ in statement["given"]]
+    return all(["=", ["sym", name], tree] in said for name, tree in given_by.items())
+
+
+def _well_formed(certificate: Mapping[str, Any]) -> None:
+    """The statement is one, together with the parameters of the evidence and its definitions; see `exactkf.kernel.wellformed`."""
+    statement, evidence = certificate["statement"], certificate["evidence"]
+    if certificate["kind"] == "orbit":  # a question and its answer
         return
-    over = [*statement["over"], *(evidence.get("parameters") or [])]
-    names = [*statement["sizes"], *(name for name, _ in over), *(d[1] for d in [*statement["where"], *(evidence.get("where") or [])])]
-    for name in names:
-        _need(isinstance(name, str) and name.isidentifier() and name != "horizon", f"{name!r} is no name for a size, a variable or a definition")
-    _need(len(set(names)) == len(names), "two things have one name")
-    for name, kind in over:
-        _need((kind[-1][0] if kind[0] in ("sequence_of", "signal_of") else kind[0]) in TYPES, f"{name} is of a type that does not exist")
+    parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
+    check_statement(statement, certificate["kind"] not in ("induction", "generic index"))
+    if parameters or own:
+        check_statement({**statement, "over": [*statement["over"], *parameters], "where": [*statement["where"], *own]})
 
 
 # ---------------------------------------------------------------------- evidence on instances
@@ -209,9 +226,8 @@ def _collect(into: list[str], field: SymbolicField) -> None:
     into.extend(t for t in _denominators(field) if t not in into)
 
 
-def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, used: set[int]) -> None:
-    """Evidence divides by nothing but what the statement divides by (the factors up to ``known``) or says not to vanish."""
-    new = used - set(range(known))
+def _nothing_new(statement: Mapping[str, Any], world: World, field: SymbolicField, new: set[int]) -> None:
+    """What the evidence divides by, and the statement does not, is something that the statement says not to vanish."""
     if new:
         new -= {index for x in _not_zero(statement, world) if isinstance(x, Symbolic) for index, _ in field.factor(x.num)}
     _need(not new, f"the evidence divides by {', '.join(field.text(field.factors[index]) for index in sorted(new))}, which may vanish")
@@ -231,6 +247,15 @@ def _divisors(x: Any, below: Laurent | None = None) -> set[int]:
     if isinstance(x, Laurent):
         return {index for y in x.c.values() for index in _divisors(y)}
     return {index for index, _ in x.den} if isinstance(x, Symbolic) else set()
+
+
+def _coefficient_divisors(x: Any) -> set[int]:
+    """Factors of the denominators of coefficients in a value of the statement."""
+    if isinstance(x, Matrix):
+        return {index for r in x.rows for y in r for index in _coefficient_divisors(y)}
+    if isinstance(x, Ratio):
+        return _divisors(x.num) | _divisors(x.den)
+    return _divisors(x)
 
 
 def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
@@ -259,8 +284,7 @@ def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
 def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
-    said = [formula for _, formula, _ in statement["given"]]  # a hypothesis x = term covers x by itself
-    _need(bool(evidence.get("covered_by")) or all(["=", ["sym", name], tree] in said for name, tree in given_by.items()),
+    _need(bool(evidence.get("covered_by")) or _is_said(statement, given_by),
           "a parametrisation needs the claim that says it reaches everything")
     parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
     taken = {*statement["sizes"], *(d[1] for d in [*statement["where"], *own])}
@@ -279,26 +303,29 @@ def _ints(world: World) -> dict[str, int]:
     return {k: v for k, v in world.values.items() if isinstance(v, int) and k != "horizon"}
 
 
-def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) -> list[Any]:
-    """Left minus right side of every equation in a conjunction."""
+def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) -> Iterator[Any]:
+    """Left minus right side of every equation in a conjunction, in order: what comes after need not have a value where one is false."""
     op = tree[0]
     if op == "and":
-        return [r for part in tree[1:] for r in _residuals(world, part, local)]
-    if op == "forall":
+        for part in tree[1:]:
+            yield from _residuals(world, part, local)
+    elif op == "forall":
         _, index, low, high, body = tree
-        return [r for k in range(world.integer(low, local or {}), world.integer(high, local or {}) + 1)
-                for r in _residuals(world, body, {**(local or {}), index: k})]
-    if op == "=":
+        for k in range(world.integer(low, local or {}), world.integer(high, local or {}) + 1):
+            yield from _residuals(world, body, {**(local or {}), index: k})
+    elif op == "=":
         values = [world.value(x, local) for x in tree[1:]]
-        return [x - y for x, y in zip(values, values[1:], strict=False)]
-    if op == "symmetric":
+        yield from (x - y for x, y in zip(values, values[1:], strict=False))
+    elif op == "symmetric":
         m = world.value(tree[1], local)
-        return [m - m.transpose()]
-    if op == "symplectic":
+        yield m - m.transpose()
+    elif op == "symplectic":
         m = world.value(tree[1], local)
+        _need(m.nrows == m.ncols and m.nrows % 2 == 0, "a symplectic matrix has an even number of rows, and as many columns")
         j = symplectic_form(m.nrows // 2)
-        return [m.transpose() * j * m - j]
-    raise Unknown(f"{op!r} is not an equation")
+        yield m.transpose() * j * m - j
+    else:
+        raise Unknown(f"{op!r} is not an equation")
 
 
 def _never_zero(statement: Mapping[str, Any], world: World, field: SymbolicField, known: int, names: list[str]) -> set[int]:
@@ -327,13 +354,14 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
     found: list[str] = []
     hypotheses = {label: formula for label, formula, _ in statement["given"]}
     for world, field in _cases(statement, evidence):
-        goals = _residuals(world, statement["says"])
+        goals = [(goal, set(range(len(field.factors)))) for goal in _residuals(world, statement["says"])]  # with what has been divided by until then
         _need(len(goals) == len(evidence["terms"]), "as many lists of terms as equations are needed")
         used = {label for terms in evidence["terms"] for _, label, _ in terms}
-        residual = {label: _residuals(world, hypotheses[label.removesuffix("'")]) for label in used}
-        known, divisors = len(field.factors), set[int]()
-        for goal, terms in zip(goals, evidence["terms"], strict=True):
-            rest = goal
+        before, new = len(field.factors), set[int]()
+        residual = {label: list(_residuals(world, hypotheses[label.removesuffix("'")])) for label in used}
+        granted = set(range(before, len(field.factors))) | {index for h in residual.values() for r in h for index in _coefficient_divisors(r)}
+        for (goal, known), terms in zip(goals, evidence["terms"], strict=True):
+            rest, divisors = goal, set[int]()
             for left, label, right in terms:
                 (h,) = residual[label]
                 h = h.transpose() if label.endswith("'") else h
@@ -342,7 +370,8 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
                     divisors |= _divisors(x, goal.den if isinstance(goal, Ratio) else None)
                 rest = rest - sides[0] * h * sides[1]
             _need(_zero(rest), f"the combination does not add up for {_ints(world)}")
-        _nothing_new(statement, world, field, known, divisors)
+            new |= divisors - known - granted
+        _nothing_new(statement, world, field, new)
         _collect(found, field)
     return found
 
@@ -365,6 +394,7 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
             c = Fraction(world.value(c))
             _need(c >= 0, "a coefficient is negative")
             term, positive = world.value(q), c > 0
+            _need(not isinstance(term, (Laurent, Ratio)), "a square of a polynomial in z has no sign")
             divisors |= _divisors(term)
             positive = positive and isinstance(term, (int, Fraction)) and term != 0
             term = c * (term * term)
@@ -378,7 +408,7 @@ def _positivity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
             rest = rest - term
         _need(_zero(rest), f"the terms do not add up for {_ints(world)}")
         _need(strict or op in (">=", "<="), "no term is strictly positive")
-        _nothing_new(statement, world, field, known, divisors)
+        _nothing_new(statement, world, field, divisors - set(range(known)))
         _collect(found, field)
     return found
 
@@ -463,10 +493,10 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
     for d, parameter in _called_with_index(statement, body, index):
         _need(_index_only(d[3], parameter), f"definition {d[1]} uses an index other than as an index")
     for world, field in _cases(statement, evidence):
-        _residuals(world, said, {index: 0})
+        list(_residuals(world, said, {index: 0}))
         known = len(field.factors)
         _need(all(_zero(r) for r in _residuals(world, body, {index: 0})), f"base: t = 0 fails for {_ints(world)}")
-        _nothing_new(statement, world, field, known, set(range(known, len(field.factors))))
+        _nothing_new(statement, world, field, set(range(known, len(field.factors))))
         shapes = {d[1]: world.call(d[1], (0,)) for d in recursions}
         for name, support in (evidence.get("support") or {}).items():
             shapes[name] = Laurent({k: 1 for k in support})
@@ -496,27 +526,34 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
         divisors |= set() if k < len(parts) - len(evidence.get("also") or []) else _divisors(solved)
         world.memory = {key: v for key, v in world.memory.items() if key[0] in shapes and key[1] == (t,)}
         world.memory[eq[1][1], (t,)] = solved
-    for k in (t, t + 1):
-        _residuals(world, said, {index: k})
-    known, reached = len(field.factors), [name for name in shapes if (name, (t + 1,)) in world.memory]
+    list(_residuals(world, said, {index: t}))
+    # for each equation, what has been divided by until then, and the states that have a value: where it is false the next need not have one
+    stages = [(len(field.factors), [name for name in shapes if (name, (t + 1,)) in world.memory]) for _ in _residuals(world, said, {index: t + 1})]
+    known, _ = stages[-1]
     before = [r for p in parts for r in _residuals(world, p, {index: t})]
     after = [r for p in parts for r in _residuals(world, p, {index: t + 1})]
     divisors |= set(range(known, len(field.factors)))
+    stages += stages[-1:] * (len(after) - len(stages))
     cofactors = evidence.get("cofactors") or [[] for _ in after]
     _need(len(cofactors) == len(after), "step: as many lists of cofactors as equations are needed")
-    for rest, terms in zip(after, cofactors, strict=True):
+    new = list[tuple[set[int], list[str]]]()
+    for rest, terms, (until, reached) in zip(after, cofactors, stages, strict=True):
+        used = set(divisors)
         for left, k, right in terms:
             sides = [world.value(x, {index: t}) for x in (left, right)]
-            divisors |= _divisors(sides[0]) | _divisors(sides[1])
+            used |= _divisors(sides[0]) | _divisors(sides[1])
             rest = rest - sides[0] * before[k] * sides[1]
         _need(_zero(rest), f"step: t -> t + 1 fails for {_ints(world)}")
-    if not divisors <= set(range(known)):
-        divisors -= _never_zero(statement, world, field, known, [d[1] for d in recursions])
-    if not divisors <= set(range(known)):  # a state has a value only if all its entries have, those not looked at above too
+        new.append((used - set(range(until)), reached))
+    if any(used for used, _ in new):  # the states until t are not zero where the conclusion is true and has a value until then
+        never = _never_zero(statement, world, field, known, [d[1] for d in recursions])
+        new = [(used - never, reached) for used, reached in new]
+    if any(used for used, _ in new):  # a state has a value only if all its entries have, those not looked at above too
         kept, world.memory = world.memory, dict(generic)
-        divisors -= {index for name in reached for index in _divisors(world.call(name, (t + 1,)))}
+        below = {name: _divisors(world.call(name, (t + 1,))) for name in stages[-1][1]}
+        new = [(used - {index for name in reached for index in below[name]}, reached) for used, reached in new]
         world.memory = kept
-    _nothing_new(statement, world, field, known, divisors)
+    _nothing_new(statement, world, field, set[int]().union(*(used for used, _ in new)))
     for d in recursions:
         _need(_fits(world.call(d[1], (t + 1,)), shapes[d[1]]), f"step: {d[1]} leaves the shape of the state")
 

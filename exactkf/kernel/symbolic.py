@@ -18,7 +18,7 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, is_matrix
+from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Rejected, Undefined, Unknown, is_matrix
 from exactkf.kernel.packed import BITS, Divisor, Poly, add, content, exponents, mul
 from exactkf.kernel.trials import Trials
 
@@ -131,7 +131,7 @@ class SymbolicField:
         return " + ".join(terms).replace("+ -", "- ") or "0"
 
 
-class Symbolic:
+class Symbolic(FieldElement):
     """num / (q * product of factor^e): num an integer polynomial, q a positive integer."""
 
     __slots__ = ("den", "field", "num", "q")
@@ -224,9 +224,6 @@ class Symbolic:
     def __sub__(self, other: Any) -> Any:
         return NotImplemented if isinstance(other, (Laurent, Ratio)) else self + (-other)
 
-    def __rsub__(self, other: Any) -> Any:
-        return -self + other
-
     def __mul__(self, other: Any) -> Any:
         y = self._coerce(other)
         if y is None:
@@ -262,14 +259,6 @@ class Symbolic:
         unit = Fraction(self.num[key], product[key])
         num = {k: v * unit.denominator * (1 if unit > 0 else -1) for k, v in num.items()}
         return Symbolic(self.field, num, abs(unit.numerator), tuple(powers))._primitive()
-
-    def __truediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else self * y.inverse()
-
-    def __rtruediv__(self, other: Any) -> Any:
-        y = self._coerce(other)
-        return NotImplemented if y is None else y * self.inverse()
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, (int, Fraction)) and other == 0:

@@ -29,7 +29,7 @@ Phi(P) = H inv(I + HRH) H is nonnegative; for positive W it is inv(inv(W) + R).
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order
+from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -49,8 +49,9 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     psd,
+    rec,
+    sequence_of,
     standing,
-    sum_of,
     symbols,
     vector,
     vstack,
@@ -58,9 +59,9 @@ from exactkf.language import (
 )
 from proofs.b93.notation import d, i, j, k, n, p, piece, q, r
 
-As, Fs, Cs, L, G, x0, ys, eps = symbols("As Fs Cs L G x0 ys eps")
+As, Fs, Cs, L, G, x0, ys = symbols("As Fs Cs L G x0 ys")
 A, F, C, S, R, P, Phi, X, Psi = symbols("A F C S R P Phi X Psi")
-U, V, Vs, E, N, m, y, ms, Xhat, K, K0, w, W, H = symbols("U V Vs E N m y ms Xhat K K0 w W H")
+U, V, Vs, E, N, m, y, ms, Xhat, K, K0, w, W, H, t = symbols("U V Vs E N m y ms Xhat K K0 w W H t")
 
 # ---------------------------------------------------------------- the system, time by time
 PARAMETERS = {As: matrix(d, d * n), Fs: matrix(d, p * n), Cs: matrix(q, d * n)}
@@ -98,14 +99,16 @@ UNSAID = ("The set-up does not say that X_0 is independent of the noises, as Hyp
 SIZES = ["d", "p", "q", "n"]
 SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2), "n": (1, 2, 3)}
 
+A_, F_, eps_, X0, Done = symbols("A F eps X0 sum")
 claim("B93-E1", "the equations determine the state, in closed form",
-      X(n) == Psi(0) * x0 + sum_of(k, 1, n, Psi(k) * F(k) * piece(eps, p, 1)), sizes=["d", "p", "n"],
-      over={As: matrix(d, d * n), Fs: matrix(d, p * n), x0: vector(d), eps: matrix(p, n)},
-      where=[*SYSTEM[:2], function(X, [k], when(k == 0, x0, A(k) * X(k - 1) + F(k) * piece(eps, p, 1))),
-             function(Psi, [k], when(k == n, Identity(d), Psi(k + 1) * A(k + 1)))],
-      by=[identity(d=(1, 2, 3), p=(1, 2), n=(1, 2, 3)), instances(d=(1, 2, 3, 6), p=(1, 2, 3), n=(1, 2, 3, 4))],
-      note="The display is a definition. What is checked is that it determines X_n from X_0 and the noises, "
-           "with fitting sizes.")
+      forall(t, 0, n, X[n] == Psi[t] * X[n - t] + Done[t]), sizes=["d", "p", "n"],
+      over={A_: sequence_of(matrix(d, d), 1, n), F_: sequence_of(matrix(d, p), 1, n), X0: matrix(d, 1), eps_: sequence_of(matrix(p, 1), 1, n)},
+      where=[rec(X, t, X0, A_[t + 1] * X[t] + F_[t + 1] * eps_[t + 1]),
+             rec(Psi, t, Identity(d), Psi[t] * A_[n - t]), rec(Done, t, Zero(d, 1), Done[t] + Psi[t] * F_[n - t] * eps_[n - t])],
+      given=[standing("the recursion, counted from the end", forall(k, 0, n - 1, X[k + 1] == A_[k + 1] * X[k] + F_[k + 1] * eps_[k + 1]))],
+      by=[induction(), instances(d=(1, 2, 3), p=(1, 2), n=(1, 2, 3))],
+      note="The display is a definition. What is checked is that it determines X_n from X_0 and the noises, with fitting sizes: at t = n the first term is "
+           "A_n ... A_1 X_0 and the second the sum of A_n ... A_(k+1) F_k eps_k. Psi_t is A_n ... A_(n-t+1).")
 
 GAIN = (let(K, U * T(V) * inv(V * T(V))), let(P, U * T(U) - K * V * T(U)))
 claim("B93-E2", "the conditional mean is the best estimate",
@@ -202,3 +205,13 @@ claim("B93-E6", "the recursion of the filter",
                     given=[h for h in STEP_GIVEN if h[0] != "P0 is the error covariance before"], by=[order(), LOUD, STEP_MADE]),
       note="P_n is the conditional covariance (3) itself, not the value of a recursion; ys is an arbitrary record of "
            f"observations. {AS_ONE_STEP} The means follow the same recursion, because P C*C A - PRA = 0.")
+
+# ---------------------------------------------------------------- the two steps of the textbook
+Pm, xm, x1, y1 = symbols("Pm xm x1 y1")
+claim("B93-X0", "prediction and correction give the Riccati map and the recursion of the filter",
+      (P1 == Phi(P0)) & (K == P1 * T(C)) & (x1 == (A - P1 * R * A) * x0 + P1 * T(C) * y1), sizes=["d", "p", "q"],
+      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P0: positive_semidefinite(d), x0: vector(d), y1: vector(q)},
+      where=[*ONE_STEP, ONE_PHI, let(Pm, A * P0 * T(A) + S), let(xm, A * x0), let(K, Pm * T(C) * inv(C * Pm * T(C) + Identity(q))),
+             let(P1, Pm - K * C * Pm), let(x1, xm + K * (y1 - C * xm))],
+      by=[order(), instances(d=(1, 2, 3), p=(1, 2), q=(1, 2))],
+      note="Not in the paper, which writes (5) and (6) down without the usual form of the filter: prediction xm, Pm, gain K, correction by the innovation.")

@@ -52,6 +52,7 @@ from exactkf.language import (
     positive_semidefinite,
     psd,
     rec,
+    scalar,
     sequence,
     signal_of,
     standing,
@@ -68,16 +69,30 @@ A, B, C, F, H, K, P, R, S, W, V, U, X, Y = symbols("A B C F H K P R S W V U X Y"
 P0, T0, l, m, t = symbols("P0 T0 l m t")
 eps, eta, x, xhat, x1, y1, xhat1 = symbols("eps eta x xhat x1 y1 xhat1")
 
-larger, total = symbols("larger total")
+larger, total, rest, count = symbols("larger total rest count")
+ENDS = l[1] + l[d]
+#: the largest square less that of the next logarithm, if it is the last and if it is the first
+LAST_LESS = (l[d] - l[t + 1]) * ((l[t + 1] - l[1]) + ENDS)
+FIRST_LESS = (l[t + 1] - l[1]) * ((l[d] - l[t + 1]) + (-ENDS))
+KEPT = [[1 * (total[t] - l[t] ** 2), l[t] * l[t]], [1 * (total[t] - l[1] ** 2), l[t + 1] * l[t + 1]], []]
 claim("B93-L2.3", "the distance to the identity between two multiples of a logarithm",
-      (larger <= total) & (total <= d * larger), sizes=["d"], over={l: sequence(1, d)},
-      where=[let(larger, when(l[1] ** 2 >= l[d] ** 2, l[1] ** 2, l[d] ** 2)), let(total, sum_of(k, 1, d, l[k] ** 2))],
-      given=[given("in ascending order", forall(k, 1, d - 1, l[k] <= l[k + 1]))],
-      by=[instances(24, d=range(1, 7), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t] ** 2))}),
-          instances(24, d=range(1, 7), using={m: sequence(1, d)}, made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2))}),
+      forall(t, 1, d, (l[t] ** 2 <= total[t]) & (l[1] ** 2 <= total[t]) & (total[t] + rest[t] == count[t] * larger) & (rest[t] >= 0)), sizes=["d"],
+      over={l: sequence(1, d), larger: scalar()},
+      where=[rec(total, t, l[1] ** 2, total[t] + l[t + 1] ** 2, 1), rec(rest, t, larger - l[1] ** 2, rest[t] + larger - l[t + 1] ** 2, 1),
+             rec(count, t, 1, count[t] + 1, 1)],
+      given=[given("the first is the smallest, the last the largest", forall(k, 1, d, (l[1] <= l[k]) & (l[k] <= l[d]))),
+             given("the larger of the two squares", ((ENDS >= 0) & (larger == l[d] ** 2)) | ((-ENDS >= 0) & (larger == l[1] ** 2)))],
+      by=[induction(base=order([], [], [], [(l[d] - l[1]) * ENDS], [], [], [], [0]), step=order(*KEPT, [1 * rest[t], LAST_LESS], *KEPT, [1 * rest[t], FIRST_LESS])),
+          instances(24, d=range(1, 7), using={m: sequence(1, d)},
+                    made_by={l: (k, m[1] + sum_of(t, 2, k, m[t] ** 2)), larger: when(ENDS >= 0, l[d] ** 2, l[1] ** 2)}),
+          instances(24, d=range(1, 7), using={m: sequence(1, d)},
+                    made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2)), larger: when(ENDS >= 0, l[d] ** 2, l[1] ** 2)}),
+          example(d=2, l=[1, 0], larger=0), example(d=3, l=[1, 2, 1], larger=1), example(d=2, l=[0, 2], larger=0),
           instances(8, d=(2, 3))],
-      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d, log|inv(Q)| = -l_1, and the squared "
-           "distance is the sum of their squares.")
+      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1, and the squared "
+           "distance is the sum of their squares, total_d. As l_1 <= l_d, the larger of their squares is that of l_d exactly if l_1 + l_d >= 0. The count is t, "
+           "and the rest is what is missing to t times that. At t = d the first two inequalities put the larger square below the sum, whichever of the two "
+           "it is, and the others are the upper bound.")
 
 SYSTEM = {A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)}
 ONE_STEP = (let(S, F * T(F)), let(R, T(C) * C))

@@ -156,6 +156,9 @@ LAMBDA = let(lam, (1 + al0**2 - ga0**2) / (2 * al0))
 PROJECTIVE = (rec(Mt, t, 1, 2 * lam * Mt[t] - Nt[t]), rec(Nt, t, al0, Mt[t]), rec(sg, t, 1, -sg[t]))
 #: U_0 = 1, U_1 = 2/kappa: sin((t + 1) theta)/sin(theta) for 1/kappa = cos(theta)
 CHEBYSHEV = rec(Ut, t, [1, 2 * lam], 2 * lam * Ut[t] - Ut[t - 1])
+#: 1/kappa a fraction with |kappa| > 1: its angle is a rational part of pi only for 0, 1/2, -1/2
+top, low = symbols("numerator denominator")
+AS_FRACTION = let(lam, top / low)
 #: the other points of the hyperbola, on lines through (0, 1)
 ALPHA_OF = 2 * (lam + u) / (1 - u**2)
 GAMMA_OF = 1 + u * ALPHA_OF

@@ -89,7 +89,7 @@ claim("BLM91-S6", "(1.8) for all t makes Phi_+ positive real", hit >> (schur(az)
                     by=[steps("BLM91-E2.17", "BLM91-E2.13", facts=["Sylvester's law of inertia", "Herglotz: a sequence with positive definite Toeplitz matrices is the Fourier sequence of a nonnegative measure"],
                               prose="1 - h'Pi_t h is r_t, and T_t is congruent to diag(r_0, .., r_t)"),
                         instances(30, n=1, m=(0, 1, 2)), example(n=1, m=3, a=[0], g=["1/2"]), example(n=2, m=1, a=[0, "1/2"], g=["1/4", "1/4"]), example(n=1, m=1, a=[0], g=["2/3"])]),
-      note="(1.8) is tested for t <= m; on the counterexample it holds for all t: X.11 with x = -1/2 gives alpha_t = (t + 1)/(t + 2), and Pi_t = 1 - alpha_0/alpha_t = t/(2(t + 1)).")
+      note="(1.8) is tested for t <= m; on the counterexample it holds for all t: X.11 with x = -1/2 gives alpha_t = (t + 1)/(t + 2), and Pi_t = 1 - alpha_0/alpha_t = t/(2(t + 1)). Positive real is taken as defined in (2.3), (2.4); were it to mean no more than a nonnegative real part outside the disc, the statement would be right.")
 claim("BLM91-E1.9", "the fast algorithm gives the Kalman gain", forall(t, 0, m, fk[t] * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)},
       where=[*FAST, RICCATI, rec(r, t, Identity(1), (1 - (T(h) * fks[t]) ** 2) * r[t])],
       by=[induction(also=[symmetric(Pi[t]), r[t] == 1 - T(h) * Pi[t] * h, F * Pi[t] * T(F) + r[t] * fk[t] * T(fk[t]) == Pi[t] + r[t] * fks[t] * T(fks[t])]), instances(12, n=(1, 2), m=(1, 2))],

@@ -26,7 +26,7 @@ gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, fact, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -144,26 +144,40 @@ claim("BLM91-E2.6", "the recursions produce the monic orthogonal polynomials",
       note="Monic and orthogonal to 1, z, .., z^(t-1) in the form <z^i, z^j> = c_|i-j|, which determines phi_t.")
 
 # phi_t by its normal equations, gamma_t by its constant term, r_t by determinants
-tau, rr = symbols("tau r")
+tau, rr, row, col = symbols("tau r row column")
 SOLVED = (FREE, TOEPLITZ, function(tau, [t], matrix_of(i, j, t, 1, cc(t + 1 - i))),
           function(Cof, [t], inv(Toep(t - 1)) * tau(t)),
           function(phi, [t], when(t == 0, 1, Z**t - sum_of(k, 1, t, Cof(t)[k] * Z ** (k - 1)))),
           function(rr, [t], when(t == 0, 1, det(Toep(t)) / det(Toep(t - 1)))))
+# the recursion: its polynomials f_t solve the normal equations, and the Toeplitz determinants are products of its w_t
+f, fs, w = symbols("f f_star w")
+RECURSION = szego(cc, (f, fs, gam, w))
+ORTHOGONAL = [use(1, t=t), use(2, t=t, k=k - 1), use(2, t=t, k=t - k)]
+NORMAL = (lemma(t, fs[t] == rev(f[t], t), rule=True), lemma(t, coeff(f[t], t) == 1, uses=[use(1, t=t)]),
+          lemma(t, forall(k, 0, t, sum_of(j, 0, t, coeff(f[t], j) * cc(abs(j - k))) == when(k == t, w[t], 0)), uses=ORTHOGONAL),
+          fact(t, "det", det(Toep(t)) == prod(k, 0, t, w[k]), matrix_of(i, j, t + 1, t + 1, coeff(f[i - 1], j - 1)),
+               uses=[use(1, t=row - 1), use(2, t=row - 1, k=col - 1)]),
+          fact(t, "solve", inv(Toep(t - 1)) * tau(t) == matrix_of(i, j, t, 1, -coeff(f[t], i - 1)), start=1, uses=[use(1, t=t), use(2, t=t, k=row - 1)]),
+          fact(t, "solve", inv(Toep(0)) == Identity(1)),
+          lemma(s, always(t, forall(m, s, t - 1, sum_of(k, 0, s, Cof(t)[k + 1] * cc(k + 1)) == -sum_of(k, 0, s, coeff(f[t], k) * cc(k + 1)))),
+                uses=[use(6, s=s, t=t, m=m), use(4, t=t, row=s + 2)], base=[use(4, t=t, row=1)]))
+BY_NORMAL = generic_index(*NORMAL, supported=[f, fs], uses=[use(5, t=0, row=1), *(use(3, t=x) for x in (t - 1, t, t + 1)), use(4, t=t + 1, row=1),
+                                                            use(6, s=t - 1, t=t, m=t - 1), use(1, t=t)])
 claim("BLM91-E2.7", "the Schur parameter in terms of covariances",
-      forall(t, 0, n, -coeff(phi(t + 1), 0) == 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1))), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 7)), instances(n=range(0, 5))],
-      note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0). "
-           "The coefficient phi_(t,t-k) belongs to z^k.")
+      forall(t, 0, n, eq(-coeff(phi(t + 1), 0), 1 / rr(t) * sum_of(k, 0, t, coeff(phi(t), k) * cc(k + 1)), gam(t))), sizes=["n"], over=C,
+      where=[*SOLVED, *RECURSION], by=[BY_NORMAL, instances(n=range(0, 5))],
+      note="phi_t is found by solving its normal equations and r_t as a quotient of Toeplitz determinants; gamma_t is what (2.6) asks for, -phi_(t+1)(0), "
+           "and it is that of the recursion (2.6)-(2.8), here for f_t and w_t. The coefficient phi_(t,t-k) belongs to z^k.")
 claim("BLM91-E2.8", "recursion of the squared norms",
-      (rr(0) == 1) & forall(t, 0, n, rr(t + 1) == (1 - coeff(phi(t + 1), 0) ** 2) * rr(t)), sizes=["n"], over=C, where=SOLVED,
-      by=[identity(n=range(0, 7)), instances(n=range(0, 5))],
-      note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations.")
+      (rr(0) == 1) & forall(t, 0, n, eq(rr(t + 1), (1 - coeff(phi(t + 1), 0) ** 2) * rr(t), w[t + 1])), sizes=["n"], over=C,
+      where=[*SOLVED, *RECURSION], by=[BY_NORMAL, instances(n=range(0, 5))],
+      note="r_t = det T_t / det T_(t-1) and gamma_t = -phi_(t+1)(0), phi_t from its normal equations; w_t belongs to the recursion (2.6)-(2.8).")
 
 # c -> gamma -> c and gamma -> c -> gamma
 psi, psis, delta, rho, again, back = symbols("psi psis delta rho again c_back")
 THERE_AND_BACK = (
     FREE, *szego(cc), function(again, [t], gam(t - 1) * r[t - 1] - sum_of(k, 0, t - 2, coeff(phi[t - 1], k) * again(k + 1))))
-gg, f, fs, w = symbols("eta f f_star w")
+gg = sym("eta")
 BACK_AND_THERE = (
     rec(f, t, 1, Z * f[t] - gg[t] * fs[t]), rec(fs, t, 1, fs[t] - gg[t] * Z * f[t]), rec(w, t, 1, (1 - gg[t] ** 2) * w[t]),
     function(back, [t], gg[t - 1] * w[t - 1] - sum_of(k, 0, t - 2, coeff(f[t - 1], k) * back(k + 1))),
@@ -171,7 +185,7 @@ BACK_AND_THERE = (
 claim("BLM91-S15", "covariances and Schur parameters determine each other",
       forall(t, 1, n, (again(t) == cc(t)) & (delta(t - 1) == gg[t - 1])), sizes=["n"],
       over={c: sequence(1, n), gg: sequence(0, n - 1)}, where=[*THERE_AND_BACK, *BACK_AND_THERE],
-      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
       note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
 
 Low = sym("R_n")
@@ -187,7 +201,7 @@ claim("BLM91-E2.10", "the second recursion is the reversal of the first",
       forall(t, 0, n, phis[t] == rev(phi[t], t))
       & (rev(Z * x - y * rev(x, n), n + 1) == rev(x, n) - y * Z * x) & (rev(rev(x, n) - y * Z * x, n + 1) == Z * x - y * rev(x, n)),
       sizes=["n"], over={**C, x: polynomial(n), y: scalar()}, where=SZEGO,
-      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
       note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
 
 # ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
@@ -197,17 +211,17 @@ PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))),
            function(err, [y], 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y))
 claim("BLM91-E2.11", "the linear least-squares prediction",
       err(x) == err(yhat) + T(x - yhat) * Toep(n - 1) * (x - yhat), sizes=["n"], over={c: sequence(1, n), x: vector(n)}, where=PREDICT,
-      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
       note="E(y_n - x_1 y_0 - .. - x_n y_(n-1))^2 is written out; it exceeds the value at the coefficients of (2.11) by a square in the "
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
       vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
-      by=[identity(n=range(1, 7)), instances(n=range(1, 5))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",
       Coe * Toep(n) * T(Coe) == Low, sizes=["n"], over={c: sequence(1, n)},
       where=[*SZEGO, TOEPLITZ, let(Coe, matrix_of(i, j, n + 1, n + 1, coeff(phi[i - 1], j - 1))),
              let(Low, matrix_of(i, j, n + 1, n + 1, when(i == j, r[i - 1], 0)))],
-      by=[identity(n=range(1, 7)), instances(n=range(1, 6))],
+      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
       note="Row t of the first factor holds the coefficients of the innovation at time t over y_0 .. y_n.")

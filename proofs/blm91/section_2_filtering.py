@@ -27,7 +27,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
+from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -85,8 +85,9 @@ claim("BLM91-E2.20", "recursion of the two gains",
 GAINS = (REALIZED, *szego(c), function(kk, [t], 1 / r[t] * (substitute(phis[t], F) * g)), function(ks, [t], 1 / r[t] * (substitute(phi[t], F) * g)))
 FGH = {F: matrix(n, n), h: vector(n), g: vector(n)}
 claim("BLM91-E2.21", "the Schur parameter is the first component seen by h",
-      forall(t, 0, m, gam(t) == T(h) * ks(t)), sizes=["n", "m"], over=FGH, where=GAINS,
-      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3, 4))])
+      forall(t, 0, m, gam(t) == T(h) * (1 / r[t] * (substitute(phi[t], F) * g))), sizes=["n", "m"], over=FGH, where=[REALIZED, *szego(c)],
+      by=[generic_index(supported=[phi, phis]), instances(n=(1, 2, 3), m=(1, 2, 3, 4))],
+      note="k*_t is written out, as phi_t(F)g/r_t.")
 FAST = (rec(fk, t, g, 1 / (1 - (T(h) * fks[t]) ** 2) * (fk[t] - T(h) * fks[t] * (F * fks[t]))),
         rec(fks, t, g, 1 / (1 - (T(h) * fks[t]) ** 2) * (F * fks[t] - T(h) * fks[t] * fk[t])))
 claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
@@ -130,7 +131,9 @@ claim("BLM91-E2.25", "the stripped fast algorithm",
 POLY = (*STRIPPED, *POLYNOMIALS)
 claim("BLM91-E2.26", "the polynomials carry the state of the algorithm",
       always(t, (Qp(t) == r[t] * charpoly(J - q[t] * T(h))) & (Qs(t) == r[t] * (charpoly(J - qs[t] * T(h)) - Z**n))), sizes=["n"], over=AG,
-      where=[FIRST, *POLY], by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))],
+      where=[FIRST, *POLY], given=SOME,
+      by=[generic_index(*(fact(t, "charpoly", charpoly(J - v[t] * T(h)) == polynomial_of(v[t]), (j, Z ** (n - j))) for v in (q, qs)),
+                        uses=[use(v, t=t, z=sym("z")) for v in (0, 1)]), instances(n=(1, 2, 3))],
       note="The display defines Q_t and Q*_t. Checked is another form of the same polynomials, by characteristic polynomials of J - q_t h' and J - q*_t h'.")
 NEXT = (Qp(t + 1) == Qp(t) - gam(t) * Z * Qs(t)) & (Qs(t + 1) == Z * Qs(t) - gam(t) * Qp(t))
 LEFT = 1 / r[t] * (Qp(t) * recip(Qp(t)) - Qs(t) * recip(Qs(t)))
@@ -163,7 +166,7 @@ claim("BLM91-S21", "n independent first integrals",
              function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
                       / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
              let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
            "u_i/z + ..., so that their gradients at the origin are independent.")
 

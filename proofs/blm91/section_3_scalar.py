@@ -25,7 +25,7 @@ from proofs.blm91.notation import *
 
 kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
 PLANE = {al0: scalar(), ga0: scalar()}
-eps, parts, na, ng = symbols("ratio parts alpha_next gamma_next")
+eps, na, ng = symbols("ratio alpha_next gamma_next")
 RT = rec(r, t, 1, (1 - ga[t] ** 2) * r[t])
 
 
@@ -39,14 +39,10 @@ CROSSES = [example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1), example(al
            example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0="3/2", gamma0=1), example(alpha0=1, gamma0="-1/2")]
 
 # ---------------------------------------------------------------------- the map
-claim("BLM91-E3.10", "the algorithm for n = 1, referred to as (3.25)",
-      forall(t, 0, m, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])) & exists(k, 1, 17, k == 25), sizes=["m"],
-      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)],
-      by=[example(m=1, a=["1/2"], g=["1/2"]), instances(m=(1, 2))],
-      repair=repair("cross-reference", "there is no (3.25): displays of Section III end at (3.17); the system is (2.25)",
-                    always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
-                    over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)], by=[induction(), instances()]),
-      note="The formulas are right. What fails is the reference: the last conjunct says that 25 is among the numbers 1 .. 17 of the displays of Section III.")
+claim("BLM91-E3.10", "the algorithm for n = 1",
+      always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
+      over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(a, g), *scalar_orbit(a[1], g[1], ga1)], by=[induction(), instances()],
+      note="The system is (2.25); the print refers to it as (3.25), a number that no display has.")
 claim("BLM91-E3.11", "the invariant for n = 1",
       always(t, r[t] * ((Z + al[t]) * (recip(Z) + al[t]) - ga[t] ** 2) == (Z + al0) * (recip(Z) + al0) - ga0**2), over=PLANE, where=[*ORBIT, RT],
       by=[induction(), instances()])
@@ -85,25 +81,21 @@ HYP = {al0: scalar(), ga0: scalar(), kap: nonzero()}
 SIGNDEF = nonneg_on_circle(D0) | nonneg_on_circle(-D0)
 BORDER = (abs(ga0) == abs(1 - abs(al0))) | (abs(ga0) == 1 + abs(al0))
 SAYS34 = iff(kap**2 > 1, ~(SIGNDEF)) & iff(kap**2 == 1, BORDER)
-DEG = "the points (0, 1) and (0, -1) lie on every hyperbola, and D is zero there, so that they are in no corridor; for the other points the statement is right"
 MORE = [example(alpha0="1/2", gamma0="1/2", kappa=1), example(alpha0=3, gamma0=2, kappa=1), example(alpha0=-3, gamma0=2, kappa=-1), example(alpha0=-1, gamma0=2, kappa=1),
         example(alpha0=1, gamma0=1, kappa=2), example(alpha0="1/2", gamma0=0, kappa="4/5"), example(alpha0=2, gamma0=0, kappa="4/5")]
-claim("BLM91-S34", "hyperbolas and regions", SAYS34, over=HYP, where=[let(D0, d_of(al0, ga0))], given=[ON],
-      by=[example(alpha0=0, gamma0=1, kappa=2), instances(60, **FROM_POINT)],
-      repair=repair("boundary case", DEG, SAYS34, over={**HYP, al0: nonzero()}, where=[let(D0, d_of(al0, ga0))], given=[ON],
-                    by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                              prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
-                        instances(60, **FROM_POINT), *MORE]),
-      note="kappa^2 < 1 in the sign definite regions, kappa^2 > 1 in the corridors (where D has both signs), kappa^2 = 1 on the lines |gamma| = |1 - |alpha||, |gamma| = 1 + |alpha|.")
+CROSSING = "alpha not 0, as (3.13) is derived. The two points (0, 1) and (0, -1), which the text treats apart, satisfy the equation of every hyperbola; D is zero there, so that they are on the boundary of all regions."
+claim("BLM91-S34", "hyperbolas and regions", SAYS34, over={**HYP, al0: nonzero()}, where=[let(D0, d_of(al0, ga0))], given=[ON],
+      by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+          instances(60, **FROM_POINT), *MORE],
+      note="kappa^2 < 1 in the sign definite regions, kappa^2 > 1 in the corridors (where D has both signs), kappa^2 = 1 on the lines |gamma| = |1 - |alpha||, |gamma| = 1 + |alpha|. " + CROSSING)
 PAIR = dict(where=[let(kap, when(x == 0, rational("1/2"), 2)), let(D0, d_of(al0, ga0))], given=[ON])
 DRAWN = {al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * (2 / kap + 2 * y) / (1 - y**2)}
-claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", iff(x == 1, ~(SIGNDEF)), over={al0: scalar(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
-      by=[example(alpha0=0, gamma0=1, x=1), instances(using={y: scalar()}, made_by=DRAWN)],
-      repair=repair("boundary case", DEG, iff(x == 1, ~(SIGNDEF)), over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
-                    by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                              prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
-                        instances(60, using={y: scalar()}, made_by=DRAWN)]),
-      note="x = 0 stands for kappa = 1/2, in the sign definite regions, and x = 1 for kappa = 2, in the corridors.")
+claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", iff(x == 1, ~(SIGNDEF)), over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
+      by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
+                prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+          instances(60, using={y: scalar()}, made_by=DRAWN)],
+      note="x = 0 stands for kappa = 1/2, in the sign definite regions, and x = 1 for kappa = 2, in the corridors. " + CROSSING)
 claim("BLM91-S35", "the map commutes with gamma -> -gamma",
       always(t, (al[t] == bal[t]) & (ga[t] == -bga[t])), over=PLANE,
       where=[*ORBIT, rec(bal, t, al0, bal[t] / (1 - bga[t] ** 2)), rec(bga, t, -ga0, -bga[t] * bal[t] / (1 - bga[t] ** 2))],
@@ -125,16 +117,12 @@ LINES = {al0: (pp * y**2 - 1 / pp) / (y**2 - 1), ga0: y * (pp - 1 / pp) / (y**2 
 TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=ORBIT)
 ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0="-1/2", gamma0="1/2", p=-1), example(m=2, alpha0=4, gamma0=3, p=1),
         example(m=1, alpha0=-4, gamma0=-3, p=-1), example(m=2, alpha0=3, gamma0=0, p="1/3")]
-#: how many numbered parts Theorem 3.2 has (Theorem 3.3 has three)
-PARTS = let(parts, 0)
-claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY & exists(k, 1, parts, k == 1), sizes=["m"], over=TO["over"], where=[*ORBIT, PARTS], given=[ROOT],
-      by=[example(m=3, alpha0="1/2", gamma0="1/2", p=1), instances(m=(1, 2))],
-      repair=repair("cross-reference", "Theorem 3.2 has no part 1) and says nothing of convergence; necessity is Theorem 3.3, 1)", AWAY, **TO, given=[ROOT],
-                    by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
-                        instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO]),
+claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY, **TO, given=[ROOT],
+      by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
+          instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO],
       note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1, that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. "
            "Where the orbit exists, the equation shows that alpha_t - p tends to zero: for |p| < 1 because p^(2t) does (unless alpha_0 is the other fixed point 1/p), for p = 1, -1 "
-           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). The last conjunct says that 1 is among the numbers of the parts of the theorem cited; Theorem 3.2 has no numbered part. m is the time.")
+           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). For alpha_0 = 0 see S36. m is the time. Necessity is Theorem 3.3, 1), for which the print names Theorem 3.2, 1).")
 
 # ---------------------------------------------------------------------- Remark 3.6
 VA = (let(a, al0 - ga0), let(b, al0 + ga0), let(vz, rational("1/2") * (Z + b) / (Z + a)), let(D0, d_of(al0, ga0)))
@@ -187,14 +175,10 @@ claim("BLM91-E3.14b", "the spectral density by alpha_-, and two stable spectral 
 IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(na, x / (1 - y**2)), let(ng, -x * y / (1 - y**2)))
 HIT = (na == 0) & (ng == ga0)
 NIL_SAYS = (vstack(al[1], ga[1]) == Zero(2, 1)) & (D0 == 1 - ga0**2)
-claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
-      by=[example(gamma0=0, x=0, y="1/2"), instances()],
-      repair=repair("boundary case", "(0, gamma_0) has no preimage for gamma_0 not 0; the origin does not escape in backward time, being an equilibrium and the image of every (0, y)",
-                    NIL_SAYS & iff(HIT, (x == 0) & (ga0 == 0)), over={ga0: scalar(), x: scalar(), y: scalar()}, where=IMAGE,
-                    by=[steps("BLM91-S36", prose="x/(1 - y^2) = 0 leaves x = 0, and then the image is the origin"),
-                        instances(), example(gamma0=0, x=0, y="1/2"), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=0, x=1, y=0),
-                        example(gamma0="-2/3", x=1, y="1/2")]),
-      note="Escape in backward time is read as: no point (x, y) is mapped to (0, gamma_0).")
+claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: nonzero(), x: scalar(), y: scalar()}, where=IMAGE,
+      by=[steps("BLM91-S36", prose="x/(1 - y^2) = 0 leaves x = 0, and then the image is the origin"),
+          instances(), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=2, x=1, y=0), example(gamma0="-2/3", x=1, y="1/2"), example(gamma0="1/2", x="3/4", y="-1/2")],
+      note="Escape in backward time: no point (x, y) is mapped to (0, gamma_0). gamma_0 not 0, because the orbit comes to (0, 0) in one step: the origin itself is at rest, the image of every (0, y), and does not escape.")
 denb = sym("den")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),

@@ -11,7 +11,7 @@ If q and q* have only first components, the algorithm is the scalar one: each or
 its periodic points of every period p >= 3.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, not_checked
 from exactkf.evidence import example, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
@@ -27,16 +27,12 @@ claim("BLM91-T3.3.1a", "the equilibria are the points (q, 0)", iff(fixed, flat) 
       where=[*STEP, let(fixed, (un == q0) & (wn == qs0)), let(flat, qs0 == Zero(n, 1))],
       by=[steps(facts=["a nilpotent matrix has no eigenvalue but 0"], prose="gamma J q* = gamma^2 q and J q* - gamma q = (1 - gamma^2) q*: for gamma not 0 the first gives J q* = gamma q, so (1 - gamma^2) q* = 0; for gamma = 0 the second is J q* = q*"),
           instances(40, n=(1, 2, 3)), example(n=1, q0=[2], qs0=[0]), example(n=2, q0=[1, 2], qs0=[0, 0]), example(n=2, q0=[1, 2], qs0=[0, 1]), example(n=3, q0=[0, 0, 0], qs0=[0, 0, 1])])
-claim("BLM91-T3.3.1b", "convergence needs a sign definite D", nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)) & exists(k, 1, 17, k == 28),
-      sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
-      by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
-      repair=repair("cross-reference", "D is defined in (2.28); there is no (3.28)",
-                    nonneg_on_circle(rest) & (r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0)), sizes=["n", "m"], over=POINT,
-                    where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
-                    by=[steps("BLM91-E2.28", prose="r_t D + |Q*_t|^2 = |Q_t|^2 on the circle; if q_t converges and q*_t tends to 0, then r_t tends to D_0/(1 + |q|^2), not 0 unless D is 0, and r_infinity D >= 0"),
-                        instances(40, n=(1, 2, 3), m=(0, 1, 2))]),
-      note="Checked at every time m: r_t D + |Q*_t|^2 >= 0 on the circle, and the formula for r_t from which its limit is read off. What fails is the reference: the last conjunct says that 28 is among the "
-           "numbers 1 .. 17 of the displays of Section III.")
+SEMI = (nonneg_on_circle(rest), r[m] * (1 + (T(q[m]) * q[m])[1, 1] - (T(qs[m]) * qs[m])[1, 1]) == coeff(D, 0))
+REST = let(rest, r[m] * D + Qs(m) * recip(Qs(m)))
+claim("BLM91-T3.3.1b", "convergence needs a sign definite D", SEMI[0] & SEMI[1], sizes=["n", "m"], over=POINT, where=[*ORBIT_N, REST],
+      by=[steps("BLM91-E2.28", prose="r_t D + |Q*_t|^2 = |Q_t|^2 on the circle; if q_t converges and q*_t tends to 0, then r_t tends to D_0/(1 + |q|^2), not 0 unless D is 0, and r_infinity D >= 0"),
+          instances(40, n=(1, 2, 3), m=(0, 1, 2))],
+      note="Checked at every time m: r_t D + |Q*_t|^2 >= 0 on the circle, and the formula for r_t from which its limit is read off. D is that of (2.28), which the print calls (3.28).")
 claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) == r[m] * D + Qs(m) * recip(Qs(m)), sizes=["n", "m"], over=POINT, where=ORBIT_N,
       by=[steps("BLM91-E2.28", prose="the last term tends to zero with q*_t, r_t and Q_t converge"), instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
       note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
@@ -66,12 +62,22 @@ claim("BLM91-T3.3.3", "periodic points of every period p >= 3 in every dimension
                       "unbounded orbits: sensitivity as in Corollary 3.10"),
           instances(8, n=(1, 2)), *SWEEP],
       note="(2.25) of order n run in the number field from two points of each hyperbola, p <= 7. The submanifolds are the corridors (and hyperbolas) in the plane of the first components, where D is not sign definite.")
-claim("BLM91-T3.3", "Theorem 3.3", nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))) & exists(k, 1, 17, k == 28), sizes=["n", "m"], over=POINT,
-      where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))], by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
-      repair=repair("cross-reference", "the pseudo-polynomial D is defined in (2.28), not in (3.28); the parts of the theorem hold, each is a claim of its own",
-                    nonneg_on_circle(rest) & (rest == Qp(m) * recip(Qp(m))), sizes=["n", "m"], over=POINT, where=[*ORBIT_N, let(rest, r[m] * D + Qs(m) * recip(Qs(m)))],
-                    by=[steps("BLM91-E2.28", prose="parts 1) to 3) by the claims T3.3.1a to T3.3.3"), instances(n=(1, 2, 3), m=(0, 1, 2))]),
-      note="The conjunction of the parts, of which this is the identity behind parts 1) and 2); the last conjunct is the reference of part 1), see T3.3.1b.")
+q1, qs1, steady, near = symbols("q_plane qs_plane steady near")
+#: (2.25) from the point of the scalar algorithm with 1/kappa = -cos(2 pi/p), beside the orbit from (g + a, g)
+PLANE = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF),
+         rec(q1, t, al0 * E1, 1 / (1 - qs1[t][1] ** 2) * (q1[t] - qs1[t][1] * (J * qs1[t]))),
+         rec(qs1, t, ga0 * E1, 1 / (1 - qs1[t][1] ** 2) * (J * qs1[t] - qs1[t][1] * q1[t])),
+         function(back, [t], (q1[t] == al0 * E1) & (qs1[t] == ga0 * E1)))
+PARTS = (*STEADY, let(q0, g + a), let(qs0, g), *STEP[2:], let(fixed, (un == q0) & (wn == qs0)), let(flat, qs0 == Zero(n, 1)), REST, let(Qm, Qp(m)),
+         let(steady, (n <= 2) & schur(az) & (D == dd * sg * recip(sg)) & (SX <= rational("1/2")) & (dd >= rational("1/4"))), let(near, dist < rational("1/1000")))
+claim("BLM91-T3.3", "Theorem 3.3", iff(fixed, flat) & SEMI[0] & SEMI[1] & (rest == Qp(m) * recip(Qp(m))) & (steady >> (near & schur(Qm) & schur(sg))) & forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1),
+      sizes=["n", "m"], over={**STEADY_OVER, p: integer(3, 6), u: integer(2, 3)}, where=[*PARTS, *PLANE],
+      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", "BLM91-X.3", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+                prose="the parts, in this order, are T3.3.1a to T3.3.3, argued there"),
+          instances(20, n=(1, 2), m=(0, 1, 2), using={w: vector(n)}, made_by={x: w}), instances(6, n=(1, 2), m=(1, 2), **STEADY_DRAW),
+          *(example(n=i_, m=1, a=[1, 2, 3][:i_], g=[0, 0, 0][:i_], x=[0, 0, 0][:i_], p=3, u=2) for i_ in (1, 2)), example(n=2, m=1, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"], p=4, u=2)],
+      note="The conjunction of the parts at one point (a, g) with q_0 = g + a, q*_0 = g: equilibria, necessity and spectral factor; convergence for positive real data whose spectral factor x is known (steady); periodic points of order n. "
+           "Part 1) refers to D as that of (3.28); it is that of (2.28).")
 
 # ---------------------------------------------------------------------- remarks
 claim("BLM91-R3.1.2", "periods of the algorithm and of the Riccati equation",

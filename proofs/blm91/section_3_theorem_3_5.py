@@ -14,7 +14,7 @@ One step of the algorithm divides by 1 - gamma^2, and shows where it leads:
 From II to I kappa alpha goes up from a negative to a positive number; its modulus grows only when gamma^2 < 2.
 
 Orbits end where |gamma| = 1: at alpha = 2/kappa and at alpha = 0. The first point has the backward orbit alpha^(i) = U_i/U_(i-1),
-gamma^(i) = +-1/U_(i-1) in IV. The second, (0, +-1), is on every hyperbola, between I and II, and is the exception to the theorem.
+gamma^(i) = +-1/U_(i-1) in IV. The second, (0, +-1), is on every hyperbola, between I and II; the paper sets it apart before the theorem.
 
 For kappa = 1, -1 put alpha = kappa(1 + x): then alpha_t = kappa(1 + x/(1 - t x)). Orbits with x > 0 first go away, to any distance
 however small x is; so (kappa, 0) attracts every orbit that does not end, and is not stable.
@@ -84,27 +84,24 @@ claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|", one1 & grows & und
 # ---------------------------------------------------------------------- a) 2) points that end
 PAIR = {al0: scalar(), ga0: scalar(), kap: nonzero()}
 ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
-BOUND = given("0 < kappa^2 < 1", kap**2 < 1)
 ENDS = (*ORBIT, *REGIONS, let(four0, four_(0)), let(lam, 1 / kap), CHEBYSHEV, let(flag, leaves(m)))
 STEP_ = standing("a step", m >= 1)
 AT_STEP = dict(using={u: nonzero(), k: integer(0, 1)}, made_by={kap: SHARE, al0: Ut[m] / Ut[m - 1], ga0: (2 * k - 1) / Ut[m - 1]})
 ON_CURVE = dict(using={u: nonzero(), y: scalar()}, made_by={kap: SHARE, al0: 2 * (1 / kap + y) / (1 - y**2), ga0: 1 + y * al0})
-ZERO = "(0, 1) and (0, -1) lie on every hyperbola, between I and II, and the algorithm ends there at once; other points that end"
-claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, sizes=["m"], over=PAIR, where=ENDS, given=[ON, BOUND, STEP_], by=[example(m=1, alpha0=0, gamma0=1, kappa="1/2"), instances(m=(1, 2), **AT_STEP)],
-      repair=repair("boundary case", ZERO + " are in IV", flag >> four0, sizes=["m"], over={**PAIR, al0: nonzero()}, where=ENDS, given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
-                    by=[steps("BLM91-E5.1", prose="alpha_0 = U_i/U_(i-1), gamma_0 = +-1/U_(i-1): backwards from (2/kappa, +-1), which is in IV, |alpha| falls and |gamma| < 1"),
-                        instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(20, m=(1, 2), **ON_CURVE)]),
-      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1. The two points are not outside the setting: for alpha_0 = 0, |gamma_0| = 1 the paper speaks of "
-           "finite escape, and counts them among the points of a hyperbola that end in Theorem 3.7. Were they not to count as escaping, the alternative T3.5.a.alt would fail there.")
+APART = ("alpha_0 not 0, as (3.13) is derived. The points (0, 1) and (0, -1) satisfy the equation of every hyperbola and lie between I and II; the text sets them apart before the theorem, saying that the orbit ends there. "
+         "Were they counted here, they would be an exception.")
+OFF_AXIS = {**PAIR, al0: nonzero()}
+claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, sizes=["m"], over=OFF_AXIS, where=ENDS, given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
+      by=[steps("BLM91-E5.1", prose="alpha_0 = U_i/U_(i-1), gamma_0 = +-1/U_(i-1): backwards from (2/kappa, +-1), which is in IV, |alpha| falls and |gamma| < 1"),
+          instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(20, m=(1, 2), **ON_CURVE)],
+      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1. " + APART)
 WHICH = iff(flag, at) & (flag >> (ga0**2 * Ut[m - 1] ** 2 == 1))
-claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", WHICH, sizes=["m"], over=PAIR, where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])], given=[ON, BOUND, STEP_],
-      by=[example(m=1, alpha0=0, gamma0=1, kappa="1/2"), instances(m=(1, 2), **AT_STEP)],
-      repair=repair("boundary case", ZERO + " form the pairs (U_i, +-1)/U_(i-1). The formula is (5.3); there is no (5.13)", WHICH, sizes=["m"], over={**PAIR, al0: nonzero()},
-                    where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])], given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
-                    by=[steps("BLM91-E5.1", "BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="A^(-i)(0, 1)' is (U_(i-1), U_i)', and gamma^2 follows from the hyperbola"),
-                        instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(30, m=(1, 2, 3), **ON_CURVE),
-                        instances(20, m=(2, 3), using={u: nonzero()}, made_by={kap: SHARE, al0: Ut[m - 1] / Ut[m - 2], ga0: 1 / Ut[m - 2]})]),
-      note="U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1). On (0, +-1) see T3.5.a.2.i.")
+claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", WHICH, sizes=["m"], over=OFF_AXIS, where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])],
+      given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
+      by=[steps("BLM91-E5.1", "BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="A^(-i)(0, 1)' is (U_(i-1), U_i)', and gamma^2 follows from the hyperbola"),
+          instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(30, m=(1, 2, 3), **ON_CURVE),
+          instances(20, m=(2, 3), using={u: nonzero()}, made_by={kap: SHARE, al0: Ut[m - 1] / Ut[m - 2], ga0: 1 / Ut[m - 2]})],
+      note="The pair that ends after m steps is (U_m, +-1)/U_(m-1), U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1). The formula is (5.3); the print names (5.13), a number that no display has. " + APART)
 claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
       (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
       where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
@@ -136,18 +133,17 @@ OFF = standing("not (0, +-1) and not the equilibrium", (x != 0) & (x != -1))
 FLOW = (three0 >> two1) & (four0 >> (grows & (three1 | four1))) & (one0 >> (one1 & grows))
 DRAW_X = instances(60, using={y: scalar()}, made_by={x: y})
 claim("BLM91-T3.5.b.orb", "orbits for kappa^2 = 1, in the manner of part a) 1)", FLOW & (two0 >> (one1 & bigger)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF], by=[example(x=-3, k=1), instances()],
-      repair=repair("other", "as in part a) 1) it is kappa alpha that grows from II to I, not |alpha|: (-2, 3) goes to (1/4, 3/4)", FLOW & (two0 >> (one1 & up)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF],
+      repair=repair("other", "the manner of part a) 1) has the mistake of T3.5.a.1.iii: it is kappa alpha that grows from II to I, not |alpha|; (-2, 3) goes to (1/4, 3/4)", FLOW & (two0 >> (one1 & up)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF],
                     by=[steps("BLM91-X.11", prose="alpha_t = kappa(1 + x/(1 - t x)) tends to kappa unless 1/x is one of 1, 2, 3, .."), DRAW_X, example(x="1/3", k=1), example(x="1/2", k=0), example(x=2, k=1), example(x=-3, k=1), example(x="-1/2", k=0)]),
       note="alpha_0 = kappa(1 + x), gamma_0 = x; by the mirror symmetry that covers both lines. kappa = 2k - 1. (0, +-1), x = -1, is in II and I and has no next point.")
 LAST = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
 ESC = iff(flag, at) & (flag >> four0)
-claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC, sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST, given=[STEP_], by=[example(m=1, x=-1, k=1), instances(m=(1, 2))],
-      repair=repair("boundary case", ZERO + " are kappa(i + 1)/i, gamma = +-1/i, in IV", ESC & (flag >> (al0 == kap * (m + 1) / m)), sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST,
-                    given=[STEP_, given("not (0, +-1)", x != -1)],
-                    by=[steps("BLM91-X.1", "BLM91-X.11", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)]),
-      note="alpha_0 = kappa(1 + x), gamma_0 = x, kappa = 2k - 1. The pair that ends after i steps has x = 1/i.")
+claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC & (flag >> (al0 == kap * (m + 1) / m)), sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST,
+      given=[STEP_, given("not (0, +-1)", x != -1)],
+      by=[steps("BLM91-X.1", "BLM91-X.11", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)],
+      note="alpha_0 = kappa(1 + x), gamma_0 = x, kappa = 2k - 1. The pair that ends after m steps is kappa(m + 1)/m, +-1/m, in IV; it tends to (kappa, 0), |alpha| falling. " + APART)
 claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
-      repair=repair("other", "from II to I kappa alpha grows, not |alpha|; (0, 1) and (0, -1) end though they are not in IV; for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold, each is a claim of its own",
+      repair=repair("other", "T3.5.a.1.iii and, for kappa^2 = 1, T3.5.b.orb fail: from II to I kappa alpha grows, not |alpha|; T3.5.b.eq fails: for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold",
                     (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],
                     by=[steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
       note="The conjunction of the parts, represented by the steps between regions.")

@@ -8,7 +8,7 @@ omega = pi q/p in lowest terms all points have period p, but those that end; oth
 The points that end have alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), U_(i-1) = sin(i theta)/sin(theta). For theta = pi n/d they are finitely many, i = 1, .., d - 1.
 They end at step i, but for the last two, (0, 1) and (0, -1), where |gamma| = 1 already.
 
-1/kappa = -cos(2 pi q/p) is never 0 for kappa < -1 or kappa > 1: period 4 is that of kappa infinite alone.
+1/kappa = -cos(2 pi q/p) is 0 for p = 4 alone: period 4 is that of kappa infinite, which the theorem includes and both of its formulas give.
 
 In any neighbourhood of a point of the corridors 1/kappa takes an interval of values: rational and irrational angles, and zeros of U_i(1/kappa) = alpha_0
 U_(i-1)(1/kappa), lie in it. So periodic, dense (hence unbounded) and ending orbits are all dense there, the two latter uncountably many, and none of the
@@ -43,7 +43,7 @@ RIGHT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d 
 ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
-LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, as the paper says before Theorem 3.5. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
+LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
@@ -75,7 +75,7 @@ claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and 
           instances(24)],
       note="1/kappa = 3/5, -1/3, 2/5, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close; double: the slope belongs to two points.")
 claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances(p=range(3, 9))],
-      repair=repair("boundary case", WHY + "; the other parts hold, each is a claim of its own", RIGHT, sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
+      repair=repair("boundary case", "T3.7.1odd and T3.7.1even fail: " + WHY + "; the other parts hold", RIGHT, sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
                     by=[evaluation(p=range(3, 10)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
       note="Either theta is a rational multiple of pi or not; represented by the count of points that end in the first alternative, the part that fails.")
 
@@ -91,21 +91,23 @@ ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT,
 claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: scalar()}, where=ORDER,
       given=[EXISTS], by=[steps("BLM91-X.2", "BLM91-X.3", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
       note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
-REALIZED = function(flag, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k > 0)))
-FOUR = "period 4 needs omega = pi/4, that is 1/kappa = 0; kappa infinite has it, and no finite kappa of either sign"
+REALIZED = function(flag, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k >= 0)))
 below, above = symbols("below above")
 WITH = (GCD, REALIZED, function(below, [p], flag(p, -1)), function(above, [p], flag(p, 1)))
-claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH, by=[example(m=4), instances(m=(3, 4))],
-      repair=repair("boundary case", FOUR + ": for kappa < -1 every period p >= 5", forall(p, 3, m, iff(below(p), p >= 5)), sizes=["m"], where=WITH, by=[evaluation(m=60), instances(m=(4, 6, 9))]),
-      note="Period p occurs for kappa < -1 when 1/kappa = cos(pi (p - 2q)/p) < 0 for a q prime to p, q < p/2. kappa is a real number here. The case kappa^2 infinite, which Theorem 3.7 admits, has no sign: 2/kappa = 0 is one hyperbola; "
-           "were it counted both as kappa < -1 and as kappa > 1, the print would be right. p <= 60.")
-EXCEPT = (function(hits, [p], (p != 4) & (p != 6)), function(far, [p], p != 6))
-claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[example(m=4), instances(m=(3, 4))],
-      repair=repair("boundary case", FOUR + ": for kappa > 1 every period p >= 3 except 4 and 6", forall(p, 3, m, iff(above(p), hits(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[evaluation(m=60), instances(m=(4, 6, 9))]),
-      note="As for kappa < -1. For every p the number q of Lemma 5.1 serves, with q/p > 1/4 strictly unless p = 4. p <= 60.")
-claim("BLM91-C3.8", "Corollary 3.8", forall(p, 3, m, iff(below(p), p >= 4) & iff(above(p), far(p))), sizes=["m"], where=[*WITH, *EXCEPT], by=[example(m=4), instances(m=(3, 4))],
-      repair=repair("boundary case", FOUR + "; density and the existence of every period hold, as claims of their own", forall(p, 3, m, iff(below(p), p >= 5) & iff(above(p), hits(p))), sizes=["m"], where=[*WITH, *EXCEPT],
-                    by=[evaluation(m=40), instances(m=(4, 6, 9))]), note="The explicit part of the corollary, p <= 40. On kappa infinite see C3.8.3.")
+INFINITE = ("kappa infinite, admitted by the theorem, belongs to both cases: both of its formulas give omega = pi/4 there, and (5.9), (5.10) have equality for it. It is the one hyperbola of period 4; "
+            "no finite kappa has that period.")
+claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH, by=[evaluation(m=60), instances(m=(4, 6, 9))],
+      note="Period p occurs when 1/kappa = cos(pi (p - 2q)/p) <= 0 for a q prime to p, q < p/2. " + INFINITE + " p <= 60; q = 1 serves for every p >= 4.")
+EXCEPT = function(far, [p], p != 6)
+claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, EXCEPT], by=[evaluation(m=60), instances(m=(4, 6, 9))],
+      note="As for kappa < -1, with 1/kappa >= 0. " + INFINITE + " p <= 60; for every p the number q of Lemma 5.1 serves.")
+there = sym("lambda_xy")
+ALL_FOUR = (*ORDER, *WITH, EXCEPT, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
+claim("BLM91-C3.8", "Corollary 3.8", (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u)) & forall(d, 3, m, iff(below(d), d >= 4) & iff(above(d), far(d))), sizes=["m"],
+      over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS],
+      by=[steps("BLM91-C3.8.3", "BLM91-C3.8.4", "BLM91-X.2", "BLM91-X.3", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, the q of X.12 for kappa > 1"),
+          instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2)],
+      note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, tried up to m, is C3.8.3 and C3.8.4.")
 
 # ---------------------------------------------------------------------- Corollaries 3.9 and 3.10
 INTERVAL = (let(lam, SOME), function(Ut, [t], when(t == 0, 1, when(t == 1, 2 * Z, 2 * Z * Ut(t - 1) - Ut(t - 2)))), let(hits, real_roots(Ut(31) - al0 * Ut(30), lam - rational("1/9"), lam + rational("1/9"))))

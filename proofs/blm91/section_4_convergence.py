@@ -19,8 +19,8 @@ from exactkf.evidence import combination, example, identity, induction, instance
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-p, y, Pi, Lam, Pm, f, pit, phi_, ended, nonneg_, back, many, gcd, d, nn, whole, near, inside = symbols(
-    "p y Pi Lambda P f pi_t phi ends phi_nonnegative back divides gcd d n_angle special near inside")
+p, y, Pi, Lam, Pm, f, pit, phi_, ended, back, many, gcd, d, nn, whole, near, inside = symbols(
+    "p y Pi Lambda P f pi_t phi ends back divides gcd d n_angle special near inside")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n)}
 
 
@@ -66,9 +66,9 @@ claim("BLM91-E4.7", "the scalar Riccati equation", always(t, Pi[t][1, 1] == pit[
 claim("BLM91-E4.8", "alpha_0 is the first coordinate of (2.33)", (q[0][1] == al0) & (al0 - ga0 == a[1]) & (qs[0][1] == ga0), over={a: vector(1), g: vector(1)},
       where=[let(n, 1), *stripped(g + a, g), let(ga0, g[1]), let(al0, a[1] + ga0)], by=[identity(), instances()], note="The display defines alpha_0; checked is that it is q_0 of the algorithm.")
 POPOV = (let(al0, a + ga0), let(az, Z + a), let(num, az * recip(az) + ga0 * recip(az) + ga0 * az))
-claim("BLM91-S43", "the parameters of stochastic systems", iff(inside, schur(az) & pos_on_circle(num)), over=SCALAR, where=[*POPOV, let(inside, abs(al0) + abs(ga0) < 1)],
+claim("BLM91-S43", "the parameters of stochastic systems", iff(abs(al0) + abs(ga0) < 1, schur(az) & pos_on_circle(num)), over=SCALAR, where=POPOV,
       by=[steps("BLM91-S26", facts=["a system (1.1) with positive real Phi_+ exists"], prose="the Popov condition is (1 - |alpha|)^2 > gamma^2, and |a| < 1 leaves the diamond"), instances(60),
-          instances(40, using={u: scalar(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}), example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="9/10", gamma0=0)],
+          instances(40, using={u: scalar(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}), example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="9/10", gamma0=0), example(a=1, gamma0=0), example(a="3/2", gamma0=-1), example(a=-1, gamma0=1)],
       note="Come from a stochastic system is read as in Section II: |a| < 1 and the Popov condition, here multiplied by |z + a|^2. The closed diamond without strictness would have degenerate systems too.")
 MAP = (let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
 KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
@@ -105,11 +105,11 @@ claim("BLM91-S45", "|kappa| < 1 is the sign definite region", iff(small_, strict
       note="The regions without their boundary lines, which are |kappa| = 1.")
 ENTER = (*ORBIT, LAMBDA, let(hitsN, sum_of(t, 0, 40, when(abs(al[t]) + abs(ga[t]) < 1, 1, 0))), let(inside, abs(al[41]) + abs(ga[41]) < 1))
 SHADED = [standing("|kappa| < 1", lam**2 > rational("21/20")), standing("no escape", defined(al[42]))]
-claim("BLM91-S46", "data of the shaded region come to the diamond and stay", (hitsN >= 1) & inside, over=POINT, where=ENTER, given=SHADED, by=[example(alpha0=2, gamma0=0), instances(12, **IN_II)],
-      repair=repair("boundary case", "the unstable equilibria (alpha, 0), |alpha| > 1, stay where they are, outside the diamond; they do not escape", (hitsN >= 1) & inside, over={al0: nonzero(), ga0: nonzero()}, where=ENTER, given=SHADED,
-                    by=[steps("BLM91-E5.1", "BLM91-X.1", prose="alpha_t tends to alpha_+ and gamma_t to 0 by T3.5.a.alt, and (alpha_+, 0) is inside the diamond, which is invariant by S27"),
-                        instances(10, **IN_II), instances(8, **IN_III), instances(8, **IN_IV), instances(6, **IN_I)]),
-      note="Tried within 40 steps for |kappa| bounded away from 1, inside: still there at step 41. For alpha_0 = 0 the origin is reached in one step.")
+claim("BLM91-S46", "data of the shaded region come to the diamond and stay", (hitsN >= 1) & inside, over={al0: nonzero(), ga0: nonzero()}, where=ENTER, given=SHADED,
+      by=[steps("BLM91-E5.1", "BLM91-X.1", prose="alpha_t tends to alpha_+ and gamma_t to 0 by T3.5.a.alt, and (alpha_+, 0) is inside the diamond, which is invariant by S27"),
+          instances(10, **IN_II), instances(8, **IN_III), instances(8, **IN_IV), instances(6, **IN_I)],
+      note="In the manner of Theorem 3.5, which sets the equilibria (gamma_0 = 0) apart: those with |alpha| > 1 stay where they are, outside the diamond, without escape. "
+           "Tried within 40 steps for |kappa| bounded away from 1, inside: still there at step 41. For alpha_0 = 0 the origin is reached in one step.")
 claim("BLM91-S47", "no convergence in the corridors", (ga[m] ** 2 == (al[m] - lam) ** 2 + (1 - lam**2)) & (1 > lam**2), sizes=["m"], over=POINT, where=[*ORBIT, LAMBDA], given=[given("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)],
       by=[steps("BLM91-E3.13", prose="gamma_t^2 is at least 1 - 1/kappa^2 > 0, so that no equilibrium (alpha, 0) is approached"), instances(30, m=(0, 1, 2, 3), using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})],
       note="m is the time.")
@@ -124,11 +124,11 @@ claim("BLM91-E4.13", "kappa from the point", kap == 2 * al0 / NORM, over={al0: s
 
 # ---------------------------------------------------------------------- Theorem 4.1
 UM = sym("U_before")
-ENDING = (*MAP, KAPPA, PHI, LAMBDA, CHEBYSHEV, function(UM, [t], when(t == 0, 0, Ut[t - 1])), let(ended, leaves(m, pit)), let(nonneg_, phi_(x) >= 0))
+ENDING = (*MAP, KAPPA, PHI, LAMBDA, CHEBYSHEV, function(UM, [t], when(t == 0, 0, Ut[t - 1])), let(ended, leaves(m, pit)))
 EDGE_X = {x: 1 - al0 * UM(m - 1) / Ut[m - 1]}
 A_STEP = standing("a step", m >= 1)
 KNOTE = "alpha_0 not 0; x is pi_0. The solution ends at step m: pi_(m-1) exists and is 1."
-claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> nonneg_, sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
+claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> (phi_(x) >= 0), sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
       by=[steps("BLM91-E5.4", "BLM91-E4.11", prose="phi(pi) = (1 - pi)^2 (alpha - alpha_+)(alpha - alpha_-), and slopes between alpha_+ and alpha_- stay between them"),
           instances(40, m=(1, 2, 3), made_by=EDGE_X), instances(30, m=(1, 2)), example(m=1, alpha0="1/2", gamma0=0, x="1/2")], note=KNOTE)
 claim("BLM91-T4.1.0b", "one value of pi_0 ends at each step", iff(ended, x == 1 - al0 * UM(m - 1) / Ut[m - 1]), sizes=["m"], over={**POINT, x: scalar()},
@@ -137,11 +137,13 @@ claim("BLM91-T4.1.0b", "one value of pi_0 ends at each step", iff(ended, x == 1 
           instances(40, m=(1, 2, 3, 4), made_by=EDGE_X), instances(30, m=(1, 2)), instances(20, m=(2, 3), made_by={x: 1})],
       note=KNOTE + " For alpha_0 = 0, |gamma_0| = 1, where kappa is not defined, every solution ends.")
 RICCATI = (*MAP, KAPPA, PHI)
-claim("BLM91-T4.1.1a", "convergence exactly for |kappa| <= 1", iff(whole, kap**2 <= 1) & (fx - x == phi_(x) / (1 - x)), over={**POINT, x: scalar()}, where=[*STEP_X, let(whole, phi_(1 - al0 / kap) <= 0)],
+GAP = ((al0 / (1 - pit[m]) - lam) ** 2 + (1 - lam**2)) * (1 - pit[m])
+claim("BLM91-T4.1.1a", "convergence exactly for |kappa| <= 1", iff(whole, kap**2 <= 1) & (pit[m + 1] - pit[m] == GAP), sizes=["m"], over={**POINT, x: scalar()}, where=[*RICCATI, LAMBDA, let(whole, phi_(1 - al0 / kap) <= 0)],
       by=[steps("BLM91-E4.11", "BLM91-E5.4", "BLM91-E5.1", "BLM91-X.2", facts=["a quadratic polynomial takes its least value at its vertex"],
-                prose="a limit is a fixed point or the pole, hence a real zero of phi; these exist for |kappa| <= 1 only, and then every solution that does not end converges (T4.1.1c); for |kappa| > 1 a solution is periodic with period at least 2 or dense"),
-          instances(60), example(alpha0="1/2", gamma0="1/2", x=0), example(alpha0=2, gamma0=2, x=0)],
-      note="alpha_0 not 0; for alpha_0 = 0, |gamma_0| not 1 the solution is gamma_0^2 after one step. special: phi has real zeros.")
+                prose="for |kappa| > 1, 1/kappa = lambda, the increment is at least (1 - lambda^2)|1 - pi_t| in modulus, and grows beyond all bounds where pi_t comes near 1: no convergence. "
+                      "For |kappa| <= 1 phi has real zeros, and every solution that does not end converges to one of them (T4.1.1c)"),
+          instances(60, m=(0, 1, 2)), example(m=1, alpha0="1/2", gamma0="1/2", x=0), example(m=1, alpha0=2, gamma0=2, x=0)],
+      note="alpha_0 not 0; for alpha_0 = 0, |gamma_0| not 1 the solution is gamma_0^2 after one step. special: phi has real zeros. m is the time.")
 FIXED = (KAPPA, PHI, function(f, [y], (al0 - ga0) ** 2 * y + (ga0 + (al0 - ga0) * y) ** 2 / (1 - y)))
 claim("BLM91-T4.1.1b", "the zeros of phi are fixed points", (f(LOW_) == LOW_) & (f(HIGH_) == HIGH_) & ((Z - LOW_) * (Z - HIGH_) == Z**2 - 2 * (1 - al0 / kap) * Z + ga0**2), over={**POINT, p: nonzero()}, where=FIXED, given=[ROOT],
       by=[identity(given_by=LINE, using={y: scalar()}, fact="lines through a point of a conic reach every other point of it"), instances(40, using={y: scalar()}, made_by=LINE)],
@@ -155,31 +157,30 @@ claim("BLM91-T4.1.1c", "the limit is the smaller zero of phi", RATE & near, **LI
                     by=[steps("BLM91-E5.4", "BLM91-E5.1", prose="the quotient of the distances has the factor p^2 at each step (for |p| = 1 use that 1/(alpha - p) moves by a constant); the zeros differ by alpha_0(1/p - p), which has the sign of alpha_0 kappa"),
                         instances(40, m=(1, 2, 3), **DRAW_PI), example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0), example(m=1, alpha0="1/2", gamma0="1/2", p=1, x=0), example(m=1, alpha0=-1, gamma0=2, p=1, x=0)]),
       note="p = alpha_+, near: 1 - alpha_0/p <= 1 - alpha_0 p. pi_m - (1 - alpha_0/p) is p^(2m) times a bounded factor; m is the time. (-7/10, -9/5) is in II, kappa = 4/5.")
-BACK = (*RICCATI, LAMBDA, MANY, function(back, [t], (4 * lam**2 == 1) & many(3, t) | (lam == 0) & many(2, t)))
-PERIODIC = forall(t, 1, 6, iff(pit[t] == x, back(t)))
-DRAW_RAT = [instances(40, using={k: integer(-1, 1), u: scalar(), y: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: y}), instances(40)]
+#: a point of the hyperbola of a fraction, and the values of the Riccati equation from x
+ON_FRACTION = (AS_FRACTION, let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
+ANY_FRACTION = {top: integer(-13, 13), low: integer(1, 12), u: scalar(), x: scalar()}
+BACK = (*ON_FRACTION, MANY, function(back, [t], (4 * lam**2 == 1) & many(3, t) | (lam == 0) & many(2, t)))
 REST = given("not an equilibrium", x**2 - (1 - al0**2 + ga0**2) * x + ga0**2 != 0)
-claim("BLM91-T4.1.2a", "periodic exactly for rational angles", PERIODIC, over={**POINT, x: scalar()}, where=BACK, by=[example(alpha0="1/2", gamma0=0, x=0), *DRAW_RAT],
-      repair=repair("boundary case", "for |kappa| <= 1 the equilibria p_+ and p_- are periodic too, with period 1: (1/2, 0) with pi_0 = 0 has kappa = 4/5", PERIODIC, over={**POINT, x: scalar()}, where=BACK, given=[REST],
-                    by=[steps("BLM91-E5.4", "BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
-                              prose="alpha_t = alpha_0 says (w^t - w^(-t)) phi = 0, w + 1/w = -2/kappa; w^(2t) = 1 means that theta is a rational multiple of pi"),
-                        *DRAW_RAT, example(alpha0="1/2", gamma0=0, x=0)]),
-      note="On rational data, where the rational angles with |kappa| > 1 are those with 1/kappa = 1/2, -1/2 (period 3) and 0 (period 2): back(t). alpha_0 not 0.")
-BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
+claim("BLM91-T4.1.2a", "periodic exactly for rational angles", forall(t, 1, 6, iff(pit[t] == x, back(t))), over=ANY_FRACTION, where=BACK, given=[REST, standing("alpha_0 not 0", al0 != 0)],
+      by=[steps("BLM91-E5.4", "BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+                prose="alpha_t = alpha_0 says (w^t - w^(-t)) phi = 0, w + 1/w = -2/kappa; w^(2t) = 1 means that theta is a rational multiple of pi"),
+          instances(40), *(example(numerator=k_, denominator=2, u=u_, x=y_) for k_ in (1, 0, -1) for u_ in (2, "1/3") for y_ in (0, 3)), example(numerator=5, denominator=4, u="-1/2", x=0)],
+      note="1/kappa is any fraction with terms up to 13; among those with |kappa| > 1 the rational angles are 1/kappa = 1/2, -1/2 (period 3) and 0 (period 2): back(t). u runs through the points of the hyperbola. "
+           "The equilibria of part 1), which would have period 1, are not counted as periodic. alpha_0 not 0.")
+BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1), standing("the solution exists", defined(pit[d]))]
-claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), x: integer(2, 3)}, where=BY_ANGLE, given=LOW,
+claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), u: integer(2, 3), x: scalar()}, where=BY_ANGLE, given=LOW,
       by=[steps("BLM91-E5.4", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
-          instances(8), example(d=2, n_angle=1, x=2), example(d=3, n_angle=1, x=3), example(d=5, n_angle=2, x=2)],
+          instances(8), example(d=2, n_angle=1, u=2, x=2), example(d=3, n_angle=1, u=3, x=3), example(d=5, n_angle=2, u=2, x=2)],
       note="1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. (4.7) is run in the number field.")
-HITS = let(hitsN, sum_of(t, 1, 60, when(abs(pit[t]) > 3, 1, 0)))
-claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & (hitsN >= 1), over={**POINT, x: scalar()}, where=[*RICCATI, LAMBDA, HITS, let(whole, forall(t, 1, 8, pit[t] != x))],
-      given=[standing("|kappa| > 1", abs(lam) < rational("9/10")), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
+claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & (hitsN >= 1), over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar()},
+      where=[*ON_FRACTION, let(hitsN, sum_of(t, 1, 60, when(abs(pit[t]) > 3, 1, 0))), let(whole, forall(t, 1, 8, pit[t] != x))],
+      given=[given("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("alpha_0 not 0", al0 != 0)],
       by=[steps("BLM91-E5.4", "BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the lines turn by an irrational angle in a suitable basis, so that they are dense; otherwise a solution converges (T4.1.1) or is periodic (T4.1.2), and then is not dense"),
-          instances(30, using={k: integer(1, 4), u: scalar(), y: scalar()},
-                    made_by={al0: 2 * (when(k == 1, rational("3/5"), when(k == 2, rational("-1/3"), when(k == 3, rational("2/5"), rational("-4/5")))) + u) / (1 - u**2), ga0: 1 + u * al0, x: y}),
-          example(alpha0=2, gamma0=2, x=0) , example(alpha0=3, gamma0=3, x=2)],
-      note="On rational data with irrational angle: no return within 8 steps and a visit to |pi| > 3 within 60.")
+          instances(30), example(numerator=3, denominator=12, u=2, x=0), example(numerator=0, denominator=11, u=2, x=0), example(numerator=6, denominator=12, u=3, x=2)],
+      note="1/kappa is a fraction with |kappa| > 1, whose angle is irrational but for 0, 1/2, -1/2; u runs through the points of the hyperbola. No return within 8 steps and a visit to |pi| > 3 within 60.")
 GRID = (function(pit, [i, j, t], when(t == 0, x, ((i**2 - j**2) * pit(i, j, t - 1) + j**2) / (1 - pit(i, j, t - 1)))), let(hitsN, sum_of(i, 2, 4, sum_of(j, 1, 4, when(defined(pit(i, j, 3)), 1, 0)))))
 claim("BLM91-T4.1.4", "for each pi_0 few parameters escape", hitsN >= 6, over={x: scalar()}, where=GRID, by=[example(x=1), instances()],
       repair=repair("boundary case", "pi_0 = 1 is the pole of every equation, so that all parameters escape; for pi_0 not 1 the statement is right", hitsN >= 6, over={x: scalar()}, where=GRID, given=[given("not the pole", x != 1)],
@@ -191,18 +192,16 @@ claim("BLM91-T4.1.5", "every period d >= 2 for infinitely many parameters", fora
       by=[steps("BLM91-E5.4", "BLM91-X.2", "BLM91-X.3", prose="1/kappa = cos(pi/d) serves for every d, and u runs through infinitely many points of its hyperbola"), instances(16), example(d=2, u=2, x=2), example(d=4, u=3, x=2)],
       note="u is the slope of the line from (0, 1) to the point.")
 claim("BLM91-T4.1", "Theorem 4.1", RATE & near, **LIMIT, by=[example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0), instances(m=(1, 2), **DRAW_PI)],
-      repair=repair("missing hypothesis", "the limit is the smaller zero of phi only for 1 + alpha_0^2 > gamma_0^2; equilibria are periodic with period 1 for |kappa| <= 1; pi_0 = 1 is the pole of every equation; the other parts hold, each is a claim of its own",
+      repair=repair("missing hypothesis", "T4.1.1c fails: the limit is the smaller zero of phi only for 1 + alpha_0^2 > gamma_0^2; T4.1.4 fails: pi_0 = 1 is the pole of every equation; the other parts hold",
                     RATE & near, sizes=["m"], over=LIMIT["over"], where=LIMIT["where"], given=[*LIMIT["given"], given("I, III or IV", inside)],
                     by=[steps("BLM91-E5.4", "BLM91-E5.1", prose="parts by the claims T4.1.0a to T4.1.5"), instances(40, m=(1, 2, 3), **DRAW_PI), example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0)]),
       note="The conjunction of the parts, represented by the limit.")
 pd_, dd_ = symbols("p_point d_riccati")
 PERIODS = (*ORBIT, MANY, let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])),
            function(pd_, [k], when((al[k] == al0) & (ga[k] == ga0), k, pd_(k + 1))), let(dd_, when(exists(k, 1, 3, 2 * k == pd_(1)), pd_(1) / 2, pd_(1))))
-RETURN = given("periodic", exists(k, 1, 6, (al[k] == al0) & (ga[k] == ga0)))
-SAYS42 = forall(t, 1, 6, iff(pit[t] == x, exists(k, 1, 6, k * dd_ == t)))
-claim("BLM91-C4.2", "periods of the Riccati equation", SAYS42, over={**POINT, x: scalar()}, where=PERIODS, given=[RETURN], by=[example(alpha0="1/2", gamma0=0, x="1/3"), instances()],
-      repair=repair("missing hypothesis", "an equilibrium (alpha_0, 0) is periodic with p = 1, but its Riccati equation has other solutions, which converge; the statement needs p > 1, that is |kappa| > 1",
-                    SAYS42, over={**POINT, x: scalar()}, where=PERIODS, given=[("periodic", RETURN[1], "standing"), given("not an equilibrium", ga0 != 0)],
-                    by=[steps("BLM91-E5.4", "BLM91-X.1", "BLM91-X.2", prose="p is the order of w and d that of w^2, w + 1/w = -2/kappa"),
-                        instances(40, using={k: integer(-1, 1), u: scalar(), y: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: y}), example(alpha0="1/2", gamma0=0, x="1/3")]),
-      note="p_point is the period of the point, d_riccati = p or p/2; on rational data, where p is 3, 4 or 6. All p: the period of alpha is d by S87 and pi = 1 - alpha_0/alpha.")
+RETURN = [standing("periodic", exists(k, 1, 6, (al[k] == al0) & (ga[k] == ga0))), given("not an equilibrium", ga0 != 0)]
+claim("BLM91-C4.2", "periods of the Riccati equation", forall(t, 1, 6, iff(pit[t] == x, exists(k, 1, 6, k * dd_ == t))), over={**POINT, x: scalar()}, where=PERIODS, given=RETURN,
+      by=[steps("BLM91-E5.4", "BLM91-X.1", "BLM91-X.2", prose="p is the order of w and d that of w^2, w + 1/w = -2/kappa"),
+          instances(40, using={k: integer(-1, 1), u: scalar(), y: scalar()}, made_by={al0: (k + 2 * u) / (1 - u**2), ga0: 1 + u * al0, x: y}), example(alpha0="1/2", gamma0=0, x="1/3")],
+      note="p_point is the period of the point, d_riccati = p or p/2; on rational data, where p is 3, 4 or 6. All p: the period of alpha is d by S87 and pi = 1 - alpha_0/alpha. Periodic points are those of Theorem 3.7, so that an "
+           "equilibrium (alpha_0, 0) is not among them; other solutions of its Riccati equation converge.")

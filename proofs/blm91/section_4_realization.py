@@ -18,8 +18,8 @@ from exactkf.evidence import combination, example, identity, induction, instance
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-pit, phi_, y, p, b1, b2, root, Qn, Sn, Rn, noise, A, A1, B, err, okay, inside, first, sec, bal, bga, rest, there, cited, defining, fx, gx, mob, same, whole, infinite, v = symbols(
-    "pi_t phi_0 y p b_1 b_2 root Q S R noise A A1 B p_t admissible inside alpha_bar gamma_bar alpha_next gamma_next at_rest there cited defining f_x g_x mobius same multiple infinite v")
+pit, phi_, y, p, b1, b2, root, Qn, Sn, Rn, noise, A, A1, B, err, okay, inside, first, sec, bal, bga, rest, there, fx, gx, mob, same, whole, infinite, v = symbols(
+    "pi_t phi_0 y p b_1 b_2 root Q S R noise A A1 B p_t admissible inside alpha_bar gamma_bar alpha_next gamma_next at_rest there f_x g_x mobius same multiple infinite v")
 POINT = {al0: nonzero(), ga0: scalar()}
 MAP = (let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
 PHI = let(phi_, x**2 - (1 - al0**2 + ga0**2) * x + ga0**2)
@@ -79,13 +79,14 @@ claim("BLM91-E4.19", "the increment for phi >= 0", pit[m + 1] - pit[m] == (1 - p
       by=[steps("BLM91-E4.11", "BLM91-E4.15", "BLM91-E5.4", prose="phi(pi_t) = (1 - pi_t)^2 (alpha_t^2 - 2 lambda alpha_t + 1) = (1 - pi_t)^2 gamma_t^2"), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-S49", "the increment for phi <= 0", pit[m + 1] - pit[m] == -((1 - pit[m]) * ga[m] ** 2), sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(-1)], given=[ROOT_MINUS],
       by=[steps("BLM91-E4.11", "BLM91-E4.18", "BLM91-E5.4", prose="as for (4.19), with i gamma for gamma"), *BY_MINUS], note=GIVEN_NOTE)
-NUMBERS = (let(cited, 2), let(defining, 3))
-SQUARES = 1 + x**2 + y**2 - 2 * lam * x == (x - lam) ** 2 + y**2 + (1 - lam**2)
-claim("BLM91-F5", "the two families of curves", SQUARES & iff(there, whole) & (cited == defining), over={lam: scalar(), x: scalar(), y: scalar()}, where=[let(there, 1 - lam**2 <= 0), let(whole, abs(lam) >= 1), *NUMBERS],
-      by=[example({"lambda": 1, "x": 0, "y": 0}), instances()],
-      repair=repair("cross-reference", "the curves are those of Corollary 4.3, not 4.2", SQUARES & iff(there, whole), over={lam: scalar(), x: scalar(), y: scalar()}, where=[let(there, 1 - lam**2 <= 0), let(whole, abs(lam) >= 1)],
-                    by=[steps("BLM91-E4.18", prose="(4.18) is a circle around (1/kappa, 0) with the squared radius 1/kappa^2 - 1: none for |kappa| > 1"), instances(), example({"lambda": 1, "x": 0, "y": 0}), example({"lambda": -1, "x": 0, "y": 0})]),
-      note="lambda = 1/kappa, (x, y) a point; (4.18) in the form of a circle. The last conjunct compares the number of the corollary named with that meant.")
+UP, RIGHT = (w + 1 / w) / 2, (w - 1 / w) / 2
+SQUARES = fx + y**2 == (x - lam) ** 2 + y**2 + (1 - lam**2)
+claim("BLM91-F5", "the two families of curves", SQUARES & (1 + UP**2 + RIGHT**2 == 2 * UP * UP) & ((abs(lam) < 1) >> (fx > 0)),
+      over={lam: scalar(), x: scalar(), y: scalar(), w: nonzero()}, where=[let(fx, 1 + x**2 - 2 * lam * x)],
+      by=[steps("BLM91-E4.18", facts=["a sum of squares is not negative", "w + 1/w takes every real value of modulus at least 2"],
+                prose="(4.18) is a circle around (1/kappa, 0) with the squared radius 1/kappa^2 - 1: none for |kappa| > 1, and for 1/kappa = (w + 1/w)/2 it has the point above its centre; (4.15) has two points over every x for |kappa| > 1"),
+          instances(60), example({"lambda": 1, "x": 0, "y": 0, "w": 1}), example({"lambda": 3, "x": 3, "y": 1, "w": 2}), example({"lambda": -3, "x": -3, "y": 1, "w": 2}), example({"lambda": "9/10", "x": "9/10", "y": 0, "w": 2})],
+      note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f_x, (4.18) is y^2 = -f_x. The print names the curves after Corollary 4.2; they are those of Corollary 4.3.")
 
 # ---------------------------------------------------------------------- Remark 4.4
 NOISE = (let(a, al0 - ga0), let(Qn, (1 - a**2) * x), let(Sn, ga0 + a * x), let(Rn, 1 - x))
@@ -164,11 +165,9 @@ claim("BLM91-R4.6.1", "continuous time: escape whenever the positive real condit
                     by=[steps("BLM91-R3.11.1", facts=["the solution of d alpha/dt = H - alpha^2 is y'/y with y'' = H y, y(0) = 1, y'(0) = alpha_0"], prose="as in Remark 3.11"), instances(), example(alpha0=-1, gamma0=1)]),
       note="As for Remark 3.11: a solution at rest does not escape. there: the solution y'/y of d alpha/dt = H - alpha^2, H = alpha_0^2 - gamma_0^2, has a pole at a positive time, that is H < 0 or alpha_0 < -sqrt(H).")
 CROSS = (x > 0) & (fx < 0) & (fx * (2 * lam - x) == 1)
-claim("BLM91-R4.6.2", "crossing the infinite line", CROSS & (cited == defining), over={lam: positive(), x: scalar()}, where=[let(fx, 1 / (2 * lam - x)), let(cited, 4), let(defining, 5)], given=[given("beyond the pole", x > 2 * lam)],
-      by=[example({"lambda": 1, "x": 3}), instances(using={u: positive()}, made_by={x: 2 * lam + u})],
-      repair=repair("cross-reference", "the state-costate representations are discussed in Remark 4.5", CROSS, over={lam: positive(), x: scalar()}, where=[let(fx, 1 / (2 * lam - x))], given=[given("beyond the pole", x > 2 * lam)],
-                    by=[steps("BLM91-E5.1'", facts=["intermediate value theorem"], prose="exp(At)l moves continuously, A^n l jumps"), instances(using={u: positive()}, made_by={x: 2 * lam + u}), example({"lambda": 1, "x": 1})]),
-      note="In discrete time a slope beyond 2/kappa goes from positive to negative without being infinite. The last conjunct compares the number of the remark named with that meant.")
+claim("BLM91-R4.6.2", "crossing the infinite line", CROSS, over={lam: positive(), x: scalar()}, where=[let(fx, 1 / (2 * lam - x))], given=[given("beyond the pole", x > 2 * lam)],
+      by=[steps("BLM91-E5.1'", facts=["intermediate value theorem"], prose="exp(At)l moves continuously, A^n l jumps"), instances(using={u: positive()}, made_by={x: 2 * lam + u}), example({"lambda": 1, "x": 1})],
+      note="In discrete time a slope beyond 2/kappa goes from positive to negative without being infinite. The state-costate representations are those of Remark 4.5; the print names Remark 4.4.")
 
 # ---------------------------------------------------------------------- the error covariance
 F1 = (let(n, 1), let(F, rows([[-a]])), let(h, Identity(1)))

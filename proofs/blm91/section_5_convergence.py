@@ -21,7 +21,7 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, generic_index, identity, induction, instances, lemma, steps
+from exactkf.evidence import combination, example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -52,7 +52,7 @@ claim("BLM91-S54", "positive real data: q*_t tends to zero, Q_t and its limit ar
            "that source contains it is not judged. m is the time t.")
 claim("BLM91-S55", "only first components: the scalar algorithm",
       always(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1)), sizes=["n"], over={al0: scalar(), ga0: scalar()},
-      where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], by=[generic_index(lemma(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1), rule=True)), instances(n=(1, 2, 3))])
+      where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
 
 # ---------------------------------------------------------------------- kappa infinite
 INFINITE = (let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT)
@@ -77,18 +77,21 @@ claim("BLM91-F6", "real characteristic roots for kappa^2 < 1",
       by=[steps(facts=["Vieta's formulas"], prose="the roots are (1 +- sqrt(1 - kappa^2))/kappa, with sum 2/kappa and product 1; their difference has the sign of kappa"),
           instances(40, using={u: nonzero()}, made_by={kap: 2 * SHARE / (1 + SHARE**2)}), example(kappa=1)],
       note="The order of lambda_+ and lambda_- for negative kappa is the reverse of that for positive kappa: this is how 'interchanged' is read. On instances the square root is rational.")
-cir, dm, dn, pit, flag, fq = symbols("on_circle d_m d_n pi_t region f_kappa")
+cir, dm, dn, pit, flag = symbols("on_circle d_m d_n pi_t region")
 claim("BLM91-E5.2a", "roots on the unit circle for |kappa| > 1",
       (charpoly(A) == Z**2 - 2 * (1 / kap) * Z + 1) & iff(kap**2 > 1, cir == 2), over={kap: nonzero()}, where=[A_KAPPA, let(cir, circle_roots(charpoly(A)) - real_roots(charpoly(A), -3, 3))],
       by=[steps(facts=["z^2 - 2 cos(theta) z + 1 has the zeros exp(i theta) and exp(-i theta)"], prose="1/kappa = cos(theta_kappa) for the theta_kappa of (5.2b), in (0, pi)"),
           instances(40), example(kappa=1), example(kappa=-1), example(kappa="101/100"), example(kappa="-101/100")],
       note="Two zeros on the circle and none of them real: exactly for kappa^2 > 1. cos(theta_kappa) = 1/kappa is (5.2b).")
+cs, sn, tn = symbols("cos sin tan")
 claim("BLM91-E5.2b", "the angle of the roots",
-      (2 * fq < p) & (cospi(fq, p) == abs(1 / kap)) & iff(kap > 1, fq == j) & iff(kap < -1, fq == p - j), sizes=["p"], over={j: integer(1, 15)},
-      where=[let(kap, 1 / cospi(j, p)), let(fq, when(kap > 1, j, p - j))], given=[standing("angle", j < p), standing("kappa finite", 2 * j != p)],
-      by=[evaluation(p=range(3, 17)), instances(12, p=range(3, 9))],
-      note="theta_kappa is pi j/p with cos(theta_kappa) = 1/kappa, and f pi/p is arctan sqrt(kappa^2 - 1), the angle in (0, pi/2) with cosine 1/|kappa|: f = j for "
-           "kappa > 1, f = p - j for kappa < -1. All angles with p <= 16.")
+      (charpoly(A) == (Z - cs) ** 2 + sn**2) & (cs**2 + sn**2 == 1) & (tn**2 == kap**2 - 1) & (kap * tn > 0) & (sn > 0), over={y: positive()},
+      where=[let(cs, (1 - y**2) / (1 + y**2)), let(sn, 2 * y / (1 + y**2)), let(kap, 1 / cs), let(tn, sn / cs), A_KAPPA],
+      by=[steps(facts=["an angle in (0, pi) is determined by its cosine", "tan and arctan are inverse on (-pi/2, pi/2)"],
+                prose="cos(theta) = 1/kappa with 0 < theta < pi, and y = tan(theta/2) runs over the positive numbers, 1 (kappa infinite) left out; tan(theta) is sqrt(kappa^2 - 1) for kappa > 1 and its negative for kappa < -1, "
+                      "so that theta is arctan sqrt(kappa^2 - 1) in the first case and pi less than that in the second"),
+          instances(60), example(y="1/2"), example(y=2), example(y="99/100")],
+      note="cos, sin, tan of theta_kappa, by y = tan(theta_kappa/2) > 0: every kappa with |kappa| > 1. The roots of A are cos +- i sin.")
 
 # ---------------------------------------------------------------------- proof of Theorem 3.5, 0 < kappa < 1
 EIGEN = (*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]])), rec(V, t, bp * vp + bm * vm, A * V[t]), rec(Lp, t, 1, 1 / p * Lp[t]), rec(Lm, t, 1, p * Lm[t]),

@@ -72,15 +72,15 @@ claim("BLM91-S71", "powers of A in complex eigenvectors", always(t, V[t] == bp *
            "vector has conjugate coefficients.")
 many = sym("divides")
 TURNS = (rec(cs, t, 1, lam * cs[t] - (1 - lam**2) * sn[t]), rec(sn, t, 0, cs[t] + lam * sn[t]))
-SPECIAL = let(whole, exists(k, -2, 2, 2 * lam == k))
+FRACTIONS = {top: integer(-13, 13), low: integer(1, 13)}
 claim("BLM91-S72", "finite and dense orbits on the circle",
-      forall(t, 1, 12, iff(cs[t] == 1, back(t))) & near, over={lam: scalar()},
-      where=[*TURNS, MANY, function(back, [t], (lam == 1) | (lam == -1) & many(2, t) | (2 * lam == -1) & many(3, t) | (lam == 0) & many(4, t) | (2 * lam == 1) & many(6, t)), let(near, exists(t, 1, 30, cs[t] > rational("97/100")))],
+      forall(t, 1, 12, iff(cs[t] == 1, back(t))) & near, over=FRACTIONS,
+      where=[AS_FRACTION, *TURNS, MANY, function(back, [t], (lam == 1) | (lam == -1) & many(2, t) | (2 * lam == -1) & many(3, t) | (lam == 0) & many(4, t) | (2 * lam == 1) & many(6, t)), let(near, exists(t, 1, 30, cs[t] > rational("97/100")))],
       given=[standing("a cosine", abs(lam) <= 1)],
       by=[steps("BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle", "a rational zero of a monic polynomial with integer coefficients is an integer"],
-                prose="for theta = 2 pi q/p the powers are the p-th roots of unity"), instances(60, using={u: scalar()}, made_by={lam: u / (1 + abs(u))}),
-          example(**{"lambda": 1}), example(**{"lambda": -1}), example(**{"lambda": "1/2"}), example(**{"lambda": "-1/2"}), example(**{"lambda": 0}), example(**{"lambda": "3/5"}), example(**{"lambda": 2}), example(**{"lambda": "5/4"})],
-      note="On rational lambda = cos(theta): a return within 12 steps exactly for lambda = 1, -1, -1/2, 0, 1/2 (all rational angles with rational cosine) after 1, 2, 3, 4, 6 steps, and in every case a near return within 30 steps, "
+                prose="for theta = 2 pi q/p the powers are the p-th roots of unity"), instances(60),
+          *(example(numerator=k_, denominator=d_) for k_, d_ in ((1, 1), (-1, 1), (1, 2), (-1, 2), (0, 1), (3, 5)))],
+      note="On fractions lambda = cos(theta) with terms up to 13: a return within 12 steps exactly for lambda = 1, -1, -1/2, 0, 1/2 (all rational angles with rational cosine) after 1, 2, 3, 4, 6 steps, and in every case a near return within 30 steps, "
            "cos(t theta) > 97/100. cos and sin/sin(theta) of t theta by recursion.")
 HALF = (let(lam, (1 - y**2) / (1 + y**2)), A_LAMBDA, let(Rot, rows([[lam, -2 * y / (1 + y**2)], [2 * y / (1 + y**2), lam]])), let(v, rows([[bp], [bm]])))
 claim("BLM91-S73", "A turns lines by theta", det(hstack(A**m * v, Rot**m * v)) == 0, sizes=["m"], over={y: nonzero(), bp: scalar(), bm: scalar()}, where=HALF,
@@ -91,23 +91,18 @@ claim("BLM91-S73", "A turns lines by theta", det(hstack(A**m * v, Rot**m * v)) =
                     by=[induction(cofactors=[[(A, 0, 1)]]), instances()]),
       note="cos(theta) = (1 - y^2)/(1 + y^2), sin(theta) = 2y/(1 + y^2). The print says that A^t takes the line through exp(i theta_v) to the line through exp(i(t theta + theta_v)).")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
-ref, place = symbols("cited defining")
-claim("BLM91-S74", "slopes: periodic or dense, with theta of (5.3)", iff(back, whole) & (ref == place), over={lam: scalar(), x: scalar()},
-      where=[SLOPES, SPECIAL, let(back, exists(t, 1, 6, be[t] == x)), let(ref, 3), let(place, 2)], given=[standing("|kappa| > 1", abs(lam) < 1)],
-      by=[example({"lambda": "1/2", "x": 3}), instances(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y})],
-      repair=repair("cross-reference", "theta_kappa is defined in (5.2b); (5.3) is a formula for escaping slopes", forall(t, 1, 6, iff(be[t] == x, back(t))), over={lam: scalar(), x: scalar()},
-             where=[SLOPES, function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))], given=[standing("|kappa| > 1", abs(lam) < 1)],
-             by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="a line is turned by theta in a suitable basis; it is back when t theta is a multiple of pi"),
-                 instances(40, using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), instances(30, using={k: integer(-1, 1), y: scalar()}, made_by={lam: k * rational("1/2"), x: y})]),
-      note="On rational 1/kappa, where the rational angles are those with 1/kappa = 0, 1/2, -1/2; the last conjunct compares the number of the display cited with that of the display that defines theta_kappa.")
+claim("BLM91-S74", "slopes: periodic or dense, by theta", forall(t, 1, 6, iff(be[t] == x, back(t))), over={**FRACTIONS, x: scalar()},
+      where=[AS_FRACTION, SLOPES, function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))], given=[standing("|kappa| > 1", abs(lam) < 1)],
+      by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="a line is turned by theta in a suitable basis; it is back when t theta is a multiple of pi"),
+          instances(40), *(example(numerator=k_, denominator=2, x=x_) for k_ in (1, 0, -1) for x_ in (3, "-2/5"))],
+      note="On fractions 1/kappa with terms up to 13, where the rational angles are those with 1/kappa = 0, 1/2, -1/2. theta is that of (5.2b); the print names (5.3).")
 ANGLE = {nn: integer(1, 23)}
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[t]), function(back, [t], Pw[t] == Pw[t][1, 1] * Identity(2)))
-claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), sizes=["d"], over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
-      by=[example(d=3, n_angle=1, p=2), instances(d=range(2, 9))],
-      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
-                    by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
-      note="theta = n pi/d, d >= 2. p is not defined where it stands, and is read as any natural number. A^k l = l for all l means that A^k is a multiple of the identity. Evaluated for all angles with d <= 24, every d >= 2 among them.")
+claim("BLM91-S75", "when every line is back", forall(k, 1, 2 * d, iff(back(k), (k == d) | (k == 2 * d))), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
+      by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)],
+      note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity: first for k = d. The exponent p of the print, not defined where it stands, is read as the period of Theorem 3.7, which is d or 2d, "
+           "or as d; both serve, as k = 1, .., 2d shows. Evaluated for all angles with d <= 24, every d >= 2 among them.")
 claim("BLM91-S76", "no real zeros of phi for |kappa| > 1", phi_ > 0, over={**POINT, kap: scalar(), x: scalar()}, where=[PHI], given=[given("kappa", kap * (1 + al0**2 - ga0**2) == 2 * al0), given("|kappa| > 1", kap**2 > 1)],
       by=[steps(facts=["a quadratic polynomial with negative discriminant has no real zero"], prose="the discriminant is 4 alpha_0^2 (1/kappa^2 - 1)"),
           instances(60, using={u: scalar(), y: scalar(), s1: nonzero()}, made_by={kap: s1 + SIGN, x: u, al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * al0}),

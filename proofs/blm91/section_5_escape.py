@@ -17,28 +17,27 @@ ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
 ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
 FINITE = [standing("|kappa| > 1", abs(lam) < 1)]
-DRAW_L = dict(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y})
 
 # ---------------------------------------------------------------------- escaping slopes
-ENDS = (A_LAMBDA, let(v, A**(-m) * rows([[0], [1]])), SLOPES, let(flag, leaves(m, be)))
+ENDS = (AS_FRACTION, A_LAMBDA, let(v, A**(-m) * rows([[0], [1]])), SLOPES, let(flag, leaves(m, be)))
+FRACTIONS = {top: integer(-12, 12), low: integer(1, 13)}
 IRRATIONAL = [standing("|kappa| > 1", abs(lam) < 1), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("a step", m >= 1)]
 ALPHA_M = (A**(-m) * rows([[0], [1]]))[2, 1] / (A**(-m) * rows([[0], [1]]))[1, 1]
 BEFORE = (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]
-claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1]), sizes=["m"], over={lam: scalar(), x: scalar()}, where=ENDS, given=IRRATIONAL,
-      by=[example(**{"m": 1, "lambda": "1/3", "x": 1}), instances(m=(1, 2), **DRAW_L)],
-      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x == al1), sizes=["m"], over={lam: scalar(), x: scalar()},
+claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1]), sizes=["m"], over={**FRACTIONS, x: scalar()}, where=ENDS, given=IRRATIONAL,
+      by=[example(m=1, numerator=1, denominator=3, x=1), instances(m=(1, 2))],
+      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x == al1), sizes=["m"], over={**FRACTIONS, x: scalar()},
                     where=[*ENDS, let(al1, v[2, 1] / v[1, 1])], given=IRRATIONAL,
                     by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'"),
-                        instances(20, m=(1, 2, 3, 4), using={u: scalar()}, made_by={lam: u / (1 + abs(u)), x: ALPHA_M}), instances(20, m=(2, 3, 4), using={u: scalar()}, made_by={lam: u / (1 + abs(u)), x: BEFORE}),
-                        instances(20, m=(1, 2, 3), **DRAW_L)]),
-      note="On rational 1/kappa = lambda; the angle is irrational unless lambda is 0, 1/2, -1/2.")
+                        instances(20, m=(1, 2, 3, 4), made_by={x: ALPHA_M}), instances(20, m=(2, 3, 4), made_by={x: BEFORE}), instances(20, m=(1, 2, 3))]),
+      note="On fractions 1/kappa = lambda with terms up to 13; the angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
 claim("BLM91-S77", "the escaping slopes are countably many, all different",
-      forall(i, 1, m, forall(j, 1, m, iff(Ut[i] * Ut[j - 1] == Ut[j] * Ut[i - 1], i == j))), sizes=["m"], over={lam: scalar()}, where=[CHEBYSHEV],
+      forall(i, 1, m, forall(j, 1, m, iff(Ut[i] * Ut[j - 1] == Ut[j] * Ut[i - 1], i == j))), sizes=["m"], over=FRACTIONS, where=[AS_FRACTION, CHEBYSHEV],
       given=[standing("|kappa| > 1", abs(lam) < 1), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
       by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="U_i/U_(i-1) is the slope of the line that A^i takes to infinity: one line turned by -i theta, i = 1, 2, .. , in a suitable basis; each slope belongs to two points of the hyperbola"),
-          instances(20, m=(2, 3, 5, 8), using={u: scalar()}, made_by={lam: u / (1 + abs(u))}), example(**{"m": 5, "lambda": "1/2"})],
-      note="alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
+          instances(20, m=(2, 3, 5, 8)), example(m=5, numerator=1, denominator=2)],
+      note="On fractions 1/kappa with terms up to 13. alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
 claim("BLM91-S78", "escape times for a rational angle",
       forall(i, 1, d - 1, defined(be(i, i - 1)) & ~defined(be(i, i))) & forall(i, 1, d, iff(Ut[i - 1] == 0, flag(i))), sizes=["d"], over={nn: integer(1, 11)},
       where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d)],
@@ -73,29 +72,28 @@ claim("BLM91-S81", "complex eigenvalues", iff(back, found) & iff(whole, found) &
       note="The print names (5.5), which is about the matrix of the Riccati equation, similar to A; the root locus before it is that of (5.8). The statement is right for both, and both are checked.")
 AMAP = rec(av, t, x, (av[t] - 1) / (av[t] - 2 * lam + 1))
 claim("BLM91-S82", "in the coordinate a: all periodic or all dense",
-      forall(t, 1, 12, iff(av[t] == x, back(t))), over={lam: scalar(), x: scalar()},
-      where=[AMAP, MANY, function(back, [t], (2 * lam == 1) & many(3, t) | (lam == 0) & many(4, t) | (2 * lam == -1) & many(6, t))], given=[standing("|kappa| > 1", abs(lam) < 1)],
+      forall(t, 1, 12, iff(av[t] == x, back(t))), over={**FRACTIONS, x: scalar()},
+      where=[AS_FRACTION, AMAP, MANY, function(back, [t], (2 * lam == 1) & many(3, t) | (lam == 0) & many(4, t) | (2 * lam == -1) & many(6, t))], given=[standing("|kappa| > 1", abs(lam) < 1)],
       by=[steps("BLM91-E5.8", "BLM91-X.1", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the eigenvalues of A_1 are not real, so that its powers turn lines by multiples of one angle in a suitable basis, the same for every point"),
-          instances(40, **DRAW_L), instances(40, using={k: integer(-1, 1), y: scalar()}, made_by={lam: k * rational("1/2"), x: y})],
-      note="Orbits that end are left aside. On rational lambda: a return within 12 steps only for lambda = 1/2, 0, -1/2, and there after 3, 4, 6 steps from every point.")
-claim("BLM91-S83", "the hyperbola and the a-axis", defined(mate) & (1 + x * mate == lam * (x + mate)), over={lam: scalar(), x: scalar()}, where=[let(mate, (lam * x - 1) / (x - lam))], given=FINITE,
-      by=[example({"lambda": "1/2", "x": "1/2"}), instances(**DRAW_L)],
-      repair=repair("boundary case", "a = 1/kappa is taken by no point of the hyperbola: there 1 + ab = lambda(a + b) reads 1 = lambda^2; every other a belongs to exactly one point",
-                    iff(flag, y == (lam * x - 1) / (x - lam)), over={lam: scalar(), x: scalar(), y: scalar()}, where=[let(flag, 1 + x * y == lam * (x + y))], given=FINITE,
-                    by=[steps("BLM91-F8", prose="1 + ab = lambda(a + b) is (a - lambda) b = lambda a - 1"), instances(40, using={u: scalar()}, made_by={lam: u / (1 + abs(u)), y: (lam * x - 1) / (x - lam)}), instances(40)]),
-      note="b is found from a; the point is ((a + b)/2, (b - a)/2).")
+          instances(40), *(example(numerator=k_, denominator=2, x=x_) for k_ in (1, 0, -1) for x_ in (3, "-2/5"))],
+      note="Orbits that end are left aside. On fractions lambda with terms up to 13: a return within 12 steps only for lambda = 1/2, 0, -1/2, and there after 3, 4, 6 steps from every point.")
+claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == lam * x - 1) & (flag >> (x != lam)), over={lam: scalar(), x: scalar(), y: scalar()}, where=[let(flag, 1 + x * y == lam * (x + y))], given=FINITE,
+      by=[steps("BLM91-F8", facts=["a linear equation with a coefficient that is not 0 has one solution"], prose="1 + ab = lambda(a + b) is (a - lambda) b = lambda a - 1, which reads 0 = lambda^2 - 1 for a = lambda"),
+          instances(40, using={u: scalar()}, made_by={lam: u / (1 + abs(u)), y: (lam * x - 1) / (x - lam)}), instances(40), example({"lambda": "1/2", "x": 3, "y": "1/5"}), example({"lambda": "1/2", "x": "1/2", "y": 3})],
+      note="x = a, y = b; the point is ((a + b)/2, (b - a)/2). Each point of the hyperbola has an a of its own, and every a but 1/kappa is that of a point; a = 1/kappa is the asymptote, where b is infinite.")
 
 # ---------------------------------------------------------------------- periods; omega = pi q/p, theta = pi (p - 2q)/p
 ANGLES = {q: integer(1, 4)}
-ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(u, 2), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
+ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 EXISTS = standing("the orbit exists", defined(ga[p]))
-same, mirror, pair = symbols("same mirrored both")
+pair = sym("both")
 claim("BLM91-S84", "periods of alpha, of a and of the point",
-      forall(t, 1, p, ((al[t] == al0) >> (same(t) | mirror(t))) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), sizes=["p"], over=ANGLES,
-      where=[*ROTATION, *ORBIT, function(same, [t], ga[t] == ga0), function(mirror, [t], ga[t] == -ga0), function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
-      by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=5, q=1), example(p=6, q=1), example(p=8, q=3)],
-      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. Every angle omega = pi q/p with p <= 10, one point each; for every point: alpha and gamma are the same functions of a.")
+      forall(t, 1, p, (ga[t] ** 2 - ga0**2 == (al[t] - al0) * (al[t] + al0 - 2 * lam)) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), over={p: integer(3, 8), **ANGLES, u: scalar()},
+      where=[*ROTATION, *ORBIT, function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
+      by=[steps("BLM91-E3.13", "BLM91-F8", prose="the orbit stays on the hyperbola, where alpha tells gamma^2 as in the first equation, so that gamma or -gamma is back with alpha; a tells b, hence alpha and gamma"),
+          instances(12), *(example(p=p_, q=q_, u=u_) for p_, q_, u_ in ((3, 1, 2), (4, 1, 2), (5, 2, 2), (6, 1, "1/3"), (8, 3, 3)))],
+      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. omega = pi q/p, and u runs through the points of the hyperbola.")
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
@@ -107,7 +105,7 @@ claim("BLM91-S87", "theta from omega, and the period of alpha",
       where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even). Every angle with p <= 40.")
 claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
-      where=[let(q, 1), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
+      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
       note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, p <= 40; for every p by (X.2). Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
       where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))], by=[evaluation()],
@@ -129,20 +127,19 @@ claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d -
       note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
-REALIZED = function(found, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k > 0)))
+REALIZED = function(found, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k >= 0)))
 KIND = function(flag, [p], found(p, 1))
 BELOW = function(flag, [p], found(p, -1))
+BOTH = "kappa infinite (1/kappa = 0, period 4), which Theorem 3.7 admits, belongs to both signs."
 claim("BLM91-E5.9", "periods for kappa > 1", iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (rational("1/4") <= q / p * pi) & (q / p * pi < rational("1/2") * pi))),
       over={p: integer(3, 12), pi: scalar()}, where=[GCD, REALIZED, KIND], given=[standing("pi", (pi > rational("3.141592")) & (pi < rational("3.141593")))],
       by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
-      repair=repair("factor", "the lower bound is pi/4, not 1/4 (p = 6, q = 1 has pi/6 > 1/4), and it is not attained: q/p = 1/4 is kappa infinite, period 4",
-                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p < 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND], by=[evaluation(m=40), instances(m=(4, 6, 8))]),
-      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) > 0 for some q prime to p. The correction is evaluated for all p <= 40.")
-claim("BLM91-E5.10", "periods for kappa < -1", iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (0 <= q) & (4 * q <= p))), over={p: integer(3, 12)}, where=[GCD, REALIZED, BELOW],
-      by=[example(p=4), instances()],
-      repair=repair("boundary case", "equality on the right is p = 4, q = 1, that is kappa infinite; for kappa < -1 the inequality is strict, and period 4 does not occur",
-                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (4 * q < p)))), sizes=["m"], where=[GCD, REALIZED, BELOW], by=[evaluation(m=40), instances(m=(4, 5, 8))]),
-      note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) < 0 for some q prime to p. (5.10) is divided by pi. The correction is evaluated for all p <= 40.")
+      repair=repair("factor", "the lower bound is pi/4, not 1/4: p = 6, q = 1 has pi/6 > 1/4, and period 6 does not occur for kappa > 1",
+                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p <= 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND], by=[evaluation(m=40), instances(m=(4, 6, 8))]),
+      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is evaluated for all p <= 40. Lemma 5.1 and (5.10) show that pi/4 is meant.")
+claim("BLM91-E5.10", "periods for kappa < -1", forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (0 <= q) & (4 * q <= p)))), sizes=["m"], where=[GCD, REALIZED, BELOW],
+      by=[evaluation(m=40), instances(m=(4, 5, 8))],
+      note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) <= 0 for some q prime to p. (5.10) is divided by pi. " + BOTH + " Evaluated for all p <= 40.")
 claim("BLM91-S91", "(5.10) by q = 1", forall(p, 1, m, iff(flag(p), p >= 4) & ((p >= 4) >> (4 * 1 <= p))), sizes=["m"],
       where=[GCD, function(flag, [p], exists(q, 1, p - 1, (gcd(p, q) == 1) & (4 * q <= p)))], by=[evaluation(m=60), instances(m=(3, 4, 6))],
       note="(5.10) is divided by pi. Some q satisfies it exactly for p >= 4, and q = 1 does. Evaluated for p <= 60; in general 4 * 1 <= p says it, and p = 2, 3 leave only q with 4q > p.")

@@ -13,60 +13,41 @@ with p - 2q > 0, and 4q - p = 2j - 1, 4j - 4, 8j - 6, 8j - 2 in turn, so that
 j >= 1 is enough; left over are p = 1, 2, 6, where nothing works.
 
 The paper argues with a prime p' between [p/4] and 2[p/4] (Bertrand), and with p'
-+- 1 when p' divides p. Its inequality (5.9) is printed with 1/4 where pi/4 is meant, and the lemma cites (5.6) for it.
++- 1 when p' divides p. Its inequality (5.9) is printed with 1/4 where pi/4 is meant, and the lemma names (5.6) for it.
 """
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, identity, instances, steps
 from exactkf.language import *
-from proofs.blm91.notation import GCD, gcd
 
-p, q, d, j, k, r, s, x, pi, kappa, A, v, alpha1 = symbols("p q d j k r s x pi kappa A v alpha1")
-coprime_, divides, prime, good, bad, inside, lo, hi, last, down = symbols("coprime divides prime good bad inside lo hi last down")
+p, q, d, j, k, r, s, x = symbols("p q d j k r s x")
+coprime_, divides, prime, good, bad, inside, lo, hi, last, down, serves = symbols("coprime divides prime good bad inside lo hi last down serves")
 
 #: d divides x; q and p have no common divisor but 1; x is prime
 DIVIDES = function(divides, [d, x], when(d >= x, d == x, divides(d, x - d)))
 COPRIME = (DIVIDES, function(coprime_, [p, q], forall(d, 2, q, ~(divides(d, q) & divides(d, p)))))
 PRIME = (DIVIDES, function(prime, [x], (x > 1) & forall(d, 2, x - 1, ~divides(d, x))))
-PI = {pi: scalar()}
-PI_BOUNDS = [standing("pi", (pi > rational("3.141592")) & (pi < rational("3.141593")))]
-PRINTED = (rational("1/4") <= q / p * pi) & (q / p * pi < pi / 2)  # (5.9) as printed
 MEANT = (p <= 4 * q) & (2 * q < p)  # 1/4 <= q/p < 1/2
 
 # ---------------------------------------------------------------------- the lemma
-ESCAPE = (let(A, rows([[2 / kappa, -1], [1, 0]])), let(v, inv(A) * rows([[0], [1]])), let(alpha1, 2 / kappa))
 p1, q1, p2, q2, p3, q3, p4, q4 = symbols("p1 q1 p2 q2 p3 q3 p4 q4")
 FAMILIES = (let(p1, 2 * j + 1), let(q1, j), let(p2, 4 * j), let(q2, 2 * j - 1), let(p3, 8 * j + 2), let(q3, 4 * j - 1), let(p4, 8 * j + 6), let(q4, 4 * j + 1))
 WITNESS = ((p1 - 2 * q1 == 1) & ((2 * j - 1) * q2 - (j - 1) * p2 == 1) & (j * (p3 - 2 * q3) - q3 == 1) & (q4 - j * (p4 - 2 * q4) == 1)
            & (p2 - 2 * q2 == 2) & (p3 - 2 * q3 == 4) & (p4 - 2 * q4 == 4)
            & (4 * q1 - p1 == 2 * (j - 1) + 1) & (4 * q2 - p2 == 4 * (j - 1)) & (4 * q3 - p3 == 8 * (j - 1) + 2) & (4 * q4 - p4 == 8 * (j - 1) + 6))
-NOTE_WITNESS = ("The correction is proved for every p by the explicit q of the module's text: Bezout identities make q coprime to p, and 4q - p >= 0, p - 2q > 0 are "
-                "written as equations with j - 1 >= 0.")
-claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6, with (5.6) for q",
-      exists(q, 1, p - 1, coprime_(p, q) & (alpha1 == v[1, 1])), over={p: integer(3, 40), kappa: scalar()}, where=[*COPRIME, *ESCAPE],
-      given=[standing("p not 6", p != 6), standing("kappa > 1", kappa > 1)],
-      by=[example(p=3, kappa=3), instances()],
-      repair=repair("cross-reference", "(5.6) is a formula for escaping points and says nothing about q; meant is the double inequality of (5.9), and there pi/4 <= q pi/p < pi/2",
-                    WITNESS, over={j: scalar()}, where=FAMILIES, by=[identity(), instances()]),
-      note="As printed q is to satisfy (5.6), that is alpha^(i) = v_1^(i) for the point escaping at step i; taken at i = 1, where alpha^(1) = 2/kappa "
-           "is the pole of (5.1), and kappa = 3, which has arctan sqrt(kappa^2 - 1) outside Q pi. " + NOTE_WITNESS)
-NONE = forall(p, 1, 6, iff(exists(q, 1, p - 1, coprime_(p, q) & MEANT), (p == 3) | (p == 4) | (p == 5)))
-claim("BLM91-L5.1.2", "no such q for p = 1, 2, 6",
-      ~exists(q, 1, p - 1, coprime_(p, q) & PRINTED), over={p: integer(1, 6), **PI}, where=[*COPRIME],
-      given=[given("exceptional p", (p == 1) | (p == 2) | (p == 6)), *PI_BOUNDS],
-      by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
-      repair=repair("factor", "(5.9) has lost a factor pi on its left: with 1/4 <= q pi/p the number q = 1 serves for p = 6; with 1/4 <= q/p, that is pi/4 <= q pi/p, there is none",
-                    NONE, where=[*COPRIME], by=[evaluation()]),
-      note="Such q is read as: coprime to p, 1 <= q < p, with (5.9) as printed; pi enters by rational bounds. The lemma itself refers to (5.6).")
-count = sym("count")
-COUNT = function(count, [p], sum_of(q, 1, p - 1, when((p <= 4 * q) & (2 * q < p), when(gcd(p, q) == 1, 1, 0), 0)))
-claim("BLM91-L5.1", "coprime fractions, both parts",
-      iff(exists(q, 1, p - 1, coprime_(p, q) & PRINTED), ~((p == 1) | (p == 2) | (p == 6))), over={p: integer(1, 40), **PI}, where=[*COPRIME], given=PI_BOUNDS,
-      by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
-      repair=repair("factor", "the lower bound of (5.9) is pi/4, not 1/4, and (5.9) is meant where (5.6) is cited",
-                    WITNESS & (count(1) == 0) & (count(2) == 0) & (count(6) == 0), over={j: scalar()}, where=[*FAMILIES, GCD, COUNT], by=[identity(), instances()]),
-      note="With (5.9) as printed in place of (5.6). The correction holds for every p: p = 2j + 1, 4j, 8j + 2, 8j + 6, j >= 1, are all p >= 3 but 6, the first four equations of the module's text make q coprime to p, the "
-           "others give 0 < p - 2q and 0 <= 4q - p; count(p) is the number of q that serve.")
+claim("BLM91-X.12", "a fraction with denominator p between 1/4 and 1/2, in lowest terms, for every p", WITNESS, over={j: scalar()}, where=FAMILIES, by=[identity(), instances()],
+      note="p = 2j + 1, 4j, 8j + 2, 8j + 6 with j >= 1 are all p >= 3 but 6. The first four equations make q coprime to p; the others give 0 < p - 2q and 4q - p >= 0.")
+#: is there such a q for p
+SERVES = (*COPRIME, function(serves, [p], exists(q, 1, p - 1, coprime_(p, q) & MEANT)))
+READ = "The lemma names (5.6), a formula for escaping points; the double inequality of the case kappa > 1 is (5.9), with its lower bound pi/4, on which see E5.9."
+BEZOUT = ["Bezout: numbers of which a combination with integer coefficients is 1 are coprime"]
+ALL_P = "the four families of X.12 are all p >= 3 but 6, and their q serve"
+claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6", serves(p), over={p: integer(3, 60)}, where=SERVES, given=[given("p not 6", p != 6)],
+      by=[steps("BLM91-X.12", facts=BEZOUT, prose=ALL_P), instances(57), example(p=6)], note=READ + " For every p by X.12; tried up to 60.")
+claim("BLM91-L5.1.2", "no such q for p = 1, 2, 6", ~serves(p), over={p: integer(1, 6)}, where=SERVES, given=[given("exceptional p", (p == 1) | (p == 2) | (p == 6))],
+      by=[evaluation(), instances(), example(p=3)], note=READ)
+claim("BLM91-L5.1", "coprime fractions, both parts", iff(serves(p), ~((p == 1) | (p == 2) | (p == 6))), over={p: integer(1, 60)}, where=SERVES,
+      by=[steps("BLM91-X.12", "BLM91-L5.1.2", facts=BEZOUT, prose=ALL_P + "; for p = 1, 2, 6 no q does"), instances(60), example(p=1), example(p=2), example(p=6)], note=READ + " For every p by X.12; tried up to 60.")
 
 # ---------------------------------------------------------------------- the paper's proof, p = 4r + s
 BETWEEN = (let(lo, r + 1), let(hi, 2 * r - 1), function(inside, [x], (r < x) & (x < 2 * r)))
@@ -103,5 +84,8 @@ claim("BLM91-S96", "p = 4r + 3: a neighbour of the prime serves", forall(q, lo, 
                     forall(q, lo, hi, bad(q) >> good(q)), over={r: integer(2, 25)},
                     where=[let(p, 4 * r + 3), *PRIME, *COPRIME, *BETWEEN, BAD,
                            function(good, [q], (p == 3 * q) & iff(inside(q + 1), p != 15) & inside(q - 1) & ONE)],
-                    by=[instances(60), example(r=3), example(r=9), example(r=12)]),
+                    by=[steps(facts=["of three consecutive integers one is divisible by 3"],
+                              prose="(4r + 3)/q lies between 2 and 6 and is odd, and 5q = 4r + 3 < 5r + 5 leaves no q above r; so p = 3q, r = 3s, q = 4s + 1; q - r = s + 1 and 2r - q = 2s - 1, more than 1 for s >= 2; "
+                                    "q is not 3, so not both neighbours are multiples of 3, and q divides neither; s = 1 is p = 15"),
+                        instances(60), example(r=3), example(r=9), example(r=12)]),
       note="good(q): p = 3q, both q + 1 and q - 1 satisfy (5.11), one that does is coprime to p.")

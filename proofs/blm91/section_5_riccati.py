@@ -12,15 +12,10 @@ from exactkf.evidence import combination, example, identity, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-y, an, pn, phi_, neg, real, small, least, cited, defining, hits, far = symbols(
-    "y alpha_next pi_next phi negative real small least cited defining hits far")
+y, an, pn, phi_, neg, real, small, least, hits, far = symbols("y alpha_next pi_next phi negative real small least hits far")
 INSERT = (let(pn, (1 - al0 / x) + (1 - (1 - al0 / x)) * y**2), let(an, al0 / (1 - pn)))
-SAYS97 = an == x / (1 - y**2)
-claim("BLM91-S97", "(4.16) into (4.19)", SAYS97 & (cited == defining), over={al0: nonzero(), x: nonzero(), y: scalar()}, where=[*INSERT, let(cited, 7), let(defining, 4)],
-      by=[example(alpha0=1, x=1, y=0), instances()],
-      repair=repair("cross-reference", "(4.16) is (5.4) solved for pi_t; (5.7) is the step in the coordinate a", SAYS97, over={al0: nonzero(), x: nonzero(), y: scalar()}, where=INSERT,
-                    by=[identity(), instances()]),
-      note="x = alpha_t, y = gamma_t. The formula is right; the last conjunct compares the number of the display (5.7) that is named as the origin of (4.16) with that of (5.4).")
+claim("BLM91-S97", "(4.16) into (4.19)", an == x / (1 - y**2), over={al0: nonzero(), x: nonzero(), y: scalar()}, where=INSERT, by=[identity(), instances()],
+      note="x = alpha_t, y = gamma_t. (4.16) is (5.4) solved for pi_t; the print names (5.7), which is the step in the coordinate a.")
 ALPHA = {x: nonzero(), y: scalar(), an: scalar(), kap: nonzero()}
 claim("BLM91-S98", "the integral curve by elimination", 1 + x**2 - y**2 == 2 * x / kap, over=ALPHA, given=[given("first equation", an == x / (1 - y**2)), given("slope map", an == kap / (2 - kap * x))],
       by=[combination([(-(1 - y**2) * (2 - kap * x) / kap, "slope map", 1), ((1 - y**2) * (2 - kap * x) / kap, "first equation", 1)]),

@@ -18,7 +18,7 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, use
+from exactkf.evidence import combination, example, generic_index, identity, instances, lemma, use
 from exactkf.language import (
     T,
     Z,
@@ -38,6 +38,7 @@ from exactkf.language import (
     rec,
     rev,
     sequence,
+    standing,
     sum_of,
     symbols,
     vector,
@@ -45,6 +46,18 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
+from proofs.blz94.lemmas_orbit import (
+    ALONG,
+    COORDINATES,
+    FOUR_ALPHA,
+    LOWEST,
+    LOWEST_PHI,
+    LOWEST_PI,
+    ONE_STEP,
+    TO_NEXT,
+    TOP,
+    row,
+)
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -97,12 +110,12 @@ GAMMA = {gamma: sequence(0, n)}
 
 # ---------------------------------------------------------------------- proof of Theorem 4.3
 _START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
-_ALONG = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *_START, *FAST]}
-_COORDINATES = [a[t] == a_of[t], g[t] == HALF * (b_of[t] - a_of[t])]
+_ALONG = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST]}
+_SOME = [standing("n >= 1", n >= 1)]
 
 claim("BLZ94-EA.1", "a(t), b(t), g(t) in the coordinates (alpha(t), gamma(t))",
       always(t, (a[t] == a_of[t]) & (a[t] + 2 * g[t] == b_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))), **_ALONG,
-      by=[induction(n=range(1, 7)), instances(n=(2, 3, 4), horizon=3)])
+      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3)])
 
 _LEFT = -sum_of(i, 1, n - 1, gamma[t][n - i] * alpha[t + 1][i]) - gamma[t][n] + alpha[t + 1][n]
 _RIGHT = -sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) - gamma[t][n] + alpha[t + 1][n]
@@ -116,14 +129,18 @@ claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
                              "-gamma_{t+n-1}, and so on.",
                     always(t, a[t + 1][n] == -gamma[t + 1][n]
                            - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
-                    **_ALONG, by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)]))
+                    **_ALONG, given=_SOME,
+                    by=[generic_index(*ONE_STEP, LOWEST_PHI, ALONG, **FOUR_ALPHA, uses=[use(9, t=t + 1, i=n), *LOWEST(t + 1)]),
+                        instances(n=(2, 3, 4), horizon=3)]))
 
 claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]),
-      **_ALONG,
-      by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
+      **_ALONG, given=_SOME,
+      by=[generic_index(*ONE_STEP, LOWEST_PI, ALONG, **FOUR_ALPHA,
+                        uses=[*(use(9, t=t, i=x) for x in (n, 1)), *LOWEST(), use(6, k=n - 1, t=t), use(1, k=0, t=t, u=n - 1)]),
+          instances(n=(2, 3, 4), horizon=3)])
 
-claim("BLZ94-EA.3", "the last coordinate alpha_n", always(t, alpha[t][n] == a[t][n] + g[t][n]), **_ALONG,
-      by=[induction(n=range(1, 7), also=_COORDINATES), instances(n=(2, 3, 4), horizon=3)])
+claim("BLZ94-EA.3", "the last coordinate alpha_n", always(t, alpha[t][n] == a[t][n] + g[t][n]), **_ALONG, given=_SOME,
+      by=[generic_index(*ONE_STEP, LOWEST_PI, ALONG, **FOUR_ALPHA, uses=[use(9, t=t, i=n), *LOWEST()]), instances(n=(2, 3, 4), horizon=3)])
 
 _ALPHA1 = column(i, n, alpha(1, i))
 _A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
@@ -165,7 +182,10 @@ claim("BLZ94-EA.7", "the k-th equation of (2.16a), k = 1, ..., n", forall(k, 1, 
                     forall(k, 1, n - 1, _seven(k))
                     & (cot(phi, 1, n, n) + sum_of(i, 1, n - 1, cot(phi, 1, n - i, n - i) * alpha[1][i]) + alpha[1][n]
                        == alpha0[n] / (1 - gamma0[1])),
-                    **_SEVEN, by=[identity(n=range(1, 7)), instances(n=(3, 4))]))
+                    **_SEVEN, given=_SOME,
+                    by=[generic_index(*ONE_STEP, LOWEST_PHI, **FOUR_ALPHA, uses=[
+                        use(1, k=n - k, t=0, u=n - 1), use(6, k=n - k, t=1), use(7, k=n - k, t=0), *TO_NEXT(n - k, 0), *LOWEST(1)]),
+                        instances(n=(3, 4))]))
 
 _PAIR = vstack(psi(1, t), phi(1, t)), vstack(psi(0, t + 1), phi(0, t + 1))
 claim("BLZ94-SA2", "shift identity for the Szego polynomials, and its inverse",
@@ -243,7 +263,9 @@ claim("BLZ94-EA.14", "the case k = 1", _FOURTEEN, **_SEVEN, by=[example(n=1, alp
       repair=repair("boundary case", "For n = 1 the first two equations fail (there k = 1 = n); the conclusion on "
                                      "alpha_1 holds all the same.",
                     _FOURTEEN, **_SEVEN, given=[given("n > 1", n > 1)],
-                    by=[identity(n=range(2, 7)), instances(n=(2, 3, 4)), instances(n=(1, 2))]))
+                    by=[generic_index(*ONE_STEP, **FOUR_ALPHA, uses=[
+                        use(1, k=n - 1, t=0, u=n - 1), *(use(x, k=n - 1, t=y) for x in (6, 7) for y in (0, 1)), *TOP(n - 1, 0)]),
+                        instances(n=(2, 3, 4)), instances(n=(1, 2))]))
 
 # ---------------------------------------------------------------------- proof of Lemma 4.4
 _STARRED = (rec(rhos, t, 0, rhos[t] + gamma[t] * Z * pi[t]),)

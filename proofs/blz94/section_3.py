@@ -332,21 +332,12 @@ claim("BLZ94-E3.20", "coefficients of pi_s",
                                          -sum_of(j, 1, s - k, c[j] * co(phi, s, k + j))))),
       **_S, by=[generic_index(*LEMMA_3_3, **FOUR, **WITH_C, uses=[use(1, t=s), use(2, t=s, k=s - k), use(4, t=s, k=s - k)]), instances(n=(1, 2, 3, 4))])
 
-claim("BLZ94-S19", "coefficients of rho_{s+1}, from (3.18)",
-      forall(k, 1, n, coeff(rho1, n + 1 - k) == coeff(HALF * (psi - phi), n - k) + gamma * coeff(pi, k - 1)),
-      sizes=["n"],
-      over={phi: monic(n), psi: monic(n), pi: monic(n), rho1: polynomial(n), gamma: scalar()},
-      given=[given("(3.18)", pi == HALF * (psi + phi))],
-      by=[example(n=1, phi=[0, 1], psi=[0, 1], pi=[0, 1], rho1=[0, 1], gamma=0),
-          instances(n=(1, 2, 3), made_by={pi: HALF * (psi + phi)})],
-      note="Read as printed: the formula is said to come out of (3.18) by comparing coefficients, but (3.18) defines "
-           "pi_t and does not mention rho_{s+1}. The displayed formula itself is right, see the repair.",
-      repair=repair("cross-reference", "The polynomial recursion meant is (3.17); comparing its coefficients gives "
-                                       "the display.",
-                    forall(s, 1, n - 1, (rho[s + 1] == Z * rho[s] + gamma[s] * rev(pi[s], s))
-                           & forall(k, 1, s, co(rho, s + 1, k) == co(rho, s, k) + gamma[s] * co(pi, s, s + 1 - k))),
-                    sizes=["n"], over=GAMMA, where=[*PHI, *PSI, *RHO, *PI],
-                    by=[generic_index(REVERSED, REVERSED_PSI, **FOUR), instances(n=(2, 3, 4))]))
+claim("BLZ94-S19", "coefficients of rho_{s+1}",
+      forall(s, 1, n - 1, (rho[s + 1] == Z * rho[s] + gamma[s] * rev(pi[s], s))
+             & forall(k, 1, s, co(rho, s + 1, k) == co(rho, s, k) + gamma[s] * co(pi, s, s + 1 - k))),
+      sizes=["n"], over=GAMMA, where=[*PHI, *PSI, *RHO, *PI],
+      by=[generic_index(REVERSED, REVERSED_PSI, **FOUR), instances(n=(2, 3, 4))],
+      note="The text takes this from (3.18); the polynomial recursion meant is (3.17), whose coefficients are compared. (3.18) defines pi_t.")
 
 claim("BLZ94-S20", "the step of the induction",
       forall(s, 1, n - 1, forall(k, 1, s, (
@@ -434,7 +425,7 @@ claim("BLZ94-S11", "(alpha, gamma) without gamma_k of modulus one correspond to 
       iff(prod(k, 0, n - 1, 1 - gamma[k] ** 2) != 0, prod(k, 1, n, det(Toeplitz[k])) != 0),
       sizes=["n"], over={alpha: sequence(1, n), gamma: sequence(0, n - 1)},
       where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ],
-      by=[steps("BLZ94-P4.1", "BLZ94-P3.1", "BLZ94-S22", facts=["the complement of the zero set of a nonzero "
+      by=[steps("BLZ94-P4.1", "BLZ94-P3.1", facts=["the complement of the zero set of a nonzero "
                                                                 "polynomial is open and dense"],
                 prose="Proposition 4.1 makes the map a bijection where gamma_0, ..., gamma_{n-2} have not modulus "
                       "one; the condition on gamma_{n-1} is that on T_n, and det T_1 ... det T_n is a polynomial in "

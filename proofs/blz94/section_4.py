@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import (
     T,
     Z,
@@ -58,6 +58,7 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
+from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -68,7 +69,9 @@ from proofs.blz94.notation import (
     PHI,
     PHI_T,
     PI,
+    PI_T,
     PSI,
+    RHO_T,
     RICCATI,
     STEP,
     VECTORS,
@@ -83,8 +86,10 @@ from proofs.blz94.notation import (
     a_of,
     alpha,
     alpha0,
+    apoly,
     b,
     b_of,
+    bpoly,
     c,
     cot,
     g,
@@ -151,7 +156,7 @@ def _correlations(parameters, f, f_star, norm, name):
             function(name, [k], norm[k - 1] * parameters[k - 1] - sum_of(j, 0, k - 2, coeff(f[k - 1], j) * name[j + 1])))
 
 
-claim("BLZ94-X.5", "every point of V_c is given by u and Schur parameters",
+claim("BLZ94-X.10", "every point of V_c is given by u and Schur parameters",
       (v == _from_coefficients(u, y)) & forall(k, 1, n, _again[k] == c[k]), sizes=["n"], over={u: monic(n), v: monic(n), c: sequence(1, n)},
       where=[let(y, column(k, n, laurent(v / (2 * u), k))), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
              *_correlations(gamma, _f, _fs, _q, _again)],
@@ -184,7 +189,7 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
              standing("(u, v) lies in V", prod(k, 1, n - 1, det(matrix_of(
                  i, j, k + 1, k + 1, when(i == j, 1, laurent(v / (2 * u), abs(i - j)))))) != 0)],
-      by=[identity(using={y: sequence(0, n - 1)}, where=_correlations(y, _f, _fs, _q, _c), given_by={v: _from_coefficients(u, _c)}, covered_by="BLZ94-X.5",
+      by=[identity(using={y: sequence(0, n - 1)}, where=_correlations(y, _f, _fs, _q, _c), given_by={v: _from_coefficients(u, _c)}, covered_by="BLZ94-X.10",
                    n=range(1, 7)), instances(n=(1, 2, 3))],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
            "the (tau, theta) found from it. That the first lies in V_c and the second in U_gamma is said where these "
@@ -221,12 +226,11 @@ claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
       note="For an arbitrary point of the orbit; gamma(1) is found from (a(1), g(1)) by (3.11) and (3.6).")
 
 _START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
-_COORDINATES = [a[t] == a_of[t], g[t] == HALF * (b_of[t] - a_of[t])]
 claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the gamma_k(t) are shifted",
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
              & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
-      sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *_START, *FAST],
-      by=[induction(n=range(1, 7)), instances(n=(2, 3, 4), horizon=3)],
+      sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST],
+      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3)],
       note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 
@@ -316,12 +320,13 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
       by=[steps("BLZ94-SA8", prose="If d_1, ..., d_n vanish, d_0 = r_n, which does not."), instances(40, n=(1, 2, 3)),
           example(n=2, alpha=[0, "3/4"], gamma=[0, "5/4"]), example(n=2, alpha=[0, 0], gamma=["1/2", "1/2"])])
 
-_ORBIT_D = (*ORBIT, *VECTORS, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
-            function(D, [t], symmetric_part(monic_of(a_of[t]), monic_of(b_of[t]))))
+_ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
+            function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])), function(D, [t], symmetric_part(apoly[t], bpoly[t])))
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
-      over=VECTOR_POINT, where=_ORBIT_D,
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
+      over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly],
+                        uses=[use(9, t=t, z=row - 1)]), instances(n=(1, 2, 3), horizon=3)],
       note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later "
            "start.")
 

@@ -19,12 +19,11 @@ At an invariant U the closed loop F - k h' is the transposed inverse of S on U: 
 the roots of the limit polynomial are the inverses of the eigenvalues of S on U.
 """
 
-from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.claims import claim
+from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
-    Z,
     Zero,
     block,
     charpoly,
@@ -40,7 +39,6 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     rec,
-    recip,
     scalar,
     sequence,
     standing,
@@ -49,8 +47,10 @@ from exactkf.language import (
     symplectic,
     vector,
     vstack,
+    when,
 )
 from proofs.blz94.notation import (
+    HALF,
     SHIFT,
     F,
     J,
@@ -67,13 +67,13 @@ from proofs.blz94.notation import (
     m,
     monic_of,
     n,
-    symmetric_part,
+    s,
     t,
     u,
 )
 
 A, B, S, S11, S12, S21, S22, sigma, X, Y, R, U, V, K, L, N, Q, W = symbols("A B S S11 S12 S21 S22 sigma X Y R U V K L N Q W")
-f, p, q, v, w, x, y, z, Lambda, Gamma, M, H, E = symbols("f p q v w x y z Lambda Gamma M H E")
+c, d, f, l, o, p, q, v, w, x, y, z, Lambda, Gamma, M, E = symbols("c d f l o p q v w x y z Lambda Gamma M E")
 
 #: A of Proposition 6.4 and the blocks (6.14) of S
 CLOSED = (let(A, F - g * T(h)),)
@@ -94,6 +94,16 @@ STEP_OF_P = F * P * T(F) + (g - F * P * h) / (1 - T(h) * P * h) * T(g - F * P * 
 #: inverse of S11 + S12 P, q being that of 1 - h'Ph
 _MINV = T(F) - h * T(g - F * P * h) * q
 SIZES = instances(n=(1, 2, 3))
+#: n = 2: A, g, h, P with P = E diag(0, f^2) E' a solution of (6.13), from points of the circle with parameters s, v
+PAIR_USING = {s: scalar(), v: scalar(), f: nonzero(), u: nonzero(), o: scalar(), d: scalar(), E: nonsingular(n)}
+_COS_S, _COS_V = (1 - s**2) / (1 + s**2), (1 - v**2) / (1 + v**2)
+PAIR_A = E * matrix_of(i, j, n, n, when(i < n, when(i == j, u, 0), when(j == n, _COS_S * _COS_V, o))) * inv(E)
+PAIR_G = E * column(i, n, when(i == n, 2 * s * f / (1 + s**2), 0))
+PAIR_H = inv(T(E)) * column(i, n, when(i == n, 2 * v / ((1 + v**2) * f), d))
+PAIR_P = E * matrix_of(i, j, n, n, when(i == n, when(j == n, f**2, 0), 0)) * T(E)
+#: sigma is not zero, q is its inverse, and then that of A
+_Q = given("q sigma = 1", q * sigma == 1)
+_AINV = inv(F) + inv(F) * g * T(h) * inv(F) * q
 
 # ---------------------------------------------------------------------- Proposition 6.4
 claim("BLZ94-E6.9", "the Riccati operator in terms of A = F - gh'",
@@ -101,10 +111,9 @@ claim("BLZ94-E6.9", "the Riccati operator in terms of A = F - gh'",
       over=ANY_F, where=CLOSED, by=[order(), SIZES])
 
 claim("BLZ94-E6.10", "A is invertible, with inverse",
-      invertible(A) & (inv(A) == inv(F) + inv(F) * g * T(h) * inv(F) / sigma), sizes=["n"], over=DATA,
-      where=[*CLOSED, *SIGMA], given=[given("sigma != 0", sigma != 0)], by=[order(), SIZES],
-      note="The text says that A is invertible since F is; this needs sigma != 0 too, which the text asks for before "
-           "the proposition.")
+      invertible(A) & (inv(A) == inv(F) + inv(F) * g * T(h) * inv(F) * q), sizes=["n"], over={**DATA, q: scalar()},
+      where=[*CLOSED, *SIGMA], given=[_Q], by=[order([_AINV], []), instances(n=(1, 2, 3), made_by={q: 1 / (1 - T(h) * inv(F) * g)})],
+      note="The text says that A is invertible since F is; this needs sigma != 0 too, which the text asks for before the proposition. q is 1/sigma.")
 
 claim("BLZ94-E6.11", "the inverse of I - hh'P",
       inv(Identity(n) - h * T(h) * P) == Identity(n) + h * T(h) * P / (1 - T(h) * P * h), sizes=["n"],
@@ -134,9 +143,10 @@ claim("BLZ94-E6.12", "S is symplectic", T(S) * _HAT * S == _HAT, sizes=["n"], ov
 claim("BLZ94-C6.5", "the algebraic Riccati equation and the symplectic matrix in terms of A",
       (STEP_OF_P - P == A * P * T(A) + A * P * h / (1 - T(h) * P * h) * T(h) * P * T(A) + g * T(g) - P) & invertible(A)
       & (block([[S11, S12], [S21, S22]]) == block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
-                                                   [g * T(g) * inv(T(A)), A + (1 - 1 / sigma) * g * T(h)]])),
-      sizes=["n"], over=SYMMETRIC, where=[*CLOSED, *BLOCKS], given=[given("sigma != 0", sigma != 0)], by=[order(), SIZES],
-      note="The two forms of the equation have the same residual, for every P.")
+                                                   [g * T(g) * inv(T(A)), A + (1 - q) * g * T(h)]])),
+      sizes=["n"], over={**SYMMETRIC, q: scalar()}, where=[*CLOSED, *BLOCKS], given=[_Q],
+      by=[order([], [_AINV], []), instances(n=(1, 2, 3), made_by={q: 1 / (1 - T(h) * inv(F) * g)})],
+      note="The two forms of the equation have the same residual, for every P. q is 1/sigma.")
 
 claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
       forall(t, 0, m, (P[t] * X[t] == Y[t]) & invertible(X[t])), sizes=["n", "m"],
@@ -153,32 +163,18 @@ claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
            "invertible, so that P_t is its quotient with Y_t.")
 
 # ---------------------------------------------------------------------- Lemma 6.2
-#: alpha_infinity of (6.2) from a solution P, and the row vector (z^(n-1), ..., 1)
-_POWERS = column(j, n, Z ** (n - j))
 #: n = 1: the orbit that tends to v, through the point with gamma = u (alpha - v)
 _ALPHA1 = (1 / v - u**2 * v) / (1 - u**2)
 _ORDER_ONE = {P: matrix_of(i, j, n, n, 1 - _ALPHA1 / v), a0: column(i, n, _ALPHA1 - u * (_ALPHA1 - v)),
               g0: column(i, n, u * (_ALPHA1 - v))}
-claim("BLZ94-L6.2.1", "Lemma 6.1 with F = J - bh' in place of J - ah', everything else as it stands",
-      (1 - T(h) * P * h) * monic_of(alpha) * recip(monic_of(alpha)) == symmetric_part(monic_of(a0), monic_of(b0)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n)},
-      where=[*SHIFT, let(b0, a0 + 2 * g0), let(F, J - b0 * T(h)),
-             let(alpha, 1 / (1 - T(h) * P * h) * (g0 - F * P * h) + a0)],
-      given=[given("(6.1)", F * P * T(F) - P + (g0 - F * P * h) / (1 - T(h) * P * h) * T(g0 - F * P * h) == Zero(n, n))],
-      by=[example(n=1, abar=[2], gbar=["-9/16"], P=[["3/8"]]), instances(n=(1,), using={u: scalar(), v: nonzero()}, made_by=_ORDER_ONE)],
-      note="If P_t tends to P, Lemma 6.1 makes (4.4) converge to the alpha of (6.2), and then r alpha(z)alpha(1/z) = D. In the example, "
-           "n = 1, a = 2, g = -9/16, b = 7/8, the recursion with F = -b converges: (-b, g) are the data of a positive real "
-           "function. The limit is 3/8, and (6.2) gives no factor of D.",
-      repair=repair("sign", "Exchanging a and b turns g into -g and the a of (6.2) into b; with F alone replaced the Riccati equation is "
-                            "that of another function v.",
-                    (1 - T(h) * P * h) * monic_of(alpha) * recip(monic_of(alpha)) == symmetric_part(monic_of(a0), monic_of(b0)),
-                    sizes=["n"], over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n)},
-                    where=[*SHIFT, let(b0, a0 + 2 * g0), let(F, J - b0 * T(h)),
-                           let(alpha, 1 / (1 - T(h) * P * h) * (-g0 - F * P * h) + b0)],
-                    given=[given("(6.1)", F * P * T(F) - P + (-g0 - F * P * h) / (1 - T(h) * P * h) * T(-g0 - F * P * h) == Zero(n, n))],
-                    by=[combination([(-T(_POWERS), "(6.1)", recip(_POWERS))], n=range(1, 5)),
-                        example(n=1, abar=["7/8"], gbar=["-9/16"], P=[["3/8"]]),
-                        instances(n=(1,), using={u: scalar(), v: nonzero()}, made_by=_ORDER_ONE)]))
+_NEXT_B = B * P * T(B) + (-g - B * P * h) / (1 - T(h) * P * h) * T(-g - B * P * h)
+claim("BLZ94-L6.2.1", "a and b exchanged: the same Riccati equation, and the same limit (6.2)",
+      (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0), sizes=["n"],
+      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
+      where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES],
+      note="Read with its proof: a and b change places, so that g = (b - a)/2 becomes -g, F becomes J - bh' (B here) and the a of (6.2) becomes b. The "
+           "step of the recursion is the same map, hence so is the solution from zero, and Lemma 6.1 remains true. With J - bh' and g the equation "
+           "would be that of another function v.")
 
 # ---------------------------------------------------------------------- the closed loop, (6.27)-(6.33)
 claim("BLZ94-E6.27", "(6.2) written with J in place of F",
@@ -209,21 +205,41 @@ claim("BLZ94-E6.32", "S11' + PS12' is the inverse of the closed loop",
       where=[let(F, J - a0 * T(h)), *BLOCKS, let(alpha, (g - F * P * h) / (1 - T(h) * P * h) + a0)],
       by=[order(), identity(n=(1, 2)), SIZES])
 
-_SOLVED = {"using": {Lambda: matrix(n, n)}}
-claim("BLZ94-E6.33", "the closed loop on the invariant subspace; its characteristic polynomial",
-      (inv(T(J - alpha * T(h))) * X == X * Lambda) & (charpoly(J - alpha * T(h)) == monic_of(alpha)), sizes=["n"],
-      over={a0: vector(n), g: vector(n), X: nonsingular(n), P: symmetric_matrix(n)},
-      where=[*SHIFT, let(F, J - a0 * T(h)), *BLOCKS, let(alpha, (g - F * P * h) / (1 - T(h) * P * h) + a0),
-             let(Lambda, inv(X) * (S11 + S12 * P) * X)],
-      by=[identity(n=(1, 2)), steps("BLZ94-E6.29", "BLZ94-E6.32", prose="Insert (6.32), transposed, into (6.29). J - v h' is a companion matrix."),
-          instances(n=(1, 2, 3))],
-      note="X Lambda inv(X) = S11 + S12 P by (6.29), which defines Lambda here.")
+claim("BLZ94-E6.33", "the closed loop on the invariant subspace",
+      inv(T(Gamma)) * X == X * Lambda, sizes=["n"],
+      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), X: nonsingular(n), Lambda: matrix(n, n), P: symmetric_matrix(n)},
+      where=[let(F, J - a0 * T(h)), *BLOCKS, let(Gamma, J - ((g - F * P * h) / (1 - T(h) * P * h) + a0) * T(h))],
+      given=[given("(6.29)", S11 + S12 * P == X * Lambda * inv(X))],
+      by=[order(), instances(n=(1, 2, 3), made_by={Lambda: inv(X) * (S11 + S12 * P) * X})],
+      note="(6.29) follows from (6.28). That the characteristic polynomial of J - vh' has the coefficients v is BLZ94-X.5.")
 
+claim("BLZ94-X.5", "the characteristic polynomial of J - vh'", charpoly(J - alpha * T(h)) == monic_of(alpha), sizes=["n"], over={alpha: vector(n)}, where=SHIFT,
+      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3))], note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
+
+#: rows x, y that are (z^(n-1), ..., 1) at z and at w = 1/z, and c = z^n, l = w^n
+_ROW = (given("x'J = zx' - ch'", T(x) * J == z * T(x) - c * T(h)), given("y'J = wy' - lh'", T(y) * J == w * T(y) - l * T(h)),
+        given("w = 1/z", z * w == 1), standing("l = 1/c", c * l == 1))
+_XA, _YA = c + T(x) * a0, l + T(y) * a0
+_XG, _YG = T(x) * g0 - z * T(x) * P * h + _XA * T(h) * P * h, T(y) * g0 - w * T(y) * P * h + _YA * T(h) * P * h
+_AT_1_Z = {w: 1 / z, l: 1 / c}
 claim("BLZ94-E8.8", "a solution of (6.1) factors D",
-      (1 - T(h) * P * h) * monic_of(alpha) * recip(monic_of(alpha)) == symmetric_part(monic_of(a0), monic_of(b0)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n)},
-      where=[*SHIFT, let(b0, a0 + 2 * g0), let(F, J - a0 * T(h)), let(alpha, 1 / (1 - T(h) * P * h) * (g0 - F * P * h) + a0)],
-      given=[given("(6.1)", F * P * T(F) - P + (g0 - F * P * h) / (1 - T(h) * P * h) * T(g0 - F * P * h) == Zero(n, n))],
-      by=[combination([(-T(_POWERS), "(6.1)", recip(_POWERS))], n=range(1, 5)),
-          instances(n=(1,), using={u: scalar(), v: nonzero()}, made_by=_ORDER_ONE)],
-      note="r = 1 - h'Ph, the limit of r_t. That the roots are the eigenvalues of S is (6.18).")
+      (1 - T(h) * P * h) * (c + T(x) * alpha) * (l + T(y) * alpha) == HALF * ((c + T(x) * a0) * (l + T(y) * b0) + (l + T(y) * a0) * (c + T(x) * b0)),
+      sizes=["n"],
+      over={J: matrix(n, n), h: vector(n), a0: vector(n), g0: vector(n), P: symmetric_matrix(n), x: vector(n), y: vector(n),
+            z: scalar(), w: scalar(), c: scalar(), l: scalar(), q: scalar()},
+      where=[let(b0, a0 + 2 * g0), let(F, J - a0 * T(h)), let(alpha, q * (g0 - F * P * h) + a0)],
+      given=[given("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
+             given("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), *_ROW],
+      by=[order(lemmas=[T(x) * F == z * T(x) - _XA * T(h), T(y) * F == w * T(y) - _YA * T(h),
+                        T(x) * (g0 - F * P * h) == _XG, T(y) * (g0 - F * P * h) == _YG,
+                        T(x) * P * y == T(x) * F * P * T(F) * y + q * _XG * _YG,
+                        (1 - T(h) * P * h) * (c + T(x) * alpha) == (1 - T(h) * P * h) * _XA + _XG,
+                        (1 - T(h) * P * h) * (l + T(y) * alpha) == (1 - T(h) * P * h) * _YA + _YG]),
+          example({J: [[0]], h: [1], a0: [1], g0: [1], P: [[0]], q: 0, z: 2, w: "1/2", c: 2, l: "1/2", x: [1], y: [1]}, n=1),
+          instances(n=(1,), using={u: scalar(), v: nonzero()},
+                    made_by={**_ORDER_ONE, q: 1 / (1 - P[1, 1]), J: 0 * P, h: column(i, n, 1), x: column(i, n, c / z), y: column(i, n, z / c), **_AT_1_Z}),
+          instances(n=(2,), using=PAIR_USING,
+                    made_by={h: PAIR_H, g0: PAIR_G, P: PAIR_P, q: 1 / (1 - T(h) * P * h), J: PAIR_A + (g0 + a0) * T(h), **_AT_1_Z,
+                             x: -c * T(inv(J - z * Identity(n))) * h, y: -l * T(inv(J - w * Identity(n))) * h})],
+      note="x' is the row (z^(n-1), ..., 1), y' the same at w = 1/z, c = z^n and l = w^n; with J of (2.10) they are as the hypotheses say. c + x'v is v(z) for "
+           "v = a, b, alpha, and the right side is D(z, 1/z). r = 1 - h'Ph is the limit of r_t. That the roots are the eigenvalues of S is (6.18).")

@@ -1,30 +1,36 @@
 # SPDX-License-Identifier: MIT
-"""Section 7: global convergence.
+"""Section 7: identities for the convergence theorem.
 
 If an orbit tends to (alpha, 0), D is a multiple of alpha(z)alpha(1/z) and so does not change sign on the circle. Conversely let P be
 the solution of the Riccati equation that belongs to the dominant subspace of S, and Gamma its closed loop. A step from Q goes to
 P + Gamma (Q - P)(I - hh'(Q - P)/(1 - h'Ph))^(-1) Gamma', which ties the orbit to the powers of Gamma.
-A common factor of a and b stays in a and b for all times. What speaks of the limits themselves is left open here.
+A common factor of a and b stays in a and b for all times.
 """
 
-from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.claims import claim
+from exactkf.evidence import example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
     Z,
     column,
+    forall,
     given,
     inv,
+    invertible,
     let,
     matrix,
     matrix_of,
     monic,
     nonneg_on_circle,
+    nonsingular,
     nonzero,
     outside_roots,
+    rec,
     recip,
     scalar,
+    sequence,
+    standing,
     symbols,
     symmetric_matrix,
     vector,
@@ -44,12 +50,15 @@ from proofs.blz94.notation import (
     h,
     i,
     j,
+    k,
+    m,
     n,
     symmetric_part,
+    t,
     u,
 )
 
-c, q, r, v, w, x, y, Q, L, Gamma = symbols("c q r v w x y Q L Gamma")
+E, K, L, N, Q, Gamma, Phi, c, p, q, r, s, v, w, x, y, z = symbols("E K L N Q Gamma Phi c p q r s v w x y z")
 
 claim("BLZ94-X.2", "the step of the Riccati equation near a solution, on which sufficiency in Theorem 7.1 rests",
       (F * Q * T(F) + (g - F * Q * h) / (1 - T(h) * Q * h) * T(g - F * Q * h))
@@ -67,8 +76,16 @@ claim("BLZ94-X.2", "the step of the Riccati equation near a solution, on which s
                              g: column(i, n, u * ((1 / v - u**2 * v) / (1 - u**2) - v))})],
       note="Not printed: one step of the argument for Theorem 7.1.")
 
-not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those among them with sign definite D, have measure zero",
-            "a statement about Lebesgue measure; for each t escape is one equation 1 - gamma_t^2 = 0, which is not an identity as equilibria never escape")
+claim("BLZ94-X.8", "the solution of the Riccati equation near another one, in closed form",
+      forall(t, 0, m, invertible(N[t]) & (K[t] == Phi[t] * inv(N[t]) * T(Phi[t]))), sizes=["n", "m"],
+      over={Gamma: matrix(n, n), h: vector(n), E: nonsingular(n), q: scalar(), c: sequence(0, m - 1)},
+      where=[rec(K, t, E, Gamma * K[t] * (Identity(n) + c[t] * h * T(h) * K[t]) * T(Gamma)), rec(Phi, t, Identity(n), Gamma * Phi[t]),
+             rec(N, t, inv(E), N[t] - q * T(Phi[t]) * h * T(h) * Phi[t])],
+      given=[standing("E is symmetric", E == T(E)), given("c_k (1 - q h'K_kh) = q", forall(k, 0, m - 1, c[k] * (1 - q * T(h) * K[k] * h) == q))],
+      by=[example({Gamma: [[2]], h: [1], E: [[1]], q: 1, c: []}, n=1, m=0), induction(step=order([inv(N[t]) + c[t] * inv(N[t]) * T(Phi[t]) * h * T(h) * Phi[t] * inv(N[t])], [])),
+          instances(n=(1, 2), m=(1, 2, 3), using={L: symmetric_matrix(n)}, made_by={E: L + 10 * Identity(n), c: (k, q / (1 - q * T(h) * Phi[k] * inv(N[k]) * T(Phi[k]) * h))})],
+      note="Not printed. K_t is P_t - P, as its step by X.2 is K(I - qhh'K)^(-1) between Gamma and Gamma', and I + chh'K is that inverse. Phi_t is Gamma^t and N_t is "
+           "the inverse of P_0 - P less q times the sum of the Gamma'^k hh' Gamma^k, k < t.")
 
 claim("BLZ94-X.1", "a multiple of w(z)w(1/z) does not change sign on the circle", nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"],
       over={a: monic(n), b: monic(n), w: monic(n), c: scalar()}, where=[let(D, symmetric_part(a, b))],
@@ -93,15 +110,6 @@ claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc",
           instances(n=(1, 2), made_by={u: w, r: 1})],
       note="The factor r in (7.1a) is twice the limit of r_t, compare (5.4) and (8.8).")
 
-not_checked("BLZ94-C7.2.2", "the global unstable manifold", "a statement about backward orbits and their limits; no exact form is stated yet")
-
 claim("BLZ94-X.4", "every (alpha, 0) is a fixed point", (alpha[1] == alpha0) & (gamma[1] == 0 * alpha0), sizes=["n"], over={alpha0: vector(n)},
       where=[let(gamma0, 0 * alpha0), *ORBIT], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="Not printed: the part of Corollary 7.2 that no limit enters.")
-
-LIMITS = ("a statement about limits of orbits for every n, of which the exact parts are BLZ94-X.1 to X.4; for a given filter the orbit is decided with a "
-          "certificate by `exactkf analyze`")
-for _id, _title in (("T7.1.0", "convergence and sign definiteness of D"), ("T7.1.2", "sufficiency away from the escaping points"),
-                    ("T7.1.3", "the limit of a pair with a common factor"), ("C7.2.1", "the global stable manifold of (alpha, 0)"),
-                    ("C7.2.3", "the equilibria as a center manifold")):
-    not_checked(f"BLZ94-{_id}", _title, LIMITS)

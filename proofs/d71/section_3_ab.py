@@ -21,8 +21,9 @@ the update of P is a multiple of eps.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import Evidence, example, first, identity, induction, instances, order
 from exactkf.language import (
+    Expr,
     Identity,
     T,
     Zero,
@@ -37,13 +38,13 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
-    matrix_of,
     nonsingular,
     pd,
     positive_definite,
     positive_semidefinite,
     psd,
     rec,
+    sequence_of,
     signal_of,
     standing,
     sum_of,
@@ -51,11 +52,9 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     vector,
-    when,
 )
 from proofs.d71.notation import (
     COVARIANCE,
-    GW,
     P0,
     TRANSITION,
     VARYING,
@@ -67,12 +66,9 @@ from proofs.d71.notation import (
     Phi,
     Tr,
     V,
-    across,
     annihilating,
-    cut,
     gain,
     gram,
-    i,
     joseph,
     k,
     n,
@@ -145,8 +141,6 @@ Phi0, Phi1, M0, M1, V0, V1, H0, H1, K0, K1 = symbols("Phi0 Phi1 M0 M1 V0 V1 H0 H
 Zn, Zp = Zero(n, 1), Zero(p, 1)
 w = T(Phi)*z
 
-FACT = "A nonnegative definite A with x'Ax = 0 has Ax = 0."
-
 TERMS = [T(z)*Phi*(I - K*M)*P*T(I - K*M)*T(Phi)*z, T(z)*Phi*K*V*T(K)*T(Phi)*z, T(z)*H*z]
 SUM_ZERO = (TERMS[0] + TERMS[1] + TERMS[2])*Identity(1) == Zero(1, 1)
 
@@ -169,7 +163,19 @@ TWO_STEPS = {
     Phi1: matrix(n, n), M1: matrix(p, n), V1: positive_definite(p), H1: positive_semidefinite(n),
 }
 FROM_TWO = [let(P1, step(P, Phi0, M0, V0, H0)), let(P2, step(P1, Phi1, M1, V1, H1)), let(K0, gain(P, M0, V0))]
-w1, w0 = T(Phi1)*z, T(Phi0)*T(Phi1)*z
+w1, w0 = T(Phi1)*z, T(Phi0)*(T(Phi1)*z)
+GAIN_1 = gain(P1, M1, V1)
+
+
+def two_terms(phi: Expr, kk: Expr, pp: Expr, mm: Expr, vv: Expr, hh: Expr) -> list[Expr]:
+    """The next covariance as a sum of nonnegative terms."""
+    return [phi*(I - kk*mm)*pp*T(I - kk*mm)*T(phi), phi*kk*vv*T(kk)*T(phi), hh]
+
+
+LAST, FORMER = two_terms(Phi1, GAIN_1, P1, M1, V1, H1), two_terms(Phi0, K0, P, M0, V0, H0)
+#: one step back, P_{m-1} at Phi_{m-1}'z; and another
+WAY_BACK = [psd(P1), V1*T(GAIN_1)*w1 == Zp, T(GAIN_1)*w1 == Zp, P1*T(I - GAIN_1*M1)*w1 == Zn, P1*w1 == Zn,
+            V0*T(K0)*w0 == Zp, T(K0)*w0 == Zp, P*T(I - K0*M0)*w0 == Zn]
 
 claim("D71-S19", "a null vector carried back two steps",
       (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*z == Zp) & (P*T(Phi0)*z == Zn),
@@ -182,41 +188,72 @@ claim("D71-S19", "a null vector carried back two steps",
           "factor", "the vector that K_{m-2}' and P_{m-2} annihilate is Phi_{m-2}'Phi_{m-1}'z; the factor Phi_{m-1}' "
                     "is missing",
           (H0*T(Phi1)*z == Zn) & (T(K0)*T(Phi0)*T(Phi1)*z == Zp) & (P*T(Phi0)*T(Phi1)*z == Zn),
-          sizes=["n", "p"], over=TWO_STEPS, where=FROM_TWO, given=[given("P_m z = 0", P2*z == Zn)],
-          by=[steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken twice."),
+          sizes=["n", "p"], over={**TWO_STEPS, P1: matrix(n, n)}, where=FROM_TWO[1:],
+          given=[standing("P_{m-1}", P1 == step(P, Phi0, M0, V0, H0)), given("P_m z = 0", P2*z == Zn)],
+          by=[order(FORMER, LAST, [inv(V1)], LAST, [], FORMER, [inv(V0)], FORMER, FORMER, lemmas=WAY_BACK),
               instances(n=(2, 4), p=(1, 4), using={Y: matrix(n, n), Y1: matrix(n, n), Y2: matrix(n, n)},
                         made_by={P: annihilating(w0, Y, Y1), H0: annihilating(w1, Y1, Y2),
-                                 H1: annihilating(z, Y2, Y)})]),
+                                 H1: annihilating(z, Y2, Y), P1: step(P, Phi0, M0, V0, H0)})]),
       note="P is P_{m-2}, with the data of the instants m-2 and m-1 named 0 and 1.")
 
-Rd, YW = symbols("Rd YW")
+Rd = sym("Rd")
 DRIVEN = let(Rd, sum_of(k, 0, m - 1, Tr(m, k + 1)*H(k)*T(Tr(m, k + 1))))
-RUN_TO_M = {**slices(m), P0: positive_semidefinite(n), z: vector(n)}
-#: noise and initial covariance that annihilate what z becomes on its way back
-BACK = {
-    GW: matrix_of(i, c, n, n*m, sum_of(k, 0, m - 1, when(
-        (c > n*k) & (c <= n*k + n), (across(T(Tr(m, k + 1))*z, cut(YW, n, n, k))*T(y))[i, c - n*k], 0))),
-    P0: annihilating(T(Tr(m, 0))*z, Y, Y1),
-}
-BACKWARDS = [
-    steps("D71-E3.1", facts=[FACT], prose="The step back from P_m to P_{m-1}, taken m times."),
-    # with V_1 = 0 the second measurement makes P_2 zero whatever H_0 was
-    example(n=1, p=1, m=2, P0=[[1]], z=[1], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]]),
-    instances(n=(2, 4), p=(1,), m=(1, 2), made_by=BACK,
-              using={Y: matrix(n, n), Y1: matrix(n, n), YW: matrix(n, n*m), y: vector(n)}),
-]
+# the steps back from t_m, counted by k: Back_k is Phi(t_m, t_{m-k}), and R_k is the part of R_d(t_m) that the last k noises make
+r, Back, Rk, Qk, Y0, YH, G, Nn = symbols("r Back R q Y0 YH G Nn")
+BACK_K = m - 1 - k
+
+
+def data_to(last: Expr) -> dict:
+    """Data of the instants 0 .. last - 1."""
+    return {Phi: sequence_of(matrix(n, n), 0, last - 1), M: sequence_of(matrix(p, n), 0, last - 1),
+            H: sequence_of(positive_semidefinite(n), 0, last - 1), V: sequence_of(positive_definite(p), 0, last - 1), P0: positive_semidefinite(n)}
+
+
+BACKWARDS = [COVARIANCE, rec(Back, k, I, Back[k]*Phi[BACK_K])]
+DRIVEN_BACK = rec(Rk, k, Zero(n, n), Rk[k] + Back[k]*H[BACK_K]*T(Back[k]))
+FROM_THE_END = standing("the covariance equation, counted from the end", forall(k, 0, m - 1, P[k + 1] == varying_step(P[k], k)))
 NULL = given("P_m z = 0", P[m]*z == Zn)
-V_POSITIVE_TO_M = given("V_k > 0", forall(k, 0, m - 1, pd(V(k))))
+
+
+def terms_at(at: Expr) -> list[Expr]:
+    """The next covariance as a sum of nonnegative terms."""
+    gain_at = gain(P[at], M[at], V[at])
+    return [Phi[at]*(I - gain_at*M[at])*P[at]*T(I - gain_at*M[at])*T(Phi[at]), Phi[at]*gain_at*V[at]*T(gain_at)*T(Phi[at]), H[at]]
+
+
+def steps_back(null: Expr, columns: Expr | int) -> list:
+    """P_k >= 0, and what becomes of the null vectors of P_m on the way back."""
+    zero = Zero(n, columns)
+
+    def back_from(at: Expr, vector_: Expr) -> Evidence:
+        """Each of the nonnegative terms vanishes where their sum does, and then so do K' and P."""
+        gain_at, carried = gain(P[at], M[at], V[at]), T(Phi[at])*vector_
+        lemmas = [V[at]*T(gain_at)*carried == Zero(p, columns), T(gain_at)*carried == Zero(p, columns), P[at]*T(I - gain_at*M[at])*carried == zero]
+        return order(terms_at(at), [inv(V[at])], terms_at(at), terms_at(at), [], lemmas=lemmas)
+
+    return [first(forall(k, 0, m, psd(P[k])), base=order([P0]), step=order(JOSEPH_K)),
+            first(forall(k, 0, m - 1, (H[BACK_K]*(T(Back[k])*null) == zero) & (P[BACK_K]*(T(Back[k + 1])*null) == zero)),
+                  base=back_from(m - 1, T(Back[k])*null), step=back_from(m - 2 - k, T(Back[k + 1])*null))]
+
+
+#: noise and initial covariance that annihilate what z becomes on its way back
+PREPARED = {"using": {Y0: matrix(n, n), Y: matrix(n, n), YH: sequence_of(matrix(n, n), 0, m)},
+            "made_by": {H: (k, annihilating(T(Back[BACK_K])*z, YH[k], YH[k + 1])), P0: annihilating(T(Back[m])*z, Y0, Y)}}
+RUN_BACK = [instances(n=(2, 4), p=(1, 2), m=(1, 2), **PREPARED),
+            example(n=1, p=1, m=1, Phi=[[[1]]], M=[[[1]]], H=[[[1]]], V=[[[1]]], P0=[[0]], z=[1])]
 
 claim("D71-S20", "a null vector of P_m annihilates every H_k",
-      forall(k, 0, m - 1, H(k)*T(Tr(m, k + 1))*z == Zn),
-      sizes=["n", "p", "m"], over=RUN_TO_M, where=[*VARYING, COVARIANCE, TRANSITION],
-      given=[V_POSITIVE_TO_M, NULL], by=BACKWARDS)
+      forall(k, 0, m - 1, H[BACK_K]*T(Back[k])*z == Zn),
+      sizes=["n", "p", "m"], over={**data_to(m), z: vector(n)}, where=BACKWARDS, given=[FROM_THE_END, NULL],
+      by=[induction(before=steps_back(z, 1)), *RUN_BACK],
+      note="Counted from the end: with k here for m - 1 - k there, Back is Phi(t_m, t_{k+1}).")
 
 claim("D71-E3.3", "a null vector of P_m is one of R_d(t_m)",
-      eq(T(z)*Rd*z, sum_of(k, 0, m - 1, T(z)*Tr(m, k + 1)*H(k)*T(Tr(m, k + 1))*z), 0),
-      sizes=["n", "p", "m"], over=RUN_TO_M, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
-      given=[V_POSITIVE_TO_M, NULL], by=BACKWARDS)
+      forall(k, 0, m, eq(T(z)*Rk[k]*z, Qk[k], Zero(1, 1))),
+      sizes=["n", "p", "m"], over={**data_to(m), z: vector(n)},
+      where=[*BACKWARDS, DRIVEN_BACK, rec(Qk, k, Zero(1, 1), Qk[k] + T(z)*Back[k]*H[BACK_K]*T(Back[k])*z)],
+      given=[FROM_THE_END, NULL], by=[induction(before=steps_back(z, 1)), *RUN_BACK],
+      note="R_d(t_m) is the sum R_m, and q_m the sum in the middle, both counted from the end.")
 
 AFTER = {**slices(N), P0: positive_semidefinite(n)}
 V_POSITIVE_AFTER = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
@@ -245,15 +282,18 @@ claim("D71-T3.3", "a completely driven process makes the covariance positive def
       sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
       given=[IN_TIME, V_POSITIVE_AFTER, given("completely driven at t_m", pd(Rd))],
       by=[SINGULAR_PHI, instances(**AFTER_SIZES)],
-      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, m, N, pd(P[k])),
-                    sizes=["n", "p", "m", "N"], over=AFTER, where=[*VARYING, COVARIANCE, TRANSITION, DRIVEN],
-                    given=[IN_TIME, V_POSITIVE_AFTER, REGULAR_AFTER, given("completely driven at t_m", pd(Rd))],
-                    by=[steps("D71-E3.1", "D71-E1.28d",
-                              facts=[FACT, "Inverses, and congruences by invertible matrices, of positive definite "
-                                           "matrices are positive definite."],
-                              prose="A null vector of P_m is one of R_d(t_m), so P_m > 0; an invertible Phi_k keeps "
-                                    "the update of P_k > 0 positive."),
-                        SINGULAR_PHI, EXACT_MEASUREMENT, instances(**AFTER_SIZES)]),
+      repair=repair("missing hypothesis", NEEDS_PHI, forall(k, 0, r, pd(P[m + k])),
+                    sizes=["n", "p", "m", "r"], over={**data_to(m + r), Nn: matrix(n, n), G: matrix(n, n)}, where=[*BACKWARDS, DRIVEN_BACK],
+                    given=[standing("the covariance equation, at every instant", forall(k, 0, m + r - 1, P[k + 1] == varying_step(P[k], k))),
+                           given("Phi_k is nonsingular from m on", forall(k, m, m + r - 1, invertible(Phi[k]))),
+                           given("completely driven at t_m", pd(Rk[m])),
+                           standing("null vectors of P_m, by a generalized inverse", (P[m]*Nn == Zero(n, n)) & (Nn == I - G*P[m]))],
+                    by=[induction(before=[*steps_back(Nn, n), first(forall(k, 0, m, Rk[k]*Nn == Zero(n, n))), first((Rk[m]*Nn == Zero(n, n)) & (Nn == Zero(n, n)), base=order([], [inv(Rk[m])])),
+                                          first(invertible(P[m]), base=order([T(G)]))],
+                                  base=order([P[m]]), step=order([Phi[m + k]*inv(inv(P[m + k]) + T(M[m + k])*inv(V[m + k])*M[m + k])*T(Phi[m + k]), H[m + k]])),
+                        example(n=1, p=1, m=1, r=1, P0=[[0]], Phi=[[[1]], [[0]]], M=[[[1]], [[1]]], H=[[[1]], [[0]]], V=[[[1]], [[1]]], Nn=[[0]], G=[[1]]),
+                        example(n=1, p=1, m=1, r=0, P0=[[0]], Phi=[[[1]]], M=[[[1]]], H=[[[0]]], V=[[[1]]], Nn=[[1]], G=[[0]]),
+                        instances(n=(1, 2), p=(1, 2), m=(1, 2), r=(0, 1, 2), made_by={G: inv(P[m]), Nn: Zero(n, n)})]),
       note="A nonsingular Phi is assumed from section C on, and in Chapter I for sampled continuous-time processes, "
            "but not here.")
 

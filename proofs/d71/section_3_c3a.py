@@ -18,7 +18,7 @@ that H is nonnegative, so P and H are arbitrary square matrices.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import combination, identity, instances
+from exactkf.evidence import combination, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -27,6 +27,7 @@ from exactkf.language import (
     eq,
     given,
     inv,
+    invertible,
     let,
     matrix,
     nonsingular,
@@ -108,10 +109,7 @@ claim("D71-S32", "clearing the inverse adds no solutions",
       & (P == Phi*P*X*T(Phi) + H) & (P == step()),
       sizes=["n", "p"], over=DATA, where=[GRAM, let(X, I - S*inv(Phi)*(P - H)*PhiT)],
       given=[given("(3.49)", QUADRATIC == Zero(n, n))],
-      by=[combination([[(S*inv(Phi), "(3.49)", 1)],
-                       [(-inv(V)*M*P*S*inv(Phi), "(3.49)", T(M))],
-                       [(-(I + Phi*P*S*inv(Phi)), "(3.49)", inv(I + S*P)*T(Phi))],
-                       [(-1, "(3.49)", inv(I + S*P)*T(Phi))]], **SMALL),
+      by=[order([], [], [], [], [inv(I + S*P)], lemmas=[X*(I + S*P) == I, invertible(I + S*P)]),
           instances(**MORE, made_by=MADE)],
       note="The first two equations show inverses of I + SP and of MPM' + V, the other two the equilibrium equation. "
            "With (3.49) following from (3.46), both equations have the same solutions.")

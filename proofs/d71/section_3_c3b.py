@@ -23,23 +23,25 @@ eigenvector at a + ib.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import Evidence, example, first, identity, induction, instances, order
 from exactkf.language import (
+    Expr,
     Identity,
     T,
     Zero,
     block,
     bottom,
     charpoly,
-    circle_roots,
+    coeff,
     cospectral,
     det,
     diag,
+    forall,
     given,
     hstack,
     iff,
     inv,
-    kernel_basis,
+    invertible,
     let,
     matrix,
     matrix_of,
@@ -47,14 +49,16 @@ from exactkf.language import (
     nonzero,
     positive_definite,
     positive_semidefinite,
-    rank,
+    psd,
+    rec,
     rows,
     scalar,
+    sequence,
     standing,
-    sum_of,
     sym,
     symbols,
     top,
+    vector,
     vstack,
     when,
 )
@@ -120,8 +124,9 @@ y, y1 = symbols("y y1")
 
 def quadratic(real, imaginary):
     """(R - real)^2 + imaginary^2, which is singular exactly if real +- i imaginary are eigenvalues."""
-    shifted = Rp - real*I2
-    return shifted*shifted + imaginary**2*I2
+    whole = block([[I, Zero(n, n)], [Zero(n, n), I]])
+    shifted = Rp - real*whole
+    return shifted*shifted + imaginary**2*whole
 
 
 #: W = [[0, I], [-I, 0]] with R_p W = W (R_p')^{-1}, and its inverse
@@ -188,20 +193,58 @@ AUX = {E: nonsingular(n), D1: matrix(q, q), D2: matrix(n - q, n - q), G: matrix(
 NOT_DRIVEN = {Phi: E*CORNERED*inv(E), H: E*block([[Zero(q, q), Zero(q, n - q)], [Zero(n - q, q), y*T(y)]])*T(E)}
 NOT_MEASURED = {Phi: inv(T(E))*T(CORNERED)*T(E), M: hstack(Zero(p, q), y1)*T(E)}
 FIRST = matrix_of(i, j, n, q, when(i == j, 1, 0))
-MODEL_Q = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
-POWERS = [let(Rd, sum_of(k, 0, n - 1, Phi**k*H*T(Phi**k))), let(Pd, sum_of(k, 0, n - 1, T(Phi**k)*T(M)*M*Phi**k)),
-          let(Nd, kernel_basis(Rd)), let(No, kernel_basis(Pd))]
+t, ch, Up, Down, CombU, CombD, Ed, Eo, Gd, Go = symbols("t ch Up Down CombU CombD Ed Eo Gd Go")
+
+
+def powers_vanish(sums: Expr, power: Expr, combined: Expr, turn: Expr, half: Expr, rows_: Expr, null: Expr) -> list:
+    """Up to the n-th power, which is a combination of those before it, each takes the null vectors of the sum to ones of ``half``."""
+    zero, gone = Zero(n, q), Zero(rows_, q)
+
+    def added(at: Expr) -> Expr:
+        return T(power[at])*half*power[at] if half is H else T(power[at])*T(half)*half*power[at]
+
+    def last_terms(at: Expr) -> Evidence:
+        return order([sums[at], added(at)], [sums[at], added(at)])
+
+    return [first(forall(k, 0, n, psd(sums[k])), base=order([Zero(n, n)]), step=order([sums[k], added(k)])),
+            first(forall(k, 0, n - 1, (sums[n - 1 - k]*null == zero) & (half*power[n - 1 - k]*null == gone)), base=last_terms(n - 1), step=last_terms(n - 2 - k)),
+            first(forall(k, 0, n - 1, (sums[n - 1 - k] == sums[n - 1 - k]) & (half*power[k]*null == gone))),
+            first(forall(k, 0, n, half*combined[k]*null == gone)),
+            first(forall(k, 0, n, half*power[n - k]*null == gone)),
+            first(forall(k, 0, n, (sums[n - k] == sums[n - k]) & (half*power[k]*null == gone))),
+            first(forall(k, 0, n, sums[k]*(turn*null) == zero), also=[power[k]*turn == turn*power[k]]),
+            first(sums[n]*(turn*null) == zero)]
+
+
+UNDRIVEN_SPACE = powers_vanish(Rd, Up, CombU, T(Phi), H, n, Nd)
+UNSEEN_SPACE = powers_vanish(Pd, Down, CombD, Phi, M, p, No)
+FULL = {Gd: inv(Rd[n]), Nd: Zero(n, q), Ed: Zero(q, n)}, {Go: inv(Pd[n]), No: Zero(n, q), Eo: Zero(q, n)}
+BASIS = inv(T(E))*FIRST
+SPANNED = ({Nd: BASIS, Gd: inv(Rd[n] + BASIS*T(BASIS)), Ed: inv(T(BASIS)*BASIS)*T(BASIS)},
+           {No: BASIS, Go: inv(Pd[n] + BASIS*T(BASIS)), Eo: inv(T(BASIS)*BASIS)*T(BASIS)})
+#: one state, driven and observed
+LONELY = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[1]], "M": [[1]], "ch": [2], "Nd": [[0]], "No": [[0]], "Gd": [[1]], "Go": [[1]], "Ed": [[0]], "Eo": [[0]]}
+HAMILTON = {ch: (k, -coeff(charpoly(Phi), k))}
 
 claim("D71-E3.60", "bases of the undriven and of the unobservable subspace",
-      (rank(hstack(Nd, T(Phi)*Nd)) == rank(Nd)) & (rank(vstack(Rd, H)) == rank(Rd))
-      & (rank(hstack(No, Phi*No)) == rank(No)) & (rank(vstack(Pd, M)) == rank(Pd)),
-      sizes=["n", "p", "q"], over=MODEL_Q, where=POWERS,
-      by=[steps(facts=["Theorem of Cayley and Hamilton.", "A null vector of a sum of nonnegative definite matrices is one of each.", "Jordan's theorem."],
-                prose="A null vector v of R_d has H(Phi')^j v = 0 for j < n, hence for every j, so Phi'v is one again; the other half is the same "
-                      "with Phi, M in place of Phi', H. A basis can be chosen for which the matrix of the restriction has Jordan form."),
-          instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_DRIVEN), instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_MEASURED)],
-      note="That Phi'N_d = N_d Lambda_d* for some matrix says that the column space of N_d is invariant: [N_d, Phi'N_d] has the rank of N_d. That HN_d = 0 "
-           "says that the null space of R_d lies in that of H: H under R_d does not raise the rank. The null space of P_d' is that of P_d P_d'.")
+      (T(Phi)*Nd == Nd*(Ed*T(Phi)*Nd)) & (H*Nd == Zero(n, q)) & (Phi*No == No*(Eo*Phi*No)) & (M*No == Zero(p, q)),
+      sizes=["n", "p", "q"],
+      over={Phi: matrix(n, n), H: positive_semidefinite(n), M: matrix(p, n), ch: sequence(0, n - 1), Nd: matrix(n, q), No: matrix(n, q), Gd: matrix(n, n),
+            Go: matrix(n, n), Ed: matrix(q, n), Eo: matrix(q, n)},
+      where=[rec(Up, t, I, T(Phi)*Up[t]), rec(Down, t, I, Phi*Down[t]), rec(Rd, t, Zero(n, n), Rd[t] + T(Up[t])*H*Up[t]),
+             rec(Pd, t, Zero(n, n), Pd[t] + T(Down[t])*(T(M)*M)*Down[t]), rec(CombU, t, Zero(n, n), CombU[t] + ch[t]*Up[t]),
+             rec(CombD, t, Zero(n, n), CombD[t] + ch[t]*Down[t])],
+      given=[standing("theorem of Cayley and Hamilton", (Up[n] == CombU[n]) & (Down[n] == CombD[n])),
+             standing("the sums, counted from the end", forall(k, 0, n - 1, (Rd[k + 1] == Rd[k] + T(Up[k])*H*Up[k]) & (Pd[k + 1] == Pd[k] + T(Down[k])*(T(M)*M)*Down[k]))),
+             given("null vectors of R_d", Rd[n]*Nd == Zero(n, q)), given("all of them", I - Gd*Rd[n] == Nd*Ed),
+             given("null vectors of P_d", Pd[n]*No == Zero(n, q)), given("all of those", I - Go*Pd[n] == No*Eo)],
+      by=[induction(before=[*UNDRIVEN_SPACE, *UNSEEN_SPACE]),
+          instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_DRIVEN, **HAMILTON, **SPANNED[0], **FULL[1]}),
+          instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_MEASURED, **HAMILTON, **FULL[0], **SPANNED[1]}),
+          *(example({**LONELY, **change}) for change in ({"Nd": [[1]]}, {"Nd": [[0]], "Gd": [[0]]}, {"No": [[1]]}, {"Go": [[0]]}))],
+      note="The columns of N_d and N_0 span the null spaces of R_d = R_n and P_d' = P_n: I - G R_d, with a generalized inverse G, is N_d times a matrix. "
+           "Then Lambda_d* and Lambda_0 are the brackets. The powers and sums are those of section I.E; the numbers ch come from the theorem of Cayley and "
+           "Hamilton, that the n-th power of Phi is a combination of those before it.")
 
 UNDRIVEN_GIVEN = [given("(3.60)", T(Phi)*N == N*T(Lam)), given("(3.61)", H*N == Zero(n, q))]
 UNOBSERVED_GIVEN = [given("(3.62)", Phi*N == N*Lam), given("(3.63)", M*N == Zero(p, q))]
@@ -229,33 +272,38 @@ claim("D71-E3.67", "an unobservable mode: left eigenvectors of R_p",
       sizes=["n", "p", "q"], over=MODE, where=R_WHERE, given=UNOBSERVED_GIVEN, by=[instances(**SIZES_Q, **MADE_UNOBSERVED)])
 
 PAIR = rows([[a, b], [-b, a]])
-IS_MODE = (T(Phi)*N == N*T(PAIR)) & (H*N == Zero(n, 2))
-IS_HIDDEN = (Phi*N == N*PAIR) & (M*N == Zero(p, 2))
-#: a real mode has [u, 0], a pair of complex ones [u, v]
+u, v, a1, b1, Q1, Q2 = symbols("u v a1 b1 Q1 Q2")
+ZERO = Zero(n, 1)
+#: u + iv is an eigenvector of Phi' at a - ib and a null vector of H; of Phi at a + ib, and of M
+IS_MODE = (T(Phi)*u == a*u + b*v) & (T(Phi)*v == a*v - b*u) & (H*u == ZERO) & (H*v == ZERO)
+IS_HIDDEN = (Phi*u == a*u - b*v) & (Phi*v == a*v + b*u) & (M*u == Zero(p, 1)) & (M*v == Zero(p, 1))
+U1, U2 = (matrix_of(i, j, n, 1, when(i == k, 1, 0)) for k in (1, 2))
+#: a real mode has v = 0
 REAL_MODE = {"using": {E: nonsingular(2), d: scalar(), e: scalar(), l: scalar(), y1: matrix(p, 1)}}
-U1 = rows([[1, 0], [0, 0]])
-SINGULAR_TWICE = (det(quadratic(a, b)) == 0) & (det(quadratic(a/(a**2 + b**2), b/(a**2 + b**2))) == 0)
+RECIPROCAL = {a1: a/(a**2 + b**2), b1: b/(a**2 + b**2)}
 MODES = {"n": (2,), "p": (1,)}
+NO_MODE = (u == ZERO) & (v == ZERO)
 
 claim("D71-T3.11", "an undriven or unobservable mode gives two eigenvalues of R_p",
-      SINGULAR_TWICE,
-      sizes=["n", "p"], over={**MODEL, a: scalar(), b: scalar(), N: matrix(n, 2)}, where=R_WHERE,
-      given=[given("undriven or unobservable", IS_MODE | IS_HIDDEN), given("a mode", N != Zero(n, 2))],
-      by=[steps("D71-E3.64", "D71-E3.65", "D71-E3.66", "D71-E3.67", facts=["A matrix and its transpose have the same eigenvalues."],
-                prose="(3.64) and (3.65), or (3.66) and (3.67), show right eigenvectors at one of the two numbers and left ones at the other."),
-          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[0, 0], [0, 0]], M=[[1, 3]], V=[[2]], a=1, b=2, N=[[0, 1], [-1, 0]]),
-          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[2, 1], [1, 3]], M=[[0, 0]], V=[[2]], a=1, b=2, N=[[1, 0], [0, 1]]),
-          example(n=1, p=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], a=2, b=0, N=[[0, 0]]),
-          example(n=3, p=1, Phi=[[1, 0, 2], [0, 2, 1], [0, 0, 3]], H=[[1, 2, 0], [2, 4, 0], [0, 0, 0]], M=[[1, 1, 1]], V=[[1]], a=3, b=0,
-                  N=[[0, 0], [0, 0], [1, 0]]),
+      (invertible(Q1) >> NO_MODE) & (invertible(Q2) >> NO_MODE),
+      sizes=["n", "p"], over={**MODEL, a: scalar(), b: scalar(), a1: scalar(), b1: scalar(), u: vector(n), v: vector(n)},
+      where=[*R_WHERE, let(Q1, quadratic(a, b)), let(Q2, quadratic(a1, b1))],
+      given=[given("the conjugate reciprocal", (a*a1 + b*b1 == 1) & (a*b1 == b*a1)), given("undriven or unobservable", IS_MODE | IS_HIDDEN)],
+      by=[order(*(2*[[inv(Q1)], [inv(Q1)], [inv(Q2)], [inv(Q2)]])),
+          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[0, 0], [0, 0]], M=[[1, 3]], V=[[2]], a=1, b=2, a1="1/5", b1="2/5", u=[0, -1], v=[1, 0]),
+          example(n=2, p=1, Phi=[[1, 2], [-2, 1]], H=[[2, 1], [1, 3]], M=[[0, 0]], V=[[2]], a=1, b=2, a1="1/5", b1="2/5", u=[1, 0], v=[0, 1]),
+          example(n=1, p=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], a=2, b=0, a1="1/2", b1=0, u=[0], v=[0]),
+          example(n=3, p=1, Phi=[[1, 0, 2], [0, 2, 1], [0, 0, 3]], H=[[1, 2, 0], [2, 4, 0], [0, 0, 0]], M=[[1, 1, 1]], V=[[1]], a=3, b=0, a1="1/3", b1=0,
+                  u=[0, 0, 1], v=[0, 0, 0]),
+          example(n=2, p=1, Phi=[[1, 0], [0, 5]], H=[[1, 0], [0, 1]], M=[[1, 1]], V=[[1]], a=2, b=0, a1="1/2", b1=0, u=[0, 0], v=[0, 0]),
           instances(6, **MODES, **REAL_MODE,
-                    made_by={b: 0, Phi: E*rows([[a, 0], [e, d]])*inv(E), H: E*rows([[0, 0], [0, l**2]])*T(E), N: inv(T(E))*U1}),
+                    made_by={b: 0, **RECIPROCAL, Phi: E*rows([[a, 0], [e, d]])*inv(E), H: E*rows([[0, 0], [0, l**2]])*T(E), u: inv(T(E))*U1, v: ZERO}),
           instances(6, **MODES, **REAL_MODE,
-                    made_by={b: 0, Phi: E*rows([[a, e], [0, d]])*inv(E), M: hstack(Zero(p, 1), y1)*inv(E), N: E*U1}),
-          instances(3, **MODES, **REAL_MODE, made_by={Phi: E*PAIR*inv(E), H: Zero(2, 2), N: inv(T(E))}),
-          instances(3, **MODES, **REAL_MODE, made_by={Phi: E*PAIR*inv(E), M: Zero(p, 2), N: E})],
-      note="lambda = a + ib and N = [u, v]: the mode has the eigenvector u + iv. A number a + ib is an eigenvalue of the real matrix R_p exactly if "
-           "(R_p - a)^2 + b^2 is singular. lambda is not 0 as Phi is nonsingular.")
+                    made_by={b: 0, **RECIPROCAL, Phi: E*rows([[a, e], [0, d]])*inv(E), M: hstack(Zero(p, 1), y1)*inv(E), u: E*U1, v: ZERO}),
+          instances(3, **MODES, **REAL_MODE, made_by={**RECIPROCAL, Phi: E*PAIR*inv(E), H: Zero(2, 2), u: inv(T(E))*U1, v: inv(T(E))*U2}),
+          instances(3, **MODES, **REAL_MODE, made_by={**RECIPROCAL, Phi: E*PAIR*inv(E), M: Zero(p, 2), u: E*U1, v: E*U2})],
+      note="lambda = a + ib, and u + iv is its eigenvector. A number a + ib is an eigenvalue of the real matrix R_p exactly if (R_p - a)^2 + b^2 is "
+           "singular: so where the eigenvector is not zero both numbers, lambda and 1/lambda* = a1 + i b1, are. lambda is not 0 as Phi is nonsingular.")
 
 # --- eigenvalues on the unit circle -------------------------------------------------------------------------------------
 
@@ -313,24 +361,50 @@ claim("D71-E3.74", "f and gamma are eigenvectors of Phi and its adjoint",
       given=[given("omega* omega = 1", T(W)*W == Identity(q)), *HALVES, standing("Mf = 0", M*f == Zero(p, q)), standing("H gamma = 0", H*g == Zero(n, q))],
       by=[*REAL_WAYS, *WAYS, example(n=1, p=1, q=1, Phi=[["1/2"]], H=[[0]], M=[[0]], V=[[1]], f=[1], g=[1], W=[[2]])])
 
-Lamd, Lamo = symbols("Lamd Lamo")
-COORDINATES = [let(Lamd, inv(T(Nd)*Nd)*T(Nd)*T(Phi)*Nd), let(Lamo, inv(T(No)*No)*T(No)*Phi*No)]
+f1, f2, g1, g2, x1, x2, y2 = symbols("f1 f2 g1 g2 x1 x2 y2")
+
+
+def eigenvector_of_r(f1, f2, g1, g2):
+    """R_p [f; g] = omega [f; g] for f = f1 + i f2, g = g1 + i g2 and omega = a + ib."""
+    return (Rp*vstack(f1, g1) == vstack(a*f1 - b*f2, a*g1 - b*g2)) & (Rp*vstack(f2, g2) == vstack(b*f1 + a*f2, b*g1 + a*g2))
+
+
+def pair_of_modes(f1, f2, g1, g2):
+    """Phi f = omega f and Mf = 0; Phi' g = omega* g and Hg = 0."""
+    return ((Phi*f1 == a*f1 - b*f2) & (Phi*f2 == b*f1 + a*f2) & (M*f1 == Zero(p, 1)) & (M*f2 == Zero(p, 1))
+            & (T(Phi)*g1 == a*g1 + b*g2) & (T(Phi)*g2 == a*g2 - b*g1) & (H*g1 == ZERO) & (H*g2 == ZERO))
+
+
+#: the forms of S and H at f and gamma, whose sum vanishes
+BOTH_FORMS = [T(x)*T(M)*inv(V)*M*x for x in (f1, f2)] + [T(x)*H*x for x in (g1, g2)]
+HALF_WAY = [S*f1 == T(Phi)*(a*g1 - b*g2) - g1, S*f2 == T(Phi)*(b*g1 + a*g2) - g2,
+            H*(a*g1 - b*g2) == a*f1 - b*f2 - Phi*f1, H*(b*g1 + a*g2) == b*f1 + a*f2 - Phi*f2,
+            H*g1 == f1 - Phi*(a*f1 + b*f2), H*g2 == f2 - Phi*(a*f2 - b*f1),
+            (BOTH_FORMS[0] + BOTH_FORMS[1] + BOTH_FORMS[2] + BOTH_FORMS[3])*Identity(1) == Zero(1, 1),
+            M*f1 == Zero(p, 1), M*f2 == Zero(p, 1), H*g1 == ZERO, H*g2 == ZERO]
+SPUN = {a: (1 - e**2)/(1 + e**2), b: 2*e/(1 + e**2), Phi: E*PAIR*inv(E)}
+F_SPUN, G_SPUN = {f1: E*(c*U1 - d*U2), f2: E*(d*U1 + c*U2)}, {g1: inv(T(E))*(c*U1 - d*U2), g2: inv(T(E))*(d*U1 + c*U2)}
+X_SPUN, Y_SPUN = {x1: E*U2, x2: -E*U1}, {y: inv(T(E))*U1, y2: inv(T(E))*U2}
+NO_F, NO_G, NO_X, NO_Y = {f1: ZERO, f2: ZERO}, {g1: ZERO, g2: ZERO}, {x1: ZERO, x2: ZERO}, {y: ZERO, y2: ZERO}
+SPIN = {"n": (2,), "p": (1, 2), "using": {E: nonsingular(2), c: scalar(), d: scalar(), e: scalar()}}
+NOTHING = {"n": 1, "p": 1, "b": 0, **dict.fromkeys(("f1", "f2", "g1", "g2", "x1", "x2", "y", "y2"), [0])}
 
 claim("D71-T3.12", "eigenvalues of R_p on the unit circle",
-      iff(circle_roots(charpoly(Rp)) != 0, (circle_roots(charpoly(Lamd)) != 0) | (circle_roots(charpoly(Lamo)) != 0)),
-      sizes=["n", "p"], over=MODEL, where=[*R_WHERE, *POWERS, *COORDINATES],
-      by=[steps("D71-E3.68", "D71-E3.71", "D71-E3.73", "D71-E3.74", "D71-E3.64", "D71-E3.66",
-                facts=["A mode is undriven (unobservable) exactly if Phi' (Phi) has an eigenvector at it that is a null vector of H (M)."],
-                prose="An eigenvalue on the circle has an eigenvector [f; gamma] with Mf = 0, H gamma = 0; one of f and gamma is not zero and is an "
-                      "eigenvector of Phi or Phi'. The other direction is Theorem 3.11 with |lambda| = 1."),
-          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
-          example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[1, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
-          example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
-          example(n=2, p=1, Phi=[[2, 0], [0, -1]], H=[[1, 1], [1, 1]], M=[[1, 0]], V=[[1]]),
-          example(n=2, p=1, Phi=[[2, 0], [0, -1]], H=[[0, 0], [0, 1]], M=[[1, 1]], V=[[1]]),
-          instances(12, n=(1, 2), p=(1,))],
-      note="Lambda_d and Lambda_0 are the matrices of the undriven and the unobservable modes in bases of the two subspaces; a random walk mode is an "
-           "eigenvalue on the unit circle.")
+      pair_of_modes(f1, f2, g1, g2) & eigenvector_of_r(x1, x2, y, y2),
+      sizes=["n", "p"],
+      over={**MODEL, a: scalar(), b: scalar(), **{vector_: vector(n) for vector_ in (f1, f2, g1, g2, x1, x2, y, y2)}}, where=R_WHERE,
+      given=[given("|omega| = 1", a**2 + b**2 == 1), given("an eigenvector of R_p", eigenvector_of_r(f1, f2, g1, g2)),
+             given("two modes", pair_of_modes(x1, x2, y, y2))],
+      by=[order(*[[] for _ in HALF_WAY[:7]], BOTH_FORMS, BOTH_FORMS, BOTH_FORMS, BOTH_FORMS, lemmas=HALF_WAY),
+          example({**NOTHING, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "a": 1, "f1": [1]}),
+          example({**NOTHING, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "a": 1, "x1": [1]}),
+          example({**NOTHING, "Phi": [[1]], "H": [["1/2"]], "M": [[1]], "V": [[1]], "a": 2, "f1": [1], "g1": [1]}),
+          instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), M: Zero(p, 2), **F_SPUN, **G_SPUN, **X_SPUN, **Y_SPUN}),
+          instances(8, **SPIN, made_by={**SPUN, M: Zero(p, 2), **F_SPUN, **NO_G, **X_SPUN, **NO_Y}),
+          instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), **NO_F, **G_SPUN, **NO_X, **Y_SPUN})],
+      note="Both directions at once, for one omega = a + ib on the circle: every eigenvector [f; gamma] of R_p at omega consists of an unobservable mode f and an "
+           "undriven mode gamma (or zero), and any two such modes [x; y] make an eigenvector of R_p. A mode of modulus one is a random walk mode; Phi' gamma = omega* gamma "
+           "says that it has the eigenvalue omega*, and omega beside it, as Phi is real.")
 
 K = sym("K")
 

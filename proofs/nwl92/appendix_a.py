@@ -24,7 +24,7 @@ that (A.14) does not feel because U'RWR = 0.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, order
+from exactkf.evidence import combination, example, identity, instances, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -69,6 +69,8 @@ from proofs.nwl92.notation import (
     Zd,
     Ze,
     Zm,
+    any_rank_identities,
+    chained,
     every_size,
     excess,
     excess_term,
@@ -202,6 +204,11 @@ U_TWICE, FREE_TWICE = made_inverse(Zm, (W2, U2, T2), p, n, Y2, G2)
 LEFT_INVERSE = [let(Ze, block([[W, T(L)], [L, Tb]]))]
 WHICH = (Zm * Ze * Zm == Zm, R * T(L) * T(H) == D)
 LEFT_INVERSES = {**SETTING, L: matrix(n, p)}
+
+
+
+#: the (1)-inverse with U, and then with L' in the place of U
+WITH_U, WITH_L = (any_rank_identities(R, H, W, u, Tb, n, p) for u in (U, T(L)))
 claim("NWL92-SA1", "a left inverse of H that is a block of a symmetric (1)-inverse satisfies (A.9)",
       WHICH[0] >> WHICH[1],
       sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, PRINTED_D],
@@ -210,7 +217,8 @@ claim("NWL92-SA1", "a left inverse of H that is a block of a symmetric (1)-inver
       repair=repair("sign", SIGN + "; with that D a left inverse of H is such a block exactly if it satisfies (A.9)",
                     iff(*WHICH), sizes=["p", "n"], over=LEFT_INVERSES, where=[*PAIR, *LEFT_INVERSE, RIGHT_D],
                     given=[ONE_INVERSE, UNBIASED],
-                    by=[inverses(made_by=OTHER, using={X: matrix(n, p)}),
+                    by=[chained((WITH_U[0], WITH_U[1]), inside=[within(len(WITH_U[0]), *WITH_L[0])], sums=(*WITH_L[1], [], [])),
+                        inverses(made_by=OTHER, using={X: matrix(n, p)}),
                         inverses(made_by={**U_TWICE, L: T(U2)}, using=FREE_TWICE)]),
       note=("The footnote itself is right once the sign in (A.7) is put right: among the left inverses L of H only "
             "those with RL'H' = D occur, and all of them do. (A.9) with the printed D excludes even the block U'."))

@@ -24,7 +24,6 @@ from exactkf.language import (
     block,
     given,
     hstack,
-    integer,
     inv,
     invertible,
     kernel_basis,
@@ -43,13 +42,13 @@ from exactkf.language import (
 )
 
 # sizes
-d, g, k, m, n, p, q, r = symbols("d g k m n p q r")
+k, m, n, p, q, r = symbols("k m n p q r")
 # data of a measurement, blocks of a (1)-inverse, free matrices
 R, H, W, U, V, X, Y = symbols("R H W U V X Y")
 Tb = sym("T")  # the block T of a (1)-inverse (the name T is the transpose here)
 x, y, w, x0, w0, lam = symbols("x y w x0 w0 lam")
 Zm, Zd = symbols("Zm Zd")
-B, G = symbols("B G")
+G = sym("G")
 
 
 def two_block(R: Expr, H: Expr, n: Any) -> Expr:
@@ -147,14 +146,7 @@ def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
 
 # ------------------------------------------------------------------ coordinates
 S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
-NORMAL_FORM = (
-    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where "
-    "I has size rank [R H] - n; there the kernel of Z is spanned by the unit vectors of the zero block, diag(0, I, 0) in "
-    "place of W, [I; 0] in place of U and -P in place of T are one symmetric (1)-inverse, and the general form of "
-    "NWL92-E2.20 gives the others: W = [0, K'; K, M], U = [I; L], T = -P, where diag(I, 0) annihilates K and L and M is "
-    "a symmetric (1)-inverse of diag(I, 0)")
 
-ROTATED = "; with an orthogonal change of w, a square root V of R becomes S^-1 [0, V1; I, 0; 0, 0]"
 
 
 def ones(nrows: Any, ncols: Any) -> Expr:
@@ -162,16 +154,8 @@ def ones(nrows: Any, ncols: Any) -> Expr:
     return matrix_of(ii, jj, nrows, ncols, when((ii == jj) & (ii <= rho), 1, 0))
 
 
-def inverse_in_coordinates(names: tuple[Expr, Expr, Expr], free: tuple[Expr, Expr, Expr], n: Any) -> dict:
-    """Blocks of all (1)-inverses, in the coordinates of the normal form; the free matrices stand for K, M, L."""
-    K, M, L = free
-    return {names[0]: T(S) * block([[Zero(n, n), T(E0 * K)], [E0 * K, E1 + E0 * M + T(M) * E0]]) * S,
-            names[1]: T(S) * vstack(Identity(n), E0 * L), names[2]: -P}
 
 
-#: parameters of the normal form
-PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n),
-              Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
 
 
 # ------------------------------------------------------------------ every size at once
@@ -199,6 +183,33 @@ def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: An
         (R * U + H * Tb == Zero(p, n), [inv(gram)]),
     ]
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def any_rank_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
+    """What ZGZ = Z with R >= 0 gives for H of any rank: with the columns [a; b] of I - GZ as in `block_identities`, Ra = 0 and Hb = 0."""
+    a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
+    steps = [
+        (R * a + H * b == Zero(p, p + n), []),
+        (T(H) * a == Zero(n, p + n), []),
+        (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
+        (R * a == Zero(p, p + n), [T(a) * R * a]),
+        (H * b == Zero(p, p + n), []),
+    ]
+    return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def root_identities(R: Expr, V: Expr, H: Expr, W: Expr, U: Expr, p: Any) -> tuple[list, list]:
+    """From RU + HT = 0, U'H = I, RWH = 0 and the first block of ZGZ = Z, for R = VV': V'(WR + UH' - I) = 0 and V'WH = 0."""
+    rest = W * R + U * T(H) - Identity(p)
+    steps = [(V * T(V) * rest == 0 * R, []), (T(V) * rest == 0 * T(V), [V * T(V)]),
+             (V * T(V) * (W * H) == 0 * H, []), (T(V) * (W * H) == 0 * (T(V) * H), [V * T(V)])]
+    return [lemma for lemma, _ in steps], [needs for _, needs in steps]
+
+
+def chained(*steps: tuple[list, list], sums: tuple = (), inside: list | tuple = ()) -> Evidence:
+    """Lemmas with what each needs, one list after the other, then what the leaves of the conclusion need."""
+    return order(*(needs for _, several in steps for needs in several), *sums, lemmas=[lemma for lemmas, _ in steps for lemma in lemmas],
+                 inside=inside)
 
 
 def every_size(*sums: list, second: bool = False, also: tuple = ()) -> Evidence:

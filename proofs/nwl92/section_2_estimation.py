@@ -34,27 +34,25 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
     Zero,
     block,
     column,
-    diag,
     eq,
-    forall,
     function,
     given,
     hstack,
     iff,
-    integer,
     inv,
     invertible,
     kernel_basis,
     let,
     matrix,
+    nonsingular,
     positive_definite,
     positive_semidefinite,
     psd,
@@ -71,18 +69,13 @@ from exactkf.language import (
 )
 from proofs.nwl92.notation import (
     BLOCKS,
-    E0,
-    E1,
     FULL_COLUMN_RANK,
     GRAM,
     IMPLIED_GRAM,
     IMPLIED_RANK,
-    NORMAL_FORM,
     ONE_INVERSE,
     OTHER,
     PAIR,
-    PARAMETERS,
-    ROTATED,
     SECOND,
     SECOND_GIVEN,
     SECOND_INVERSE,
@@ -93,10 +86,6 @@ from proofs.nwl92.notation import (
     U2,
     UNBIASED,
     W2,
-    Y3,
-    Y4,
-    Y5,
-    F,
     G,
     H,
     L,
@@ -112,11 +101,12 @@ from proofs.nwl92.notation import (
     Ze,
     Zm,
     any_one_inverse,
-    blocks_of,
+    any_rank_identities,
+    block_identities,
+    chained,
     every_size,
     excess,
     excess_term,
-    inverse_in_coordinates,
     inverses,
     lam,
     likeliest,
@@ -124,11 +114,10 @@ from proofs.nwl92.notation import (
     made_inverse,
     n,
     one_inverse,
-    ones,
     p,
     q,
     r,
-    rho,
+    root_identities,
     two_block,
     two_inverses,
     upper,
@@ -141,7 +130,12 @@ from proofs.nwl92.notation import (
 
 half = Fraction(1, 2)
 
-not_checked("NWL92-E2.1", "the measurement y = Hx + v", "a definition: it fixes notation and asserts nothing")
+v = sym("v")
+claim("NWL92-E2.1", "the measurement y = Hx + v and the error of a linear estimate",
+      L * (H * x + v) - x == (L * H - Identity(n)) * x + L * v, sizes=["p", "n"],
+      over={H: matrix(p, n), L: matrix(n, p), x: vector(n), v: vector(p)}, by=[identity(p=(1, 2), n=(1, 2)), instances(p=(1, 2), n=(1, 2))],
+      note=("A definition; what is checked is what all that follows uses of it: the error of Ly has the mean (LH - I)x and is that plus Lv, so that its covariance "
+            "is LRL' if LH = I."))
 
 # ------------------------------------------------------------------ Bayesian estimation is a special case
 P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
@@ -176,14 +170,15 @@ claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full
       note=("The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - "
             "x and z - Cx have covariances P and N."))
 
-d, c, K, i, j = symbols("d c K i j")
+d, c, K, i = symbols("d c K i")
 HH = T(H) * H
-unit = sym("unit")
 claim("NWL92-S3", "all components of x are estimable exactly if H has rank n; in the Bayesian case it has",
-      iff(forall(i, 1, n, rank(hstack(T(H), unit(i))) == rank(H)), rank(H) == n) & (rank(vstack(Identity(n), H)) == n),
-      sizes=["p", "n"], over={H: matrix(p, n)}, where=[function(unit, [i], column(j, n, when(j == i, 1, 0)))],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3))],
-      note="Component i of x is estimable exactly if unit vector i lies in the range of H' (NWL92-S11).")
+      ((L * H == Identity(n)) >> (rank(H) == n)) & ((rank(H) == n) >> (inv(HH) * T(H) * H == Identity(n))) & (rank(vstack(Identity(n), C)) == n),
+      sizes=["p", "n"], over={H: matrix(p, n), L: matrix(n, p), C: matrix(p, n)},
+      by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3)),
+          instances(made_by={L: inv(HH) * T(H) + X * (Identity(p) - H * inv(HH) * T(H))}, using={X: matrix(n, p)}, p=(1, 2, 3), n=(1, 2, 3))],
+      note=("Estimable means that there is a linear estimate Ly that is unbiased, LH = I: where there is one, H has rank n, and where H has rank n, "
+            "there is one. (I; C) is the H of (2.2)."))
 
 # ------------------------------------------------------------------ R of full rank
 Hx = T(H) * inv(R) * H
@@ -215,7 +210,8 @@ NOISE = let(R, V * T(V))
 claim("NWL92-E2.5", "a full rank square root of R has as many columns as R has rank, and the same range",
       psd(R) & (rank(R) == r) & (rank(hstack(R, V)) == r),
       sizes=["p", "r"], over={V: matrix(p, r)}, where=[NOISE], given=[given("V has full column rank", rank(V) == r)],
-      by=[instances(p=(1, 2, 3), r=(1, 2, 3))],
+      by=[order([], [V, T(V), inv(T(V) * V) * T(V), V * inv(T(V) * V)],
+                [V, hstack(T(V), Identity(r)), inv(T(V) * V) * T(V), vstack(Zero(p, r), Identity(r))]), instances(p=(1, 2, 3), r=(1, 2, 3))],
       note="The noise Vw with cov w = I has covariance VV' = R.")
 
 claim("NWL92-E2.6", "the exponent of the density of v is w'w/2",
@@ -292,8 +288,13 @@ claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
       symmetric(Zm) & (T(Zm) * Identity(p + n) == Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
       by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
-not_checked("NWL92-E2.11", "a left null vector of Z", ("the assumption of a proof: it fixes notation and asserts "
-                                                       "nothing"))
+claim("NWL92-E2.11", "a row (x' y') with (x' y')Z = 0 is a null vector of Z, and zero if Z is invertible",
+      (hstack(T(x), T(y)) * Zm == T(Zm * vstack(x, y))) & ((invertible(Zm) & (hstack(T(x), T(y)) * Zm == Zero(1, p + n))) >> ((x == Zero(p, 1)) & (y == Zero(n, 1)))),
+      sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}, where=[TWO_BLOCK],
+      by=[order(), instances(p=(1, 2), n=(1, 2)), example({"p": 1, "n": 1, R: [[0]], H: [[0]], x: [1], y: [1]}),
+          instances(made_by={"K": kernel_basis(Zm), x: T(upper(p, n)) * sym("K") * T(sym("K")) * h, y: T(lower(p, n)) * sym("K") * T(sym("K")) * h},
+                    using={h: vector(p + n)}, p=(1, 2, 3), n=(1, 2))],
+      note="The assumption of a proof; what is checked is that nothing but zero satisfies it once Z is invertible, so that it is what the proof has to refute.")
 
 NULL = given("(2.11)", hstack(T(x), T(y)) * Zm == Zero(1, p + n))
 NULL_VECTORS = {R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}
@@ -398,7 +399,7 @@ claim("NWL92-S7", ("[R H] has full row rank exactly if no two independent noise-
                                       "the row rank, and then two independent ones need not exist; the combinations "
                                       "must be called different, not independent"),
                     iff(rank(RH) == p, rank(NOISE_FREE * H) == size_of(NOISE_FREE)),
-                    sizes=["p", "n"], over=ANY, where=[FREE], by=[instances(p=(1, 2, 3), n=(1, 2, 3))]),
+                    sizes=["p", "n"], over=ANY, where=[FREE], by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))]),
       note=("The rows of N' are a basis of the combinations d'y without noise, d'R = 0. Two independent ones that "
             "measure the same combination of x exist exactly if there are at least two rows and N'H has dependent "
             "rows. Two different ones exist exactly if N'H has dependent rows."))
@@ -407,16 +408,23 @@ claim("NWL92-S7", ("[R H] has full row rank exactly if no two independent noise-
 M, E = symbols("M E")
 k = sym("k")
 Gx = sym("Gx")
+KERNEL, V0 = K * T(K), null_vector()
+SEMIREGULAR = T(V0) * K * T(K) * K * T(K) * V0
+GRAM_INVERSE = inv(T(K) * K)
+SPLITS = [M * KERNEL * K == K, Zm * M * K * (T(K) * K) == 0 * K, Zm * M * K == 0 * K]
 claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and all of them are known",
-      symmetric(Gx) & (Zm * Gx * Zm == Zm) & (G == M + K * T(K) * Y + T(Y) * K * T(K)),
+      invertible(Zm + K * T(K)) & symmetric(Gx) & (Zm * Gx * Zm == Zm) & (G == M + K * T(K) * Y + T(Y) * K * T(K)),
       sizes=["k"], over={Zm: symmetric_matrix(k), G: symmetric_matrix(k), X: matrix(k, k)},
       where=[let(K, kernel_basis(Zm)), let(M, inv(Zm + K * T(K))), let(Gx, M + K * T(K) * X + T(X) * K * T(K)),
              let(E, G - M), let(Y, M * (E - half * E * K * T(K) * M))],
       given=[given("(2.20)", Zm * G * Zm == Zm)],
-      by=[instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)},
+      by=[order([T(K) * K], [], [SEMIREGULAR], [], [], [T(V0) * V0], [], *([[], [], [GRAM_INVERSE], []] * 2), lemmas=[invertible(T(K) * K)],
+                inside=[within(1, SEMIREGULAR * Identity(1) == Zero(1, 1), KERNEL * V0 == Zero(k, 1), T(K) * V0 == 0 * (T(K) * V0), Zm * V0 == Zero(k, 1),
+                               vector="right"), *(within(number, *SPLITS) for number in (3, 4))]),
+          instances(made_by={"N": kernel_basis(Zm), G: any_one_inverse(Zm, L, sym("N"))}, using={L: matrix(k, k)},
                     k=(1, 2, 3, 4))],
       note=("A definition; what is checked is that it is not empty, and the general form from which the instances of "
-            "the other claims are drawn: Gx for any X."))
+            "the other claims are drawn: Gx for any X. The columns of K are a basis of the null space of Z."))
 
 claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
       (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & excess(L, U, R),
@@ -426,20 +434,13 @@ claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and it
       note=("Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; "
             "NWL92-E2.21 states it as a minimum of w'w."))
 
-Vb, V1 = symbols("Vb V1")
 XH = let(xh, T(lower(p, n)) * Zd * upper(p, n) * y)
 WH = let(wh, T(V) * T(upper(p, n)) * Zd * upper(p, n) * y)
 claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
       likeliest(xh, wh, y, H, V, w0) & (x0 - xh == inv(HH) * T(H) * V * (wh - w0)),
       sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=[NOISE, *PAIR, let(y, H * x0 + V * w0), XH, WH],
       given=[ONE_INVERSE, IMPLIED_RANK],
-      by=[identity(
-          given_by={F: inv(S), Vb: ones(p - n, q), E1: Vb * T(Vb), E0: Identity(p - n) - E1,
-                    V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb),
-                    P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1), H: F * upper(n, p - n),
-                    **inverse_in_coordinates((W, U, Tb), (Y3, Y, Y4), n)},
-          using={V1: matrix(n, q), **{v: t for v, t in PARAMETERS.items() if v is not P}},
-          fact=NORMAL_FORM + ROTATED, p=(2, 3), n=(1, 2), q=(1, 2)),
+      by=[chained(block_identities(R, H, W, U, Tb, n, p), root_identities(R, V, H, W, U, p), ([y == H * xh + V * wh], [[]])),
           inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
       note=("Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, as w0'w0 = wh'wh + |w0 - wh|^2; the last "
             "equation says that no other x goes with wh. V is any square root of R. Full column rank is the "
@@ -456,7 +457,6 @@ claim("NWL92-E2.22", "the error covariance is minus a block of any symmetric (1)
       by=[every_size(), inverses()],
       note="The error of the estimate U'y is U'v, as U'H = I.")
 
-W3, U3 = symbols("W3 U3")
 claim("NWL92-E2.23", "a matrix in blocks is symmetric exactly if it has the form (2.23)",
       iff(symmetric(block([[W, U], [L, Tb]])), symmetric(W) & symmetric(Tb) & (L == T(U))),
       sizes=["p", "n"], over={W: matrix(p, p), U: matrix(p, n), L: matrix(n, p), Tb: matrix(n, n)},
@@ -470,15 +470,22 @@ claim("NWL92-S8", "the block T is the same for all symmetric (1)-inverses",
       Tb == T2, sizes=["p", "n"], over={**SETTING, **SECOND}, where=[*PAIR, SECOND_INVERSE],
       given=[ONE_INVERSE, SECOND_GIVEN, GRAM], by=[every_size(second=True), two_inverses()])
 
-NULL_COLUMN = column(i, p, when(rank(vstack(R, T(H))) < p, kernel_basis(vstack(R, T(H)))[i, 1], 0))
-claim("NWL92-S9", "the blocks W and U are not unique exactly if Z is singular",
-      iff(~invertible(Zm), (Zm * Ze * Zm == Zm) & (W2 != W) & (U2 != U)),
-      sizes=["p", "n"], over=SETTING,
-      where=[*PAIR, let(k, NULL_COLUMN), let(W2, W + k * T(k)), let(U2, U + hstack(k, Zero(p, n - 1))),
-             let(Ze, block([[W2, U2], [T(U2), Tb]]))],
-      given=[ONE_INVERSE, FULL_COLUMN_RANK], by=[inverses()],
-      note=("k is a vector with Rk = 0 and H'k = 0, not zero if Z is singular; with it another (1)-inverse is "
-            "written down in which both W and U differ. n >= 1."))
+k, x = symbols("k x")
+#: measurements without noise, the second of them of nothing
+NULL_DIRECTION = {"p": 2, "n": 1, R: [[0, 0], [0, 0]], H: [[1], [0]], W: [[0, 0], [0, 0]], U: [[1], [0]], Tb: [[0]], k: [0, 1], x: [0], h: [1]}
+NOT_UNIQUE = given("null vector of Z", Zm * vstack(k, x) == Zero(p + n, 1))
+claim("NWL92-S9", "if Z is singular, neither W nor U is unique; otherwise both are",
+      (Zm * Ze * Zm == Zm) & ((vstack(k, x) != Zero(p + n, 1)) >> ((W2 != W) & (U2 != U))) & (invertible(Zm) >> (Zd == inv(Zm))),
+      sizes=["p", "n"], over={**SETTING, k: vector(p), x: vector(n), h: vector(n)},
+      where=[*PAIR, let(W2, W + k * T(k)), let(U2, U + k * T(h)), let(Ze, block([[W2, U2], [T(U2), Tb]]))],
+      given=[ONE_INVERSE, FULL_COLUMN_RANK, NOT_UNIQUE, given("h is a unit vector", T(h) * h == 1)],
+      by=[order([], [], [], [T(k) * R * k], [], [k * T(k)], [],
+                lemmas=[T(H) * k == Zero(n, 1), T(k) * (R * k + H * x) == 0, T(k) * R * k * Identity(1) == Zero(1, 1), R * k == Zero(p, 1)]),
+          example(NULL_DIRECTION), example({**NULL_DIRECTION, h: [0]}), example({**NULL_DIRECTION, H: [[0], [0]], x: [1], k: [0, 0]}),
+          inverses(made_by={sym("kz"): kernel_basis(Zm), k: T(upper(p, n)) * sym("kz") * T(sym("kz")) * c, x: Zero(n, 1), h: column(i, n, when(i == 1, 1, 0))},
+                   using={c: vector(p + n)})],
+      note=("A singular Z has a null vector (k; x) that is not zero. With it another symmetric (1)-inverse Ze is written down, in which both W and U differ. "
+            "n >= 1, as h is a unit vector."))
 
 claim("NWL92-E2.24", "the ML estimate is U'y",
       (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & excess(L, U, R),
@@ -499,21 +506,28 @@ claim("NWL92-E2.25", "Z times the last block column of a symmetric (1)-inverse",
       by=[every_size(), inverses()])
 
 # ------------------------------------------------------------------ H of any rank
+#: H'GHH' - H' for a (1)-inverse G of HH'
+RANGE = T(H) * G * H * T(H) - T(H)
 claim("NWL92-S11", "c'x is estimable exactly if c lies in the range of H'",
-      iff(T(H) * d == c, rank(hstack(T(H), c)) == rank(H)),
-      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n)}, where=[let(d, one_inverse(H * T(H)) * H * c)],
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3)),
-          instances(made_by={c: T(H) * h}, using={h: vector(p)}, p=(1, 2, 3), n=(1, 2, 3))],
-      note=("d'y is an unbiased estimate of c'x exactly if H'd = c. The d here satisfies this whenever any does, as "
-            "H'd is the projection of c on the range of H'."))
+      iff(T(d) * H * X == T(c) * X, T(H) * d == c) & ((T(H) * d == c) >> (T(H) * G * H * c == c)),
+      sizes=["p", "n"], over={H: matrix(p, n), c: vector(n), d: vector(p), X: nonsingular(n), G: symmetric_matrix(p)},
+      given=[given("(1)-inverse of HH'", H * T(H) * G * H * T(H) == H * T(H))],
+      by=[order([], [], [T(RANGE) * RANGE], [], [], [], lemmas=[H * RANGE == Zero(p, p), T(RANGE) * RANGE * Identity(p) == Zero(p, p), RANGE == Zero(n, p)]),
+          instances(made_by={G: any_one_inverse(H * T(H), Y)}, using={Y: matrix(p, p)}, p=(1, 2, 3), n=(1, 2, 3)),
+          instances(made_by={G: any_one_inverse(H * T(H), Y), c: T(H) * d}, using={Y: matrix(p, p)}, p=(1, 2, 3), n=(1, 2, 3))],
+      note=("The mean of d'y is d'Hx. It is c'x for every x, here for the n independent ones that are the columns of X, exactly if H'd = c. The second "
+            "statement tests the range: c = H'd for some d exactly if H'G Hc = c."))
 
 H1, H2 = symbols("H1 H2")
 FACTORS = [given("H1 has full column rank", rank(H1) == r), given("H2 has full row rank", rank(H2) == r)]
+H1_LEFT, H2_RIGHT = inv(T(H1) * H1) * T(H1), T(H2) * inv(H2 * T(H2))
 claim("NWL92-S12", "the estimable combinations are those of z = H2 x",
-      (rank(H1 * H2) == r) & iff(rank(hstack(T(H1 * H2), c)) == rank(H1 * H2), rank(hstack(T(H2), c)) == r),
-      sizes=["p", "n", "r"], over={H1: matrix(p, r), H2: matrix(r, n), c: vector(n)}, given=FACTORS,
-      by=[instances(p=(1, 2, 3), n=(1, 2, 3), r=(1, 2)),
-          instances(made_by={c: T(H2) * h}, using={h: vector(r)}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2))])
+      (rank(H1 * H2) == r) & ((T(H1 * H2) * d == c) >> (T(H2) * (T(H1) * d) == c)) & ((T(H2) * h == c) >> (T(H1 * H2) * (H1 * inv(T(H1) * H1) * h) == c)),
+      sizes=["p", "n", "r"], over={H1: matrix(p, r), H2: matrix(r, n), c: vector(n), d: vector(p), h: vector(r)}, given=FACTORS,
+      by=[order([H1, H2, H1_LEFT, H2_RIGHT]), instances(made_by={c: T(H1 * H2) * d}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2)),
+          instances(made_by={c: T(H2) * h}, p=(1, 2, 3), n=(1, 2, 3), r=(1, 2))],
+      note=("c'x is estimable exactly if c = H'd for some d (NWL92-S11), and a combination of the entries of z exactly if c = H2'h for some h: each of them "
+            "gives the other."))
 
 Z1, Zi1, W1, U1, T1, Y1, G1, zh = symbols("Z1 Zi1 W1 U1 T1 Y1 G1 zh")
 FACTORED = {H1: matrix(p, r), H2: matrix(r, n)}
@@ -532,32 +546,12 @@ def factored(**sizes):
     return inverses(made_by=made, using=free, **{**ANY_RANK, **sizes})
 
 
-Sn, Gt = symbols("Sn Gt")
-REDUCED = {
-    E0: Identity(p - r) - E1, H1: F * upper(r, p - r), H2: T(upper(r, n - r)) * Sn,
-    **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), r),
-    Gt: block([[Zero(r, r), Zero(r, p - r), Identity(r), Zero(r, n - r)],
-               [Zero(p - r, r), E1, Zero(p - r, r), Zero(p - r, n - r)],
-               [Identity(r), Zero(r, p - r), -P, Zero(r, n - r)],
-               [Zero(n - r, r), Zero(n - r, p - r), Zero(n - r, r), Zero(n - r, n - r)]])
-    + diag(Zero(r, r), E0, Zero(r, r), Identity(n - r)) * Y5 + T(Y5) * diag(Zero(r, r), E0, Zero(r, r),
-                                                                            Identity(n - r)),
-    **dict(zip((W, U, Tb), blocks_of(T(diag(S, T(inv(Sn)))) * Gt * diag(S, T(inv(Sn))), p, n), strict=True)),
-}
-REDUCED_PARAMETERS = {rho: integer(0, p - r), S: matrix(p, p), Sn: matrix(n, n), Y: matrix(p - r, p - r),
-                      Y3: matrix(p - r, r),
-                      Y4: matrix(p - r, r), Y5: matrix(p + n, p + n)}
-REDUCED_FACT = NORMAL_FORM + (" (for R and H1); H2 = [I, 0] Sn with Sn invertible; the (1)-inverses for H1 H2 follow "
-                              "from their general form")
-
-
-def reduced(made=None, using=None, **sizes):
-    """The conclusion as an identity in all R >= 0, full rank factors H1, H2 and all their (1)-inverses."""
-    noise = made or {E1: ones(p - r, p - r), R: F * diag(P, E1) * T(F)}
-    return identity(given_by={F: inv(S), **noise, **REDUCED},
-                    using={**REDUCED_PARAMETERS, **(using or {P: symmetric_matrix(r)})},
-                    fact=REDUCED_FACT + (ROTATED if made else ""), **(sizes or {"p": (2, 3), "n": 2, "r": 1}))
-
+#: both problems, and H2 U'H1 = I
+REDUCED = (block_identities(R, H1, W1, U1, T1, r, p), any_rank_identities(R, H, W, U, Tb, n, p), ([H2 * T(U) * H1 == Identity(r)], [[]]))
+#: both gains for z agree on the range of R: their difference annihilates H1, and times R it is a multiple of H1'
+APART = T(U1) - H2 * T(U)
+SAME_ON_NOISE = ([APART * R == (H2 * Tb * T(H2) - T1) * T(H1), APART * R * T(APART) * Identity(r) == Zero(r, r), R * T(APART) == Zero(p, r)],
+                 [[], [], [APART * R * T(APART)]])
 
 claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
       likeliest(zh, wh, y, H1, V, w0) & eq(zh, hstack(Zero(r, p), H2) * Zd * upper(p, n) * y,
@@ -566,10 +560,9 @@ claim("NWL92-E2.26", "two forms of the ML estimate of z = H2 x",
                                         **BLOCKS},
       where=[NOISE, *PAIR_1, *PAIR, let(y, H * x0 + V * w0), let(zh, T(lower(p, r)) * Zi1 * upper(p, r) * y),
              let(wh, T(V) * T(upper(p, r)) * Zi1 * upper(p, r) * y)],
-      given=RANKS_IMPLIED, by=[reduced(made={Vb: ones(p - r, q), E1: Vb * T(Vb),
-                                             V: F * vstack(V1 - V1 * T(Vb) * Vb, Vb),
-                                             P: V1 * T(V1) - V1 * T(Vb) * Vb * T(V1)},
-                  using={V1: matrix(r, q)}, p=(2, 3), n=2, r=1, q=1),
+      given=RANKS_IMPLIED,
+      by=[chained(*REDUCED, root_identities(R, V, H1, W1, U1, p), SAME_ON_NOISE, ([T(V) * T(APART) == Zero(q, r), y == H1 * zh + V * wh],
+                                                                                 [[APART * V * T(V) * T(APART)], []])),
           factored(q=(1, 2))],
       note=("For measurements y = Hx + v with v in the range of R, where they lie with probability one; for other y "
             "the two forms may differ. Of all (x, w) with y = Hx + Vw, wh is the smallest w, and H2 x is the same for "
@@ -579,7 +572,7 @@ claim("NWL92-S13", "both forms of the estimate of z are unbiased",
       (T(U1) * H == H2) & (H2 * T(U) * H == H2),
       sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS},
       where=[*PAIR_1, *PAIR],
-      given=H2_ANY, by=[reduced(), factored()],
+      given=H2_ANY, by=[chained(*REDUCED), factored()],
       note="z = H2 x and E y = Hx.")
 
 claim("NWL92-E2.27", "two forms of the error covariance of z, as printed with a factor y",
@@ -597,4 +590,4 @@ claim("NWL92-E2.27", "two forms of the error covariance of z, as printed with a 
                        -hstack(Zero(r, p), H2) * Zd * vstack(Zero(p, r), T(H2))),
                     sizes=["p", "n", "r"], over={R: positive_semidefinite(p), **FACTORED, **BLOCKS_1, **BLOCKS},
                     where=[*PAIR_1, *PAIR],
-                    given=BOTH, by=[reduced(), factored()]))
+                    given=BOTH, by=[chained(*REDUCED, SAME_ON_NOISE), factored()]))

@@ -25,8 +25,8 @@ probability one.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, identity, instances, order, steps
+from exactkf.claims import claim
+from exactkf.evidence import combination, example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -36,8 +36,6 @@ from exactkf.language import (
     eq,
     given,
     hstack,
-    iff,
-    integer,
     inv,
     invertible,
     kernel_basis,
@@ -45,7 +43,9 @@ from exactkf.language import (
     loewner,
     matrix,
     positive_semidefinite,
+    psd,
     rank,
+    standing,
     sym,
     symbols,
     symmetric_matrix,
@@ -53,27 +53,19 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92.notation import (
-    E0,
-    E1,
     FULL_COLUMN_RANK,
     GRAM,
-    NORMAL_FORM,
-    Y3,
-    Y4,
-    F,
     H,
-    P,
-    S,
     any_one_inverse,
+    any_rank_identities,
+    block_identities,
+    chained,
     every_size,
-    inverse_in_coordinates,
     lower,
     made_inverse,
     n,
-    ones,
     p,
     q,
-    rho,
     two_block,
     upper,
 )
@@ -106,7 +98,12 @@ def is_inverse(G, Z, of):
 
 
 # ------------------------------------------------------------------ Lemma 2.3
-not_checked("NWL92-E2.28", "measurement a of x", "a definition: it fixes notation and asserts nothing")
+L = sym("L")
+claim("NWL92-E2.28", "an unbiased estimate of x from a is x with an error that does not depend on x",
+      L * (H * x + v) == x + L * v, sizes=["p", "n"], over={H: matrix(p, n), L: matrix(n, p), x: vector(n), v: vector(p)},
+      given=[given("La is unbiased", L * H == Identity(n))],
+      by=[order(), instances(made_by={L: inv(T(H) * H) * T(H) + X * (Identity(p) - H * inv(T(H) * H) * T(H))}, using={X: matrix(n, p)}, p=(1, 2, 3), n=(1, 2))],
+      note="A definition; what is checked is the form in which estimates of x are measurements of x again, as in (2.30).")
 
 claim("NWL92-E2.29", "a and b together are one measurement of x and z",
       vstack(H * x + v, J * x + K * z + w) == block([[H, Zero(p, m)], [J, K]]) * vstack(x, z) + vstack(v, w),
@@ -116,34 +113,14 @@ claim("NWL92-E2.29", "a and b together are one measurement of x and z",
       note="A definition; what is checked is the form (2.1) that the batch system (2.31) is made from.")
 
 MODEL = {V: positive_semidefinite(p), W: positive_semidefinite(q), H: matrix(p, n), J: matrix(q, n), K: matrix(q, m)}
-FIRST = (let(Z1, two_block(V, H, n)), let(a, H * x + V * v))
 HB, RB = block([[H, Zero(p, m)], [J, K]]), diag(V, W)
 HS = block([[Identity(n), Zero(n, m)], [J, K]])
-gain1, gainb, gains = symbols("gain1 gainb gains")
-GAIN_1 = let(gain1, T(lower(p, n)) * G1 * upper(p, n))
-SUMMARY = (let(xh1, gain1 * a), let(P1, gain1 * V * T(gain1)))
-BATCH = (let(Zb, two_block(RB, HB, n + m)), let(gainb, T(lower(p + q, n + m)) * Gb * upper(p + q, n + m)),
-         let(b, J * x + K * z + W * w))
-SEQUENTIAL = (let(Zs, two_block(diag(P1, W), HS, n + m)), let(gains, T(lower(n + q, n + m)) * Gs * upper(n + q, n + m)))
+gains = sym("gains")
 SIZES = {"p": (1, 2, 3), "q": (1, 2), "n": (1, 2), "m": (1, 2)}
-INVERSES = {G1: symmetric_matrix(p + n), Gb: symmetric_matrix(p + q + n + m), Gs: symmetric_matrix(n + q + n + m)}
-TWO_WAYS = {**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), **INVERSES}
 WAYS = [is_inverse(G1, Z1, "x from a"), is_inverse(Gb, Zb, "x and z from a and b"),
         is_inverse(Gs, Zs, "x and z from the estimate and b")]
-Z_ESTIMABLE = rank(vstack(HB, hstack(Zero(m, n), Identity(m)))) == rank(HB)
-MADE = (some_inverse(G1, Z1, Y1, p + n), some_inverse(Gb, Zb, Yb, p + q + n + m),
-        some_inverse(Gs, Zs, Ys, n + q + n + m))
-BATCH_ESTIMATE, SEQUENTIAL_ESTIMATE = gainb * vstack(a, b), gains * vstack(xh1, b)
-BATCH_ERROR, SEQUENTIAL_ERROR = gainb * RB * T(gainb), gains * diag(P1, W) * T(gains)
-PROSE = ("By (2.36), (2.37) and (2.38) a solution of (2.32) and (2.33) gives one of (2.31) with the same estimates, so "
-         "both ways give the same estimates for all data; then the gains agree on the range of the data, and the error "
-         "covariances are equal.")
 
 
-SAME_PROOF = steps(
-    "NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
-    facts=["stationary points of (2.6) are minima (NWL92-E2.21)",
-           "the identity (2.32) for the first estimate (NWL92-EA.15)"], prose=PROSE)
 
 
 #: gains of both ways and the multipliers' part beside them, by blocks
@@ -166,6 +143,11 @@ BETWEEN = UB - COMPOSED
 BY_FORM = upper(p, q) * V * T(upper(p, q)) + lower(p, q) * W * T(lower(p, q))
 SAME_GAIN = [R_BATCH * COMPOSED + HB * TS == Zero(p + q, n + m), T(HB) * BETWEEN == Zero(n + m, n + m),
              T(BETWEEN) * BY_FORM * BETWEEN * ALL_COLUMNS == Zero(n + m, n + m), BY_FORM * BETWEEN == Zero(p + q, n + m)]
+
+
+def two_blocks(a, b, c):
+    """[a, b; b', c]."""
+    return block([[a, b], [T(b), c]])
 
 
 def corners(G, names, rows, cols):
@@ -224,11 +206,19 @@ claim("NWL92-E2.30", "the estimate of x is a measurement of x with noise covaria
       by=[PROVED, DRAWN],
       note="u = U1'v is a function of v, so it is independent of w.")
 
+Ma, Mb, Nb = symbols("Ma Mb Nb")
+H_LEFT, K_LEFT = inv(T(H) * H) * T(H), inv(T(K) * K) * T(K)
 claim("NWL92-S14", "given that x is estimable from a, z is estimable from a and b exactly if K has full column rank",
-      iff(Z_ESTIMABLE, rank(K) == m), sizes=["p", "q", "n", "m"],
-      over={H: matrix(p, n), J: matrix(q, n), K: matrix(q, m)},
-      given=[FULL_COLUMN_RANK], by=[instances(p=(1, 2, 3), q=(1, 2), n=(1, 2), m=(1, 2))],
-      note="The paper needs one direction here and the other for the filter.")
+      (((Ma * H + Mb * J == Zero(m, n)) & (Mb * K == Identity(m))) >> (rank(K) == m))
+      & ((rank(K) == m) >> ((-(K_LEFT * J * H_LEFT) * H + K_LEFT * J == Zero(m, n)) & (K_LEFT * K == Identity(m)))),
+      sizes=["p", "q", "n", "m"], over={H: matrix(p, n), J: matrix(q, n), K: matrix(q, m), Ma: matrix(m, p), Mb: matrix(m, q)},
+      given=[FULL_COLUMN_RANK],
+      by=[order(), instances(p=(1, 2, 3), q=(1, 2), n=(1, 2), m=(1, 2)),
+          instances(made_by={Mb: K_LEFT + h * (Identity(q) - K * K_LEFT), Ma: -(Mb * J * H_LEFT)}, using={h: matrix(m, q)}, p=(1, 2, 3), q=(1, 2), n=(1, 2),
+                    m=(1, 2)),
+          example({"p": 1, "q": 1, "n": 1, "m": 1, H: [[0]], J: [[1]], K: [[1]], Ma: [[0]], Mb: [[0]]})],
+      note=("z is estimable if some Ma a + Mb b is an unbiased estimate of it, Ma H + Mb J = 0 and Mb K = I. Then K has full column rank; and if it has, "
+            "there is such an estimate. The paper needs one direction here and the other for the filter."))
 
 la, lb, l1, l1a, xh, zh = symbols("la lb l1 l1a xh zh")
 N = sym("N")
@@ -321,49 +311,110 @@ claim("NWL92-E2.38", "lam_a satisfies the third row of the batch system",
                     q=(1, 2), n=(1, 2))],
       note="The text carries a stray subscript on H and J here.")
 
-D = diag(Identity(n), K)
+#: blocks W of the (1)-inverses, from a and b and from the estimate and b
+Waa, Wab, Wbb, Vaa, Vab, Vbb = symbols("Waa Wab Wbb Vaa Vab Vbb")
+WB, WS = block([[Waa, Wab], [T(Wab), Wbb]]), block([[Vaa, Vab], [T(Vab), Vbb]])
+ESTIMABLE = block([[Identity(n), Zero(n, m)], [Zero(q, n), K]])
+WITH_INVERSES = {**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), W1: symmetric_matrix(p), **GAINS_BY_BLOCKS,
+                 Waa: symmetric_matrix(p), Wab: matrix(p, q), Wbb: symmetric_matrix(q), Vaa: symmetric_matrix(n), Vab: matrix(n, q), Vbb: symmetric_matrix(q)}
+REST = ESTIMABLE * T(BETWEEN)
+SAME_ESTIMABLE = ([ESTIMABLE * T(UB) * HB == ESTIMABLE, ESTIMABLE * T(UB) * R_BATCH == -(ESTIMABLE * TB * T(HB)), ESTIMABLE * T(US) * HS == ESTIMABLE,
+                   ESTIMABLE * T(US) * R_SUMMARY == -(ESTIMABLE * TS * T(HS)), REST * HB == Zero(n + q, n + m),
+                   REST * R_BATCH == ESTIMABLE * (TS - TB) * T(HB), REST * R_BATCH * T(REST) * Identity(n + q) == Zero(n + q, n + q),
+                   R_BATCH * T(REST) == Zero(p + q, n + q)],
+                  [[], [], [], [], [], [], [], [REST * R_BATCH * T(REST)]])
+S15_MADE = {**LEMMA_MADE, W1: T(upper(p, n)) * G1 * upper(p, n), **corners(BATCH_G, (Waa, Wab, Wbb), (AT_A, AT_A, AT_B), (AT_A, AT_B, AT_B)),
+            **corners(SUMMARY_G, (Vaa, Vab, Vbb), (AT_1, AT_1, AT_2), (AT_1, AT_2, AT_2))}
+#: all sizes one, noises of covariance one; not admissible: what each hypothesis is for
+S15_ONES = {"p": 1, "q": 1, "n": 1, "m": 1, V: [[1]], W: [[1]], H: [[1]], J: [[0]], K: [[1]], x: [1], z: [1], v: [1], w: [1], W1: [[0]], U1: [[1]],
+            T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]], Txz: [[0]], Tzz: [[-1]],
+            Vaa: [[0]], Vab: [[0]], Vbb: [[0]], Sxx: [[1]], Sxz: [[0]], Sbx: [[0]], Sbz: [[1]], Qxx: [[-1]], Qxz: [[0]], Qzz: [[-1]]}
+S15_FOILS = [example({**S15_ONES, **change}) for change in (
+    {U1: [[2]], Qxx: [[-4]]}, {Uax: [[2]]}, {Sxx: [[2]]}, {H: [[0]], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Txx: [[0]]})]
 claim("NWL92-S15", "without estimability of z the lemma holds for the estimable combinations of z",
-      (D * BATCH_ESTIMATE == D * SEQUENTIAL_ESTIMATE) & (D * BATCH_ERROR * T(D) == D * SEQUENTIAL_ERROR * T(D)),
-      sizes=["p", "q", "n", "m"], over=TWO_WAYS, where=[*FIRST, GAIN_1, *SUMMARY, *BATCH, *SEQUENTIAL],
-      given=[*WAYS, FULL_COLUMN_RANK], by=[SAME_PROOF, together(*MADE, **SIZES)],
-      note=("K has any rank; as x is estimable, the estimable combinations of z are those of Kz. The rank of H "
+      (ESTIMABLE * T(UB) * vstack(a, b) == ESTIMABLE * T(US) * vstack(xh1, b))
+      & (ESTIMABLE * T(UB) * R_BATCH * UB * T(ESTIMABLE) == ESTIMABLE * T(US) * R_SUMMARY * US * T(ESTIMABLE)),
+      sizes=["p", "q", "n", "m"], over=WITH_INVERSES,
+      where=[let(a, H * x + V * v), let(b, J * x + K * z + W * w), let(xh1, T(U1) * a), let(P1, T(U1) * V * U1), let(Z1, two_block(V, H, n)),
+             let(G1, two_blocks(W1, U1, T1)), let(Zb, two_blocks(R_BATCH, HB, Zero(n + m, n + m))), let(Gb, two_blocks(WB, UB, TB)),
+             let(Zs, two_blocks(R_SUMMARY, HS, Zero(n + m, n + m))), let(Gs, two_blocks(WS, US, TS))],
+      given=[*WAYS, FULL_COLUMN_RANK],
+      by=[chained(block_identities(V, H, W1, U1, T1, n, p), any_rank_identities(R_BATCH, HB, WB, UB, TB, n + m, p + q),
+                  any_rank_identities(R_SUMMARY, HS, WS, US, TS, n + m, n + q), SAME_ESTIMABLE),
+          *S15_FOILS, instances(10, made_by=S15_MADE, using=LEMMA_FREE, p=(1, 2), q=(1, 2), n=1, m=(1, 2))],
+      note=("K has any rank; as x is estimable, the estimable combinations of z are those of Kz, here stacked below x. The rank of H "
             "enters the proof through the second column of (2.32) alone."))
 
 # ------------------------------------------------------------------ Lemma 2.4
 k, g = symbols("k g")
 H1, H2, H3, R, R11, R12, R22 = symbols("H1 H2 H3 R R11 R12 R22")
 Zj, Gj, Yj, y, y1, y2, x1, x2, l2, x0 = symbols("Zj Gj Yj y y1 y2 x1 x2 l2 x0")
-not_checked("NWL92-E2.39", "measurement y1 of x1, and y2 of x1 and x2",
-            "a definition: it fixes notation and asserts nothing")
+claim("NWL92-E2.39", "the two rows of (2.39)",
+      block([[H1, Zero(p, m)], [H2, H3]]) * vstack(x1, x2) + vstack(v, w) == vstack(H1 * x1 + v, H2 * x1 + H3 * x2 + w), sizes=["p", "k", "n", "m"],
+      over={H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m), x1: vector(n), x2: vector(m), v: vector(p), w: vector(k)},
+      by=[instances(p=(1, 2), k=(1, 2), n=(1, 2), m=(1, 2))],
+      note="A definition; what is checked is that it is the measurement (2.1), in which x2 enters through H3 alone.")
 
 HJ = block([[H1, Zero(p, m)], [H2, H3]])
-DROPPING = {R: positive_semidefinite(p + k), H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m), x0: vector(n + m),
-            v: vector(p + k),
-            Gj: symmetric_matrix(p + k + n + m), G1: symmetric_matrix(p + n)}
-DROPPING_LETS = (let(Zj, two_block(R, HJ, n + m)), let(y, HJ * x0 + R * v),
-                 let(Z1, two_block(T(upper(p, k)) * R * upper(p, k), H1, n)))
-BOTH_WAYS = [is_inverse(Gj, Zj, "x1 and x2 from y1 and y2"), is_inverse(G1, Z1, "x1 from y1")]
-FROM_BOTH = hstack(Zero(n, p + k), Identity(n), Zero(n, m)) * Gj * upper(p + k, n + m) * y
-FROM_FIRST = T(lower(p, n)) * G1 * upper(p, n) * T(upper(p, k)) * y
+R_JOINT = block([[R11, R12], [T(R12), R22]])
+#: blocks of the (1)-inverse for x1 and x2 from y1 and y2
+WJ, UJ, TJ = block([[Waa, Wab], [T(Wab), Wbb]]), block([[Uax, Uaz], [Ubx, Ubz]]), block([[Txx, Txz], [T(Txz), Tzz]])
+DROPPING = {R11: positive_semidefinite(p), R12: matrix(p, k), R22: positive_semidefinite(k), H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m),
+            x1: vector(n), x2: vector(m), v: vector(p), w: vector(k), W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n),
+            Waa: symmetric_matrix(p), Wab: matrix(p, k), Wbb: symmetric_matrix(k), Uax: matrix(p, n), Uaz: matrix(p, m), Ubx: matrix(k, n),
+            Ubz: matrix(k, m), Txx: symmetric_matrix(n), Txz: matrix(n, m), Tzz: symmetric_matrix(m)}
+DROPPING_LETS = (let(y1, H1 * x1 + R11 * v + R12 * w), let(y2, H2 * x1 + H3 * x2 + T(R12) * v + R22 * w),
+                 let(Zj, two_blocks(R_JOINT, HJ, Zero(n + m, n + m))), let(Gj, two_blocks(WJ, UJ, TJ)), let(Z1, two_block(R11, H1, n)),
+                 let(G1, two_blocks(W1, U1, T1)))
+BOTH_WAYS = [standing("joint covariance", psd(R_JOINT)), is_inverse(Gj, Zj, "x1 and x2 from y1 and y2"), is_inverse(G1, Z1, "x1 from y1")]
+FROM_BOTH, FROM_FIRST = T(Uax) * y1 + T(Ubx) * y2, T(U1) * y1
 FULL_ROW_RANK = given("H3 has full row rank", rank(H3) == k)
 H1_RANK = given("H1 has full column rank", rank(H1) == n)
-DROP_SIZES = {"p": (1, 2, 3), "k": (1, 2), "n": (1, 2), "m": (1, 2)}
-DROP_MADE = (some_inverse(Gj, Zj, Yj, p + k + n + m), some_inverse(G1, Z1, Y1, p + n))
-SAME_PROOF_4 = steps(
-    "NWL92-E2.40", "NWL92-S17", "NWL92-E2.41", facts=["stationary points of (2.6) are minima (NWL92-E2.21)"],
-    prose=("Estimates from y1 and y2 satisfy (2.40); then lam_2 = 0, and x1 with lam_1 satisfies the conditions "
-           "(2.41) for y1 alone. No rank of H1 is used."))
+DROP_SIZES = {"p": (1, 2), "k": (1, 2), "n": 1, "m": (1, 2)}
+R0, ALL_J, ALL_1 = symbols("R0 Gjoint Gfirst")
+AT_1A, AT_1B, AT_1X, AT_1Z = coordinates(p, k, n, m)
+DROP_MADE = {R11: T(upper(p, k)) * R0 * upper(p, k), R12: T(upper(p, k)) * R0 * lower(p, k), R22: T(lower(p, k)) * R0 * lower(p, k),
+             **some_inverse(ALL_J, Zj, Yj, p + k + n + m)[0],
+             **corners(ALL_J, (Waa, Wab, Wbb, Uax, Uaz, Ubx, Ubz, Txx, Txz, Tzz), (AT_1A, AT_1A, AT_1B, AT_1A, AT_1A, AT_1B, AT_1B, AT_1X, AT_1X, AT_1Z),
+                       (AT_1A, AT_1B, AT_1B, AT_1X, AT_1Z, AT_1X, AT_1Z, AT_1X, AT_1Z, AT_1Z)),
+             **made_inverse(Z1, (W1, U1, T1), p, n, Y1, ALL_1)[0]}
+DROP_FREE = {R0: positive_semidefinite(p + k), Yj: matrix(p + k + n + m, p + k + n + m), Y1: matrix(p + n, p + n)}
+
+
+def dropped(M, rows, *more):
+    """M times the gain for x1 from y1 and y2 is M times that from y1, for M H1 = H1 or M = I and H1 of full column rank.
+
+    The gain takes nothing from y2, as H3 has full row rank. The difference of both, times the joint covariance, is a multiple of H1', which it annihilates.
+    """
+    apart = M * T(Uax - U1)
+    padded = vstack(T(apart), Zero(k, rows))
+    return chained(any_rank_identities(R11, H1, W1, U1, T1, n, p), any_rank_identities(R_JOINT, HJ, WJ, UJ, TJ, n + m, p + k),
+                   ([H1 * T(Ubx) == Zero(p, k), M * T(Ubx) == Zero(rows, k), H1 * T(Uax) * H1 == H1, H1 * T(U1) * H1 == H1, M * T(Uax) * H1 == M * T(U1) * H1,
+                     apart * R11 == -(M * (Txx - T1) * T(H1)), T(padded) * R_JOINT * padded * Identity(rows) == Zero(rows, rows),
+                     R_JOINT * padded == Zero(p + k, rows)], [[], [], [], [], [], [], [], [T(padded) * R_JOINT * padded]]))
+
+
+#: all sizes one; not admissible: what each hypothesis is for
+DROP_ONES = {"p": 1, "k": 1, "n": 1, "m": 1, R11: [[1]], R12: [[0]], R22: [[1]], H1: [[1]], H2: [[0]], H3: [[1]], x1: [1], x2: [1], v: [1], w: [0],
+             W1: [[0]], U1: [[1]], T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]],
+             Txz: [[0]], Tzz: [[-1]]}
+HALF = [["1/2"]]
+DROP_FOILS = [example({**DROP_ONES, **change}) for change in (
+    {U1: [[2]]}, {Uax: [[2]]},
+    {H2: [[1]], H3: [[0]], Waa: HALF, Wab: [["-1/2"]], Wbb: HALF, Uax: HALF, Ubx: HALF, Ubz: [[0]], Txx: [["-1/2"]], Tzz: [[0]]},
+    {H1: [[0]], H2: [[1]], x1: [0], x2: [0], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Ubx: HALF, Ubz: HALF, Txx: [["-1/4"]], Txz: [["-1/4"]],
+     Tzz: [["-1/4"]]})]
+DROP_DRAWN = instances(10, made_by=DROP_MADE, using=DROP_FREE, **DROP_SIZES)
 claim("NWL92-L2.4", "measurements with a variable of their own in every direction do not help",
       FROM_BOTH == FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK, H1_RANK],
-      by=[SAME_PROOF_4,
-          together(*DROP_MADE, **DROP_SIZES)],
-      note="The noises of y1 and y2 may be correlated.")
+      by=[dropped(Identity(n), n), *DROP_FOILS, DROP_DRAWN],
+      note="The noises of y1 and y2 may be correlated; (y1; y2) lies in the range of [R H], v and w say where.")
 
 claim("NWL92-S16", "the same for estimable combinations if H1 does not have full column rank",
       H1 * FROM_BOTH == H1 * FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK],
-      by=[SAME_PROOF_4, together(*DROP_MADE, **DROP_SIZES)],
+      by=[dropped(H1, p), *DROP_FOILS, DROP_DRAWN],
       note="The estimable combinations of x1 are those of H1 x1.")
 
 SYSTEM = block([
@@ -404,8 +455,11 @@ claim("NWL92-E2.41", "what remains are the conditions for x1 from y1 alone",
           instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
 
 # ------------------------------------------------------------------ both together
-G, u, Hg, Zg, Gg, Yg, gaing = symbols("G u Hg Zg Gg Yg gaing")
-not_checked("NWL92-E2.42", "measurement a of x1 and x2", "a definition: it fixes notation and asserts nothing")
+G, u, Hg, Zg, Gg, Yg = symbols("G u Hg Zg Gg Yg")
+claim("NWL92-E2.42", "a is one measurement of x1 and x2",
+      H * x1 + G * x2 + v == hstack(H, G) * vstack(x1, x2) + v, sizes=["p", "n", "g"],
+      over={H: matrix(p, n), G: matrix(p, g), x1: vector(n), x2: vector(g), v: vector(p)}, by=[instances(p=(1, 2), n=(1, 2), g=(1, 2))],
+      note="A definition; what is checked is the form (2.1) of the measurement, with [H G] for H.")
 
 claim("NWL92-E2.43", "a and b together are one measurement of x1, x2 and z",
       vstack(H * x1 + G * x2 + v, J * x1 + K * z + w)
@@ -418,32 +472,27 @@ claim("NWL92-E2.43", "a and b together are one measurement of x1, x2 and z",
       note="A definition; what is checked is the form (2.1) of both measurements together.")
 
 HG = hstack(H, G)
-GAIN_G = (let(Zg, two_block(V, HG, n + g)), let(gaing, T(lower(p, n + g)) * Gg * upper(p, n + g)))
-SPLIT = {V: positive_semidefinite(p), H: matrix(p, n), G: matrix(p, g), Gg: symmetric_matrix(p + n + g)}
+U2, T12, T22 = symbols("U2 T12 T22")
+#: blocks of the (1)-inverse for x1 and x2 from a
+UG, TG = hstack(U1, U2), block([[T1, T12], [T(T12), T22]])
+SPLIT = {V: positive_semidefinite(p), H: matrix(p, n), G: matrix(p, g), W1: symmetric_matrix(p), U1: matrix(p, n), U2: matrix(p, g),
+         T1: symmetric_matrix(n), T12: matrix(n, g), T22: symmetric_matrix(g)}
+SPLIT_LETS = (let(Zg, two_blocks(V, HG, Zero(n + g, n + g))), let(Gg, two_blocks(W1, UG, TG)))
 SPLIT_GIVEN = [is_inverse(Gg, Zg, "x1 and x2 from a"), given("[H G] has full column rank", rank(HG) == n + g)]
-SPLIT_MADE = some_inverse(Gg, Zg, Yg, p + n + g)
-BOTH_COLUMNS = n + g
-Y = sym("Y")
-SPLIT_PROVED = identity(
-    given_by={F: inv(S), E1: ones(p - BOTH_COLUMNS, p - BOTH_COLUMNS), E0: Identity(p - BOTH_COLUMNS) - E1,
-              V: F * diag(P, E1) * T(F),
-              H: F * upper(n, p - n), G: F * vstack(Zero(n, g), Identity(g), Zero(p - BOTH_COLUMNS, g)),
-              **inverse_in_coordinates((W1, U1, T1), (Y3, Y, Y4), BOTH_COLUMNS), Gg: block([[W1, U1], [T(U1), T1]])},
-    using={rho: integer(0, p - BOTH_COLUMNS), S: matrix(p, p), P: symmetric_matrix(BOTH_COLUMNS),
-           Y: matrix(p - BOTH_COLUMNS, p - BOTH_COLUMNS),
-           Y3: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS), Y4: matrix(p - BOTH_COLUMNS, BOTH_COLUMNS)},
-    fact=NORMAL_FORM + " (with [H G] for H)", p=(2, 3), n=1, g=1)
+AT_AG, AT_XG, AT_GG = coordinates(p, n, g)
+SPLIT_DRAWN = instances(made_by={**some_inverse(sym("Gall"), Zg, Yg, p + n + g)[0],
+                                 **corners(sym("Gall"), (W1, U1, U2, T1, T12, T22), (AT_AG, AT_AG, AT_AG, AT_XG, AT_XG, AT_GG),
+                                           (AT_AG, AT_XG, AT_GG, AT_XG, AT_GG, AT_GG))},
+                        using={Yg: matrix(p + n + g, p + n + g)}, p=(2, 3, 4), n=(1, 2), g=(1, 2))
+SPLIT_PROVED = chained(block_identities(V, HG, W1, UG, TG, n + g, p))
 claim("NWL92-E2.44a", "the estimate of x1 from a is a measurement of x1 alone",
-      T(upper(n, g)) * gaing * HG == hstack(Identity(n), Zero(n, g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN,
-      by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      T(U1) * HG == hstack(Identity(n), Zero(n, g)),
+      sizes=["p", "n", "g"], over=SPLIT, where=SPLIT_LETS, given=SPLIT_GIVEN, by=[SPLIT_PROVED, SPLIT_DRAWN],
       note="So the estimate of x1 is x1 + u1, where u1 is the gain times v, and x2 does not enter.")
 
 claim("NWL92-E2.44b", "so is the estimate of x2; the noises have the joint error covariance of the estimates",
-      (T(lower(n, g)) * gaing * HG == hstack(Zero(g, n), Identity(g)))
-      & (gaing * V * T(gaing) == -T(lower(p, n + g)) * Gg * lower(p, n + g)),
-      sizes=["p", "n", "g"], over=SPLIT, where=GAIN_G, given=SPLIT_GIVEN,
-      by=[SPLIT_PROVED, together(SPLIT_MADE, p=(2, 3, 4), n=(1, 2), g=(1, 2))],
+      (T(U2) * HG == hstack(Zero(g, n), Identity(g))) & (T(UG) * V * UG == -TG),
+      sizes=["p", "n", "g"], over=SPLIT, where=SPLIT_LETS, given=SPLIT_GIVEN, by=[SPLIT_PROVED, SPLIT_DRAWN],
       note="The noises u1 and u2 together are the gain times v.")
 
 HT = block([[H, G, Zero(p, m)], [J, Zero(q, g), K]])
@@ -477,8 +526,12 @@ claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
 
 # ------------------------------------------------------------------ Lemma 2.5
 V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
-not_checked("NWL92-E2.45", "the same measurement with two noises",
-            "a definition: it fixes notation and asserts nothing")
+claim("NWL92-E2.45", "one gain for both measurements has errors that differ by their noises alone",
+      (L * (H * x + V1 * v) - x) - (L * (H * z + V2 * w) - z) == (L * H - Identity(n)) * (x - z) + L * (V1 * v - V2 * w), sizes=["p", "n"],
+      over={V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), L: matrix(n, p), x: vector(n), z: vector(n), v: vector(p), w: vector(p)},
+      by=[instances(p=(1, 2), n=(1, 2))],
+      note=("A definition; what is checked is what Lemma 2.5 uses of it: if LH = I the errors of Ly1 and Ly2 are L times the noises v1 = V1 v and v2 = V2 w, whatever x "
+            "and z are."))
 
 NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n),
           W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n),

@@ -26,8 +26,8 @@ parts: lam = a + ib, v = v1 + iv2.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, induction, instances, order, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -41,7 +41,6 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
-    matrix_of,
     nonneg,
     nonsingular,
     positive_semidefinite,
@@ -50,14 +49,12 @@ from exactkf.language import (
     scalar,
     schur,
     standing,
-    sum_of,
     sym,
     symbols,
     symmetric_matrix,
     trace,
     vector,
     vstack,
-    when,
 )
 from proofs.nwl92 import notation as two
 from proofs.nwl92.notation_system import (
@@ -67,6 +64,7 @@ from proofs.nwl92.notation_system import (
     F_BLOCK,
     FIRST_TWO,
     GAINS,
+    GRAM,
     H0,
     IMPLIED_RANK,
     INVERSE,
@@ -214,12 +212,23 @@ S_SIGN = "S must have the sign it has in (4.31)"
 #: E = 2, C = -1, Q = S = R = 1, P = 0: the sum of both equations is free of noise, L = K = 1, LA = A
 NOISELESS = {"l": 1, "p": 1, "n": 1, P: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[2]], C: [[-1]], sym("W1"): [[1]], sym("W2"): [[2]],
              sym("W3"): [[4]], U1: [[1]], U2: [[1]], Tb: [[0]], b: 0, v1: [[1]], v2: [[0]]}
-not_checked("NWL92-E4.40", "a left eigenvector of LA with |lam| >= 1", "the assumption of a proof: it fixes notation and asserts nothing")
+UNIT = sym("Unit")
+UNIT_TERMS = [v * T(v) for v in (v1, v2)] + [(a * a + b * b - 1) * v * UNIT * T(v) for v in (v1, v2)]
+X0 = sym("X0")
+claim("NWL92-E4.40", "a left eigenvector of LA with |lam| >= 1 is there only if LA is not stable",
+      (v1 == Zero(1, n)) & (v2 == Zero(1, n)), sizes=["l", "n"], over={A: matrix(l, n), L: matrix(n, l), **VECTOR},
+      given=[given("LA stable", schur(L * A)), *EIGEN, given("|lam| >= 1", a * a + b * b >= 1)],
+      by=[order(UNIT_TERMS, UNIT_TERMS, inside=[within(number, solutions={UNIT: (L * A, Identity(n))}) for number in (0, 1)]),
+          *[example({"l": 1, "n": 1, A: [[1]], L: [[x]], a: y, b: 0, v1: [[z]], v2: [[1 - z]]}) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+          example({"l": 1, "n": 1, A: [[0]], L: [[0]], a: 1, b: 0, v1: [[1]], v2: [[0]]}), example({"l": 1, "n": 1, A: [[0]], L: [[0]], a: 1, b: 0, v1: [[0]], v2: [[1]]}),
+          instances(made_by={L: X0 * (1 / (1 + trace(A * T(A)) + trace(X0 * T(X0)))), v1: Zero(1, n), v2: Zero(1, n)}, using={X0: matrix(n, l)}, l=(1, 2), n=(1, 2))],
+      note=("The assumption of a proof. That a matrix which is not stable has such an eigenvector is the definition of stability; what is checked is that a "
+            "stable one has none, so that the assumption says no less than that LA is not stable."))
 
 
 a0, b0, B0 = symbols("a0 b0 B0")
 NORM = 1 + a0 * a0 + b0 * b0
-EIGENVECTOR = {v1: T(two.upper(1, 1)) * inv(B0), v2: T(two.lower(1, 1)) * inv(B0)}
+DRAWN_VECTOR = {v1: T(two.upper(1, 1)) * inv(B0), v2: T(two.lower(1, 1)) * inv(B0)}
 
 
 def eigenvalues(drawn_by, unstable, also=None):
@@ -227,7 +236,7 @@ def eigenvalues(drawn_by, unstable, also=None):
     outside = 1 + a0 * a0 if unstable else a0 * (1 / NORM)
     free = {a0: scalar(), b0: scalar()}
     return [drawn_by(Identity(1) * a, made_by=also, before={a: outside, b: 0 * b0}, using=free, count=8, l=(1, 2), n=1),
-            drawn_by(block([[a, -b], [b, a]]), made_by={**EIGENVECTOR, **(also or {})}, before={a: outside, b: b0 * (1 if unstable else 1 / NORM)},
+            drawn_by(block([[a, -b], [b, a]]), made_by={**DRAWN_VECTOR, **(also or {})}, before={a: outside, b: b0 * (1 if unstable else 1 / NORM)},
                      using=free, count=8, l=2, n=2)]
 
 
@@ -328,25 +337,56 @@ claim("NWL92-E4.44", "v(L K) annihilates the rows of the stabilizability matrix"
                         *FOILS, *eigenvalues(noiseless, True), *eigenvalues(contracting, False)]))
 
 EIGEN_FORMULA = (v1 * (L * A) == Z_1) & (v2 * (L * A) == Z_2)
-NOT_ZERO = (v1 != Zero(1, n)) | (v2 != Zero(1, n))
+BOTH_PARTS = Zero(1, l + l)
+SQUARES = [v * T(v) for v in (v1, v2)] + [(a * a + b * b - 1) * v * T(v) for v in (v1, v2)]
 claim("NWL92-S38", "vL and v(L K) are not zero",
-      ((v1 * L != Zero(1, l)) | (v2 * L != Zero(1, l))) & ((v1 * hstack(L, K) != Zero(1, l + p)) | (v2 * hstack(L, K) != Zero(1, l + p))),
+      (hstack(v1 * L, v2 * L) != BOTH_PARTS) & (hstack(v1 * hstack(L, K), v2 * hstack(L, K)) != Zero(1, l + p + l + p)),
       sizes=["l", "n", "p"], over={A: matrix(l, n), L: matrix(n, l), K: matrix(n, p), **VECTOR},
-      given=[given("v is not zero", NOT_ZERO), given("(4.40)", EIGEN_FORMULA), UNSTABLE],
-      by=[example({"l": 1, "n": 1, "p": 1, A: [[0]], L: [[0]], K: [[0]], a: 0, b: 0, v1: [[1]], v2: [[0]]}),
+      given=[given("v is not zero", hstack(v1, v2) != Zero(1, n + n)), given("(4.40)", EIGEN_FORMULA), UNSTABLE],
+      by=[order(SQUARES, SQUARES),
+          example({"l": 1, "n": 1, "p": 1, A: [[0]], L: [[0]], K: [[0]], a: 0, b: 0, v1: [[1]], v2: [[0]]}),
           example({"l": 1, "n": 1, "p": 1, A: [[1]], L: [[0]], K: [[0]], a: 1, b: 0, v1: [[1]], v2: [[0]]}),
           *eigenvalues(reproducing, True)],
       note=("A row vector w other than zero with w[lam E - A, Q, -S; lam C, -S', R] = 0 is what stabilizability rules out for |lam| >= 1. "
-            "The sign of S in (4.44) is dealt with there."))
+            "The sign of S in (4.44) is dealt with there. Real and imaginary part stand side by side."))
 
+#: a left eigenvector (vr + i vi)' of LA with eigenvalue lr + i li outside the open disc
+(vr, vi), (lr, li) = EIGENVECTOR, EIGENVALUE
+EXCESS = lr * lr + li * li - 1
+
+
+def stable_gains(*solved_by, unique=None):
+    """LA is stable for each (P, blocks of its (1)-inverse, L, K) that solves (4.31); then the conclusion, an equation perhaps ``unique`` as in `within`.
+
+    For an eigenvector v outside the open disc the Riccati equation makes v(L K)G zero. The certificate of stabilizability is a right inverse
+    N of (E; C) up to G, so that v(L K) = vN, and vL is an eigenvector of A Na for the same eigenvalue; as A Na is stable, vL = 0. So lam v = vLA = 0.
+    """
+    identities, needs, inside = [], [], []
+    for solution, (a, b, c, u, w, d), *_ in solved_by:
+        more, most = two.block_identities(noise_by_form(solution, n), F_BLOCK, block([[a, b], [T(b), c]]), vstack(u, w), d, n, l + p, GRAM)
+        identities, needs = identities + more, needs + most
+    for number, (solution, _, first, second) in enumerate(solved_by, len(identities)):
+        gain = hstack(first, second)
+        noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * solution * v for v in (vr, vi)]
+        energy = sum((T(v) * gain * NOISE_G * T(gain) * v for v in (vr, vi)), EXCESS * (T(vr) * solution * vr + T(vi) * solution * vi))
+        ends = [T(first) * v for v in (vr, vi)]
+        inside.append(within(
+            number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)),
+            *(T(v) * first == T(v) * Na for v in (vr, vi)), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
+            hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=7))
+        needs += [[], noise, noise, [], [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
+                  [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
+    stable = [schur(first * A) for _, _, first, _ in solved_by]
+    return order(*needs, lemmas=[*identities, *stable], inside=[*inside, within(len(identities) + len(stable), unique=unique)])
+
+
+BOUND = sym("Bound")
 Closed = sym("Closed")
 ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
 claim("NWL92-S37", "LA is stable for every nonnegative solution",
       schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
       given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[steps("NWL92-E4.38", "NWL92-E4.43", facts=["a matrix that is not stable has a complex left eigenvector with |lam| >= 1"],
-                prose=("For a left eigenvector v with |lam| >= 1 the corrected (4.41) gives v(L K)G = 0, as one side is not positive and the other "
-                       "not negative; with (4.43) v(L K) annihilates the rows of the stabilizability matrix, but it is not zero (NWL92-S38).")),
+      by=[stable_gains((P, INVERSE, L, K)),
           example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]}),
           solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
       note=CERTIFICATES)
@@ -367,8 +407,7 @@ SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], *
 claim("NWL92-S39", "there is at most one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
-      by=[steps("NWL92-E4.45", facts=["X = MXN' has the solution zero alone if M and N are stable"],
-                prose="Both L A are stable (NWL92-S37), so that (4.45) leaves only P1 - P2 = 0."),
+      by=[stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
           example({**PAIR_OF_SOLUTIONS, **ZEROS}),
           *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME],
       note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
@@ -377,21 +416,20 @@ claim("NWL92-E4.45", "difference of two solutions",
       DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A), sizes=["l", "n", "p"], over=TWO_OVER, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_INVERSES, *SOLVED, NOISE, IMPLIED_RANK], by=[filter_identities(of=TWO_IDENTITIES), *TWO_FOILS, *TWO_DRAWN])
 
-M1, M2, D, D0, Kr, t, X0, X1, e0 = symbols("M1 M2 D D0 Kr t X0 X1 e0")
-ii, jj, i1, i2, j1, j2 = symbols("ii jj i1 i2 j1 j2")
-KRONECKER = matrix_of(ii, jj, n * n, n * n, sum_of(i1, 1, n, sum_of(i2, 1, n, sum_of(j1, 1, n, sum_of(
-    j2, 1, n, when((ii == (i1 - 1) * n + i2) & (jj == (j1 - 1) * n + j2), M2[i1, j1] * M1[i2, j2], 0))))))
+M1, M2, D, D0, X, t, X0, X1, e0 = symbols("M1 M2 D D0 X t X0 X1 e0")
 BOTH_STABLE = [given("L1 A stable", schur(M1)), given("L2 A stable", schur(M2))]
 Pow1, Pow2 = symbols("Pow1 Pow2")
 claim("NWL92-E4.46", "iterating (4.45)",
-      always(t, D[t] == Pow2[t] * D0 * T(Pow1[t])) & schur(Kr), sizes=["n"], over={M1: matrix(n, n), M2: matrix(n, n), D0: matrix(n, n)},
-      where=[rec(D, t, D0, M2 * D[t] * T(M1)), rec(Pow1, t, Identity(n), M1 * Pow1[t]), rec(Pow2, t, Identity(n), M2 * Pow2[t]), let(Kr, KRONECKER)],
-      given=BOTH_STABLE,
-      by=[example({"n": 1, M1: [[2]], M2: [["1/2"]], D0: [[1]]}), example({"n": 1, M1: [["1/2"]], M2: [[2]], D0: [[1]]}),
-          instances(made_by={M1: X0 * (1 / (1 + trace(X0 * T(X0)))), M2: X1 * (1 / (1 + trace(X1 * T(X1))))}, using={X0: matrix(n, n), X1: matrix(n, n)},
-                    horizon=3, n=(1, 2))],
-      note=("M1 and M2 stand for L1 A and L2 A, Pow1 and Pow2 for their powers; D[t] is what iterating X -> M2 X M1' makes of D0. By (4.45) it is D0 "
-            "for D0 = P1 - P2. That the map is stable, so that the limit is zero, is said through its matrix, the Kronecker product Kr."))
+      always(t, D[t] == Pow2[t] * D0 * T(Pow1[t])) & (X == Zero(n, n)), sizes=["n"],
+      over={M1: matrix(n, n), M2: matrix(n, n), D0: matrix(n, n), X: matrix(n, n)},
+      where=[rec(D, t, D0, M2 * D[t] * T(M1)), rec(Pow1, t, Identity(n), M1 * Pow1[t]), rec(Pow2, t, Identity(n), M2 * Pow2[t])],
+      given=[*BOTH_STABLE, given("(4.45)", X == M2 * X * T(M1))],
+      by=[induction(base=[order(), order(inside=[within(0, unique=(M2, T(M1)))])], step=order()),
+          example({"n": 1, M1: [[2]], M2: [["1/2"]], D0: [[1]], X: [[1]]}), example({"n": 1, M1: [["1/2"]], M2: [[2]], D0: [[1]], X: [[1]]}),
+          instances(made_by={M1: X0 * (1 / (1 + trace(X0 * T(X0)))), M2: X1 * (1 / (1 + trace(X1 * T(X1)))), X: Zero(n, n)},
+                    using={X0: matrix(n, n), X1: matrix(n, n)}, horizon=3, n=(1, 2))],
+      note=("M1 and M2 stand for L1 A and L2 A, Pow1 and Pow2 for their powers; D[t] is what iterating X -> M2 X M1' makes of D0, for any D0. "
+            "X stands for P1 - P2: by (4.45) iterating leaves it as it is, so that it is its own limit, and this is zero."))
 
 # ------------------------------------------------------------------ convergence
 Pt, Pz, Wt, P0, Wn = symbols("Pt Pz Wt P0 Wn")
@@ -404,7 +442,6 @@ def next_covariance(P):
 
 OPTIMAL = rec(Pt, t, P0, next_covariance(Pt[t]))
 FROM_ZERO = rec(Pz, t, Zero(n, n), next_covariance(Pz[t]))
-CONVERGENCE_MADE = {"l": (1, 2), "p": 1, "n": 1}
 Py = sym("Py")
 LG = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l),
       K: matrix(n, p)}
@@ -432,34 +469,44 @@ def later(P, smaller):
     return [through * (P - smaller) * T(through), error_of(best(P) - best(smaller), smaller)]
 
 
+def own_error(P):
+    """The next covariance as that of the filter's own error, in a list of terms."""
+    return [error_of(best(P[t]), P[t])]
+
+
+ERROR_1 = [error_of(best(Zero(n, n)), Zero(n, n))]
 CLOSED = T(T(L * A))
 claim("NWL92-S40", "the covariance from zero is increasing, below the solution, and below that from any start",
-      always(t, loewner(Pt[t], Pz[t]) & loewner(P, Pz[t]) & loewner(Py[t], Pz[t])), sizes=["l", "n", "p"],
+      always(t, loewner(Pt[t], Pz[t])) & always(t, loewner(P, Pz[t])) & always(t, loewner(Py[t], Pz[t])), sizes=["l", "n", "p"],
       over={**LG, P: positive_semidefinite(n), P0: positive_semidefinite(n)},
       where=[OPTIMAL, FROM_ZERO, rec(Py, t, next_covariance(Zero(n, n)), next_covariance(Py[t]))],
       given=[NOISE, UNBIASED, given("(4.31)", P == constant_gain(P))],
-      by=[induction(also=[psd(Pz[t]), psd(Pt[t]), psd(Py[t])],
-                    base=order([], [], [error_of(best(Zero(n, n)), Zero(n, n))], [P0], [P], [error_of(best(Zero(n, n)), Zero(n, n))]),
-                    step=order([error_of(best(Pz[t]), Pz[t])], [error_of(best(Pt[t]), Pt[t])], [error_of(best(Py[t]), Py[t])], later(Pt[t], Pz[t]),
-                               [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])], later(Py[t], Pz[t]))),
+      by=[induction(also=[[psd(Pz[t]), psd(Pt[t])], [psd(Pz[t])], [psd(Pz[t]), psd(Py[t])]],
+                    base=[order([], [], [P0]), order([], [P]), order([], ERROR_1, ERROR_1)],
+                    step=[order(own_error(Pz), own_error(Pt), later(Pt[t], Pz[t])),
+                          order(own_error(Pz), [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])]),
+                          order(own_error(Pz), own_error(Py), later(Py[t], Pz[t]))]),
           instances(8, made_by={**solved()[0], L: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.upper(l, p),
                                 K: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.lower(l, p)}, using=solved()[1], horizon=3,
                     l=(1, 2), p=(1, 2), n=(1, 2))],
       note=("Pz is the covariance from P_0 = 0, Py the same one step later, Pt that from any P_0; L, K are gains with LE + KC = I, those of the solution "
             "among them. Increasing and bounded by P, Pz converges; its limit is a solution, and P is the only one (NWL92-S39)."))
 
-e, Mx, Pj, Pzj, Wj = symbols("e Mx Pj Pzj Wj")
+e, f, Mx, Mz, Pj, Pzj, Wj = symbols("e f Mx Mz Pj Pzj Wj")
 SANDWICH = [given("P_j^0 <= P_j", loewner(Pj, Pzj)), given("P_j <= W_j", loewner(Wj, Pj)), given("W_j near P", loewner(P + e * Mx, Wj)),
-            given("P_j^0 near P", loewner(Pzj, P - e * Mx))]
+            given("P_j^0 near P", loewner(Pzj, P - f * Mz))]
 claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
-      loewner(P + e * Mx, Pj) & loewner(Pj, P - e * Mx), sizes=["n"],
-      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n), e: nonneg()},
+      loewner(P + e * Mx, Pj) & loewner(Pj, P - f * Mz), sizes=["n"],
+      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n),
+            Mz: positive_semidefinite(n), e: nonneg(), f: nonneg()},
       given=SANDWICH,
-      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - e * Mx)]),
-          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + X0 * 0 + H0 * e0}, using={X0: matrix(n, 1), H0: positive_semidefinite(n),
-                                                                                                  e0: scalar()}, n=(1, 2, 3))],
-      note=("e stands for c rho^j. The paper asks for P_j^0 -> P only; for an exponential rate of P_j the lower bound needs one as well, which this "
-            "statement includes. It has one, as P - P_(j+1)^0 = (LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
+      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
+          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + H0 * (1 / (1 + e0 * e0))},
+                    using={X0: matrix(n, 1), H0: positive_semidefinite(n), e0: scalar()}, n=(1, 2, 3)),
+          instances(made_by={Mx: X0 * T(X0), Mz: X1 * T(X1), Wj: P + e * Mx, Pzj: P - f * Mz, Pj: P}, using={X0: matrix(n, 1), X1: matrix(n, 1)}, n=(1, 2, 3))],
+      note=("At each j: e stands for c rho^j, f for what tends to zero as P_j^0 tends to P. So P_j tends to P, and from above as fast as W_j. From below it "
+            "is as fast as P_j^0, of which the paper says no more than that it tends to P; it does so exponentially, as P - P_(j+1)^0 = "
+            "(LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
 
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
 CLOSED_W = CLOSED * (Wt[t] - Pt[t]) * T(CLOSED)
@@ -506,7 +553,7 @@ claim("NWL92-E4.48", "the limit of the error covariance with constant gains, as 
       by=[example({**STEADY, W: [["3/4", 0], [0, 0]]}), instances(l=2, n=2, p=2)],
       repair=repair("other", MISSING, iff(W == constant_gain(W), W == P), sizes=["l", "n", "p"], over={**ERROR_OVER, P: positive_semidefinite(n)},
                     given=[given("(4.31)", P == constant_gain(P)), given("LA stable", schur(L * A))],
-                    by=[steps(facts=["X = MXM' has the solution zero alone if M is stable"], prose="The difference of two solutions solves X = (LA)X(LA)'."),
+                    by=[order(inside=[within(number, unique=(L * A, T(L * A))) for number in (0, 1)]),
                         example({**STEADY, A: [[0, 0], [0, 0]], W: [[0, 0], [0, 0]], P: [[1, 0], [0, 1]]}),
                         example({"l": 1, "n": 1, "p": 1, A: [[1]], Q: [[0]], S: [[0]], R: [[0]], L: [[1]], K: [[0]], W: [[1]], P: [[0]]}),
                         example({**STEADY, W: [["3/4", 0], [0, 0]]}), example({**STEADY, W: [["3/4", 0], [0, 1]]}),

@@ -28,14 +28,15 @@ is said through a left inverse, full row rank through a right inverse.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
     Z,
     Zero,
     block,
+    defined,
     det,
     diagonal,
     eq,
@@ -56,12 +57,10 @@ from exactkf.language import (
     rank,
     scalar,
     schur,
-    size_of,
     standing,
     sym,
     symbols,
     symmetric_matrix,
-    to_expr,
     trace,
     vector,
     vstack,
@@ -94,8 +93,6 @@ RIGHT = -(hstack(Zero(n, k), Identity(n)) * inv(Zr) * vstack(Zero(k, n), Identit
 INVERSE = let(Gi, block([[W, U], [T(U), Tb]]))
 FULL_ROW = given("[F G] has full row rank", F * N1 + G * N2 == Identity(k))
 ROW_INVERSE = {N1: matrix(n, k), N2: matrix(k, k)}
-#: a random right inverse of [F G], where there is one
-ROWS_MADE = {N1: one_inverse(T(F) * F) * T(F) * X1, N2: one_inverse(G) * (Identity(k) - F * N1)}
 claim("NWL92-E5.4", "the algebraic Riccati equation in the notation (5.2)",
       iff(P == -(hstack(Zero(n, k), Identity(n)) * Gi * vstack(Zero(k, n), Identity(n))), P == RIGHT),
       sizes=["k", "n"], over={**PENCIL, P: positive_semidefinite(n), W: symmetric_matrix(k), U: matrix(k, n), Tb: symmetric_matrix(n)},
@@ -147,7 +144,6 @@ def real_form(real, imaginary):
 Zz = sym("Mz")
 AT_Z = real_form(block([[F + a * K, -G], [Zero(n, n), T(K) + a * T(F)]]), block([[b * K, Zero(k, k)], [Zero(n, n), b * T(F)]]))
 Le, Lc, s1, s2, t1, t2 = symbols("Le Lc s1 s2 t1 t2")
-FULL_E = vstack(E, C)
 
 
 def pencil_at(below):
@@ -155,28 +151,46 @@ def pencil_at(below):
     return real_form(vstack(s1 * E - t1 * A, below[0]), vstack(s2 * E - t2 * A, below[1]))
 
 
+NOT_ZERO = s1 * s1 + s2 * s2
+nv, nw, BOUND = null_vector(0), null_vector(1), sym("Bound")
+SAME_KERNEL = within(0, *(NOT_ZERO * (C * v) == Zero(p, 1) for v in (nv, nw)), *(C * v == Zero(p, 1) for v in (nv, nw)), vector="right")
+ON_CIRCLE_RANK = within(2, nv == -(Le * A * (a * nv - b * nw)), nw == -(Le * A * (b * nv + a * nw)), vector="right",
+                        solutions={BOUND: (T(Le * A), Identity(n))})
 claim("NWL92-S43", "detectability in the notation (5.2), and F + zK has full column rank on the unit circle",
-      (rank(X1) == rank(X2)) & (rank(Zz) == 2 * n),
+      iff(rank(X1) == 2 * n, rank(X2) == 2 * n) & (rank(Zz) == 2 * n),
       where=[let(X1, pencil_at((C, Zero(p, n)))), let(X2, pencil_at((s1 * C, s2 * C))),
              let(Zz, real_form(vstack(E + a * A, C), vstack(b * A, Zero(p, n))))],
       sizes=["l", "p", "n"],
       over={A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Le: matrix(n, l), Lc: matrix(n, p), a: scalar(), b: scalar(),
-            s1: nonzero(), s2: scalar(), t1: scalar(), t2: scalar()},
-      given=[given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A)), standing("|z| = 1", a * a + b * b == 1)],
-      by=[example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Le: [[1]], Lc: [[0]], a: -1, b: 0, s1: 1, s2: 0, t1: 0, t2: 0}),
+            s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
+      given=[given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A)), standing("|z| = 1", a * a + b * b == 1),
+             given("s is not zero", NOT_ZERO > 0)],
+      by=[order([], [], [1 / NOT_ZERO], [1 / NOT_ZERO], [], [], [], [], [T(nv) * nv, T(nw) * nw], inside=[SAME_KERNEL, ON_CIRCLE_RANK]),
+          example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Le: [[1]], Lc: [[0]], a: -1, b: 0, s1: 1, s2: 0, t1: 0, t2: 0}),
+          example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], Le: [[0]], Lc: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
           instances(made_by={Le: inv(T(E) * E + T(C) * C) * T(E), Lc: inv(T(E) * E + T(C) * C) * T(C),
                              A: X0 * (1 / ((1 + trace(X0 * T(X0))) * (1 + trace(Le * T(Le))))), **POINT},
                     using={X0: matrix(l, n), t0: scalar()}, l=(1, 2), p=(1, 2), n=(1, 2))],
-      note=("X1 is [sE - tA; C], X2 is [sE - tA; sC], Mz is F + zK. s = s1 + is2 is not zero, as |s| >= |t| and not both are zero; s1 is taken nonzero, which is no loss, as (s, t) may be "
-            "multiplied by a complex number. z = a + ib."))
+      note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], Mz is F + zK, in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
+            "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. " + CERTIFIED))
 
-not_checked("NWL92-E5.6", "a null vector of the pencil at a point of the circle",
-            "the assumption of a proof: it fixes notation and asserts nothing")
-not_checked("NWL92-E5.7", "Gam = zK + F", "a definition: it fixes notation and asserts nothing")
+Gre, Gim = symbols("Gre Gim")
+claim("NWL92-E5.7", "with Gam = zK + F the lower right block of (5.6) is z Gam*",
+      (T(K) + a * T(F) == a * T(Gre) + b * T(Gim)) & (b * T(F) == b * T(Gre) - a * T(Gim)), sizes=["k", "n"],
+      over={F: matrix(k, n), K: matrix(k, n), a: scalar(), b: scalar()}, where=[let(Gre, F + a * K), let(Gim, b * K)], given=[ON_CIRCLE],
+      by=[instances(made_by=POINT, using={t0: scalar()}, **SIZES)],
+      note="A definition; what is checked is what it is made for, by real and imaginary part: z = a + ib, Gam = Gre + i Gim, and z times z* is one.")
 
 u1, u2, v1, v2 = symbols("u1 u2 v1 v2")
 NULL = {u1: vector(n), u2: vector(n), v1: vector(k), v2: vector(k)}
 AT_POINT = {**PENCIL, a: scalar(), b: scalar(), **NULL}
+REAL_ROWS = [F * u1 + a * (K * u1) - b * (K * u2) - G * v1, T(K) * v1 + a * (T(F) * v1) - b * (T(F) * v2)]
+IMAGINARY_ROWS = [F * u2 + a * (K * u2) + b * (K * u1) - G * v2, T(K) * v2 + a * (T(F) * v2) + b * (T(F) * v1)]
+claim("NWL92-E5.6", "the matrix (5.5) times (u; v), by real and imaginary part",
+      AT_Z * vstack(u1, v1, u2, v2) == vstack(*REAL_ROWS, *IMAGINARY_ROWS), sizes=["k", "n"], over=AT_POINT, by=[instances(**SIZES)],
+      note=("The assumption of a proof, that the product is zero for some (u; v) other than zero; what is checked is the real form in which it is assumed from "
+            "(5.8) on, for z = a + ib, u = u1 + iu2, v = v1 + iv2."))
+
 EQUATION = given("(5.6)", AT_Z * vstack(u1, v1, u2, v2) == Zero(2 * (k + n), 1))
 ROW_U = [hstack(Identity(k), Zero(k, n), Zero(k, k + n)), hstack(Zero(k, k + n), Identity(k), Zero(k, n))]
 ROW_V = [hstack(Zero(n, k), Identity(n), Zero(n, k + n)), hstack(Zero(n, k + n), Zero(n, k), Identity(n))]
@@ -217,12 +231,18 @@ GAMMA_MADE = {Vv: hstack(v1, v2), r1: T(v1) * Mr0 + T(v2) * Mi0, r2: T(v1) * Mi0
               G: Mre + T(Mre) - T(V_INVERSE) * T(Vv) * Mre + (Identity(k) - Vv * V_INVERSE) * S0 * (Identity(k) - Vv * V_INVERSE)}
 GAMMA_DRAWN = instances(made_by=GAMMA_MADE, using={Mr0: matrix(k, n), Mi0: matrix(k, n), S0: symmetric_matrix(k)}, **NULL_SIZES)
 ZERO_POINT = {"k": 1, "n": 1, G: [[1]], Gr: [[1]], Gi2: [[0]], u1: [1], u2: [0], v1: [1], v2: [0]}
-claim("NWL92-E5.10", "v*Gv = 0",
-      T(v1) * G * v1 + T(v2) * G * v2 == 0, sizes=["k", "n"], over={**GAMMA, G: symmetric_matrix(k)}, given=[*E58S, *E59S],
-      by=[example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]], v1: [0], v2: [1]}), example(ZERO_POINT),
-          example({**ZERO_POINT, u1: [0], u2: [1], v1: [0], v2: [1]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[1]], u1: [0], u2: [-1]}), GAMMA_DRAWN],
-      note=("The print has vGv*, which has no meaning for the column v of (5.6) unless it has one entry; it is read as v*Gv. v = v1 + iv2; the "
-            "imaginary part of v*Gv is zero for every v."))
+PRINTED_ENERGY = [v1 * G * T(v1) + v2 * G * T(v2), v2 * G * T(v1) - v1 * G * T(v2)]
+NO_FIT = example({"k": 2, "n": 1, G: [[0, 0], [0, 0]], Gr: [[1], [0]], Gi2: [[0], [0]], u1: [0], u2: [0], v1: [0, 1], v2: [0, 0]})
+E510 = {"sizes": ["k", "n"], "over": {**GAMMA, G: symmetric_matrix(k)}, "given": [*E58S, *E59S]}
+claim("NWL92-E5.10", "vGv* = 0 for the column v, as printed",
+      defined(PRINTED_ENERGY[0]) & (PRINTED_ENERGY[0] == Zero(k, k)) & (PRINTED_ENERGY[1] == Zero(k, k)), **E510, by=[NO_FIT, GAMMA_DRAWN],
+      repair=repair("order of factors", ("the factors v and v* are exchanged: v is a column, so that the printed product is not even defined unless v has "
+                                         "one entry"),
+                    T(v1) * G * v1 + T(v2) * G * v2 == 0, **E510,
+                    by=[example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]], v1: [0], v2: [1]}), example(ZERO_POINT),
+                        example({**ZERO_POINT, u1: [0], u2: [1], v1: [0], v2: [1]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[1]], u1: [0], u2: [-1]}),
+                        GAMMA_DRAWN]),
+      note="v = v1 + iv2; in the print by real and imaginary part. The imaginary part of v*Gv is zero for every v.")
 
 Lr, Li, Nr, Ni, Mr, Mi = symbols("Lr Li Nr Ni Mr Mi")
 COLUMN_RANK = given("Gam has full column rank", (Lr * Gr - Li * Gi2 == Identity(n)) & (Lr * Gi2 + Li * Gr == Zero(n, n)))
@@ -295,9 +315,14 @@ def first(s, t):
     return det(s * M_PENCIL + t * N_PENCIL)
 
 
+def rows_exchanged(s, t):
+    """The matrix of the second member of (5.11), with block rows exchanged."""
+    return (s * block([[Zero(n, n), T(K)], [F, -G]]) + t * block([[Zero(n, n), T(F)], [K, Zero(k, k)]]))
+
+
 def second(s, t):
-    """The second member of (5.11), with block rows exchanged."""
-    return det(s * block([[Zero(n, n), T(K)], [F, -G]]) + t * block([[Zero(n, n), T(F)], [K, Zero(k, k)]]))
+    """The second member of (5.11)."""
+    return det(rows_exchanged(s, t))
 
 
 def third(s, t):
@@ -307,20 +332,34 @@ def third(s, t):
 
 #: l = 2, p = 1, n = 1, E = (1; 0), A = C = 0, G = I
 ODD = {"k": 3, "n": 1, F: [[1], [0], [0]], K: [[0], [0], [0]], G: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], s: 1, t: 1}
-SWAP = to_expr(-1) ** (k * n)
-ROWS_SIGN = "exchanging k rows with n rows changes the sign of the determinant if k and n are odd"
-EVERY = {"k": (1, 2), "n": (1, 2)}
+#: exchanges the block rows, and the determinants of the members of (5.11) with it
+EXCHANGE = block([[Zero(n, k), Identity(n)], [Identity(k), Zero(k, n)]])
+TURN = sym("turn")
+TURNED_TWICE = (Identity(n + k), [EXCHANGE, T(EXCHANGE)])
+ROWS_SIGN = "exchanging k rows with n rows multiplies the determinant by that of the exchange, which is -1 if k and n are odd"
+
+
+def with_sign(s, t):
+    """(5.11) with the determinant of the exchange, which is 1 or -1."""
+    return eq(first(s, t), TURN * second(s, t), TURN * third(s, t)) & (TURN * TURN == 1)
+
+
+def exchanged(s, t):
+    """The determinants of the members of (5.11)."""
+    return order(factors=[TURNED_TWICE, (rows_exchanged(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL])])
+
+
+ANY_POINT = {"sizes": ["k", "n"], "over": {**ANY, s: scalar(), t: scalar()}}
+LET_TURN = [let(TURN, det(EXCHANGE))]
 claim("NWL92-E5.11", "three forms of p(s, t)",
-      eq(first(s, t), second(s, t), third(s, t)), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
+      eq(first(s, t), second(s, t), third(s, t)), **ANY_POINT,
       by=[example(ODD), instances(**SIZES)],
-      repair=repair("sign", ROWS_SIGN, eq(first(s, t), SWAP * second(s, t), SWAP * third(s, t)), sizes=["k", "n"],
-                    over={**ANY, s: scalar(), t: scalar()}, by=[identity(**EVERY), instances(**SIZES)]))
+      repair=repair("sign", ROWS_SIGN, with_sign(s, t), **ANY_POINT, where=LET_TURN, by=[exchanged(s, t), instances(**SIZES)]))
 
 claim("NWL92-E5.12", "p(t, s)",
-      eq(first(t, s), second(t, s), third(t, s)), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
+      eq(first(t, s), second(t, s), third(t, s)), **ANY_POINT,
       by=[example(ODD), instances(**SIZES)],
-      repair=repair("sign", ROWS_SIGN, eq(first(t, s), SWAP * second(t, s), SWAP * third(t, s)), sizes=["k", "n"],
-                    over={**ANY, s: scalar(), t: scalar()}, by=[identity(**EVERY), instances(**SIZES)]),
+      repair=repair("sign", ROWS_SIGN, with_sign(t, s), **ANY_POINT, where=LET_TURN, by=[exchanged(t, s), instances(**SIZES)]),
       note="p(t, s) is that of (5.11): its first member with s and t exchanged.")
 
 
@@ -338,13 +377,18 @@ claim("NWL92-E5.13", "the matrices of p(s, t) and p(t, s) are equal up to scalin
       scaled(1, t) * inner(s, t) * scaled(1 / t, 1) == scaled(1, s) * T(inner(t, s)) * scaled(1 / s, 1),
       sizes=["k", "n"], over=NONZERO, by=[identity(k=(1, 2, 3), n=(1, 2)), instances(**SIZES)])
 
+#: both sides of (5.13) have one determinant, and so have the members of (5.11), up to that of the exchange
+SCALED = scaled(1, t) * inner(s, t) * scaled(1 / t, 1)
+BOTH_DETERMINANTS = order(factors=[(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
+                                   TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])])
 claim("NWL92-E5.14", "determinants of (5.13)",
       t ** k * first(s, t) * t ** (-n) == s ** k * first(t, s) * s ** (-n), sizes=["k", "n"], over=NONZERO,
-      by=[identity(**EVERY), instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
+      by=[BOTH_DETERMINANTS, instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
-      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over={**ANY, s: scalar(), t: scalar()},
-      by=[identity(**EVERY), instances(**SIZES)])
+      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
+      by=[BOTH_DETERMINANTS, instances(**SIZES)],
+      note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
 
 # ------------------------------------------------------------------ the stable eigenspace
 EIGENSPACE = {**PENCIL, X: matrix(n, n), Y: matrix(k, n), J: matrix(n, n)}
@@ -352,7 +396,7 @@ RELATION = given("(5.18)", M_PENCIL * vstack(X, Y) == N_PENCIL * vstack(X, Y) * 
 E25 = given("(5.25)", F * X - G * Y == K * X * J)
 E26 = given("(5.26)", T(K) * Y == T(F) * Y * J)
 FIRST_RELATIONS = [E25, E26]
-B0, V, W0, k1, k2, Nn = symbols("B0 V W0 k1 k2 Nn")
+B0, V, W0, k1, k2 = symbols("B0 V W0 k1 k2")
 #: from a solution P of the Riccati equation in coordinates: F = V[I; 0], N = V diag(P, *)V', K = V[k1; k2]; X = P W0, Y = V'^-1 [W0; 0]
 SPACE_MADE = {k1: B0 * X0 * (1 / (1 + trace(X0 * T(X0)))) * inv(B0), P: B0 * T(B0),
               G: V * block([[P - k1 * P * T(k1), -k1 * P * T(k2)],
@@ -388,9 +432,9 @@ w, h, h2 = symbols("w h h2")
 LYAPUNOV = given("(5.27)", YFX == T(Y) * G * Y + T(J) * YFX * J)
 NULL_W = given("F'Yw = 0", T(F) * Y * w == Zero(n, 1))
 STABLE = given("J stable", schur(J))
-NULL_ENERGY = steps("NWL92-E5.27", facts=["a symmetric solution of a Lyapunov equation with stable J and nonnegative right side is nonnegative"],
-                    prose=("w'Y'F = 0, so that w times (5.27) times w leaves 0 = (Yw)'G(Yw) + (Jw)'Y'FX(Jw); both terms are nonnegative, hence zero, "
-                           "and G >= 0 gives GYw = 0."))
+#: Y'FX is nonnegative, as J is stable; w'Y'F = 0, so that w times (5.27) times w leaves 0 = (Yw)'G(Yw) + (Jw)'Y'FX(Jw)
+NONNEGATIVE, FORMS = psd(YFX), [T(Y) * G * Y, T(J) * YFX * J]
+NULL_ENERGY = order([T(Y) * G * Y], FORMS, lemmas=[NONNEGATIVE], inside=[within(0, stein=T(J))])
 
 #: a system in which F'Y is singular: the second state neither noise nor gain; k = 2, n = 2
 d0, d1, d2 = symbols("d0 d1 d2")
@@ -432,16 +476,32 @@ claim("NWL92-E5.31", "the null space of F'Y is J-invariant",
           instances(made_by={w: h - one_inverse(T(Y) * Y) * T(Y) * Y * h, K: T(T(F) * Y * J * one_inverse(T(Y) * Y) * T(Y))}, using={h: vector(n)}, k=(1, 2), n=(2, 3))],
       note="By (5.30) a null vector of F'Y is one of Y.")
 
-M, Nb, J1 = symbols("M Nb J1")
-claim("NWL92-E5.32", "an invariant null space other than zero contains an eigenvector",
-      J * Nb == Nb * J1, sizes=["n"], over={M: matrix(n, n), J: matrix(n, n)},
-      where=[let(Nb, kernel_basis(M)), let(J1, inv(T(Nb) * Nb) * T(Nb) * J * Nb)],
-      given=[given("M is singular and its null space is invariant", (size_of(J1) >= 1) & (M * J * Nb == Zero(n, size_of(J1))))],
-      by=[example({"n": 2, M: [[1, 0], [0, 0]], J: [[0, 1], [0, 0]]}),
-          instances(made_by={M: X1 * T(X2), sym("Nk"): kernel_basis(M), J: sym("Nk") * T(sym("Nk")) * X0 + X1 * T(X2) * M},
-                    using={X1: matrix(n, 1), X2: matrix(n, 1), X0: matrix(n, n)}, n=(2, 3))],
-      note=("M stands for F'Y, the columns of Nb span its null space. J acts on it as the square matrix J1, which has a complex eigenvector y "
-            "with eigenvalue lam; then w = Nb y is not zero and Jw = lam w."))
+M, Nb, Mb, J1, y1, y2, q = symbols("M Nb Mb J1 y1 y2 q")
+PAIR_1, PAIR_2 = a * y1 - b * y2, b * y1 + a * y2
+#: the complement of the null space in random coordinates
+OFF = Identity(n) - Nb * Mb
+
+
+def null_spaces(inner, y, **sizes):
+    """M with a null space of dimension q that is invariant under J, which acts on it as ``inner``, with an eigenvector there."""
+    return instances(made_by={Mb: inv(T(Nb) * Nb) * T(Nb), M: X1 * OFF, Y: OFF * inv(X1), J: Nb * B0 * inner * inv(B0) * Mb + X2 * OFF, y1: B0 * y[0],
+                              y2: B0 * y[1]}, using={X1: nonsingular(n), X2: matrix(n, n), B0: nonsingular(q)}, **sizes)
+
+
+PLANE = {"n": 2, "q": 1, M: [[0, 1], [0, 0]], J: [[1, 0], [0, 1]], Nb: [[1], [0]], Mb: [[1, 0]], Y: [[0, 0], [1, 0]], a: 1, b: 0, y1: [1], y2: [1]}
+claim("NWL92-E5.32", "an eigenvector of J on the invariant null space is one of J in the null space",
+      (M * (Nb * y1) == Zero(n, 1)) & (M * (Nb * y2) == Zero(n, 1)) & (J * (Nb * y1) == a * (Nb * y1) - b * (Nb * y2))
+      & (J * (Nb * y2) == b * (Nb * y1) + a * (Nb * y2)) & (hstack(Nb * y1, Nb * y2) != Zero(n, 2)), sizes=["n", "q"],
+      over={M: matrix(n, n), J: matrix(n, n), Nb: matrix(n, q), Mb: matrix(q, n), Y: matrix(n, n), a: scalar(), b: scalar(), y1: vector(q), y2: vector(q)},
+      where=[let(J1, Mb * J * Nb)],
+      given=[given("basis of the null space", (M * Nb == Zero(n, q)) & (Mb * Nb == Identity(q)) & (Y * M + Nb * Mb == Identity(n))),
+             given("invariant", M * J * Nb == Zero(n, q)), given("eigenvector, real part", J1 * y1 == PAIR_1),
+             given("eigenvector, imaginary part", J1 * y2 == PAIR_2), given("not zero", hstack(y1, y2) != Zero(q, 2))],
+      by=[order(), example(PLANE), *[example({**PLANE, **change}) for change in (
+              {J: [[1, 0], [1, 1]]}, {y1: [0], y2: [0]}, {J: [[2, 0], [0, 1]], y2: [0]}, {J: [[2, 0], [0, 1]], y1: [0]}, {M: [[1, 0], [0, 0]]})],
+          null_spaces(block([[a, -b], [b, a]]), (vstack(1, 0), vstack(0, -1)), n=(2, 3), q=2)],
+      note=("M stands for F'Y; the columns of Nb are a basis of its null space: Mb is a left inverse of Nb and every v is NbMb v + YMv. J acts on it as J1. "
+            "J1 has a complex eigenvector y1 + iy2 with an eigenvalue a + ib, as every square matrix with at least one row has; it gives the w of (5.32)."))
 
 w1, w2 = symbols("w1 w2")
 EIGEN = [given("(5.32), real part", J * w1 == a * w1 - b * w2), given("(5.32), imaginary part", J * w2 == b * w1 + a * w2)]
@@ -485,15 +545,26 @@ claim("NWL92-E5.35", "(X; Y)w = 0 gives w = 0",
 FULL_BASIS = given("(X; Y) has full column rank", rank(vstack(X, Y)) == n)
 CERTIFIED_SPACE = {L: hstack(Identity(n), Zero(n, k - n)) * inv(V), N1: L, N2: one_inverse(G) * (Identity(k) - F * L)}
 STABLE_SPACE = spaces(CERTIFIED_SPACE)
+#: N spans the null space of F'Y, on which J acts as J N = N JN
+N = kernel_basis(T(F) * Y)
+N_GRAM = T(N) * N
+JN = inv(N_GRAM) * T(N) * J * N
+(er, ei), (lr, li) = EIGENVECTOR, EIGENVALUE
+XR, XI, OUTSIDE = N * er, N * ei, lr * lr + li * li - 1
+#: by (5.28) to (5.30) Y N = 0; by (5.31) the null space is invariant; JN is stable, as its eigenvectors are those of J; X N = (LK)(X N)JN by (5.33) is zero
+INVERTIBLE_PROOF = order(
+    [T(Y) * G * Y], [T(N) * T(Y) * G * Y * N, T(N) * T(J) * YFX * J * N], [], [], [N_GRAM], [],
+    [], [], [T(x) * x for x in (XR, XI)] + [OUTSIDE * T(x) * BOUND * x for x in (XR, XI)], [], [],
+    lemmas=[NONNEGATIVE, G * (Y * N) == 0 * (Y * N), Y * N == 0 * (Y * N), T(F) * Y * J * N == 0 * N, invertible(N_GRAM), J * N == N * JN, schur(JN),
+            X * N == 0 * (X * N)],
+    inside=[within(0, stein=T(J)), within(6, J * XR == lr * XR - li * XI, J * XI == li * XR + lr * XI, hstack(XR, XI) == Zero(n, 2), vector="right",
+                                          solutions={BOUND: (T(J), Identity(n))}, on=2),
+            within(7, unique=(L * K, JN))])
 claim("NWL92-S49", "F'Y is invertible",
       invertible(T(F) * Y), sizes=["k", "n"], over={**EIGENSPACE, **CERTIFICATES},
       given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS,
              standing("detectable", (L * F == Identity(n)) & schur(L * K)), standing("stabilizable", (F * N1 + G * N2 == Identity(k)) & schur(K * N1))],
-      by=[steps("NWL92-E5.27", "NWL92-E5.28", "NWL92-E5.29", "NWL92-E5.30", "NWL92-E5.31", "NWL92-E5.33", "NWL92-E5.34", "NWL92-E5.35",
-                facts=["a matrix has a complex eigenvector in every invariant subspace that is not zero",
-                       "the solution of a Lyapunov equation with stable J is nonnegative"],
-                prose=("A null vector of F'Y is one of Y by (5.28) to (5.30); so the null space is J-invariant, and an eigenvector in it is zero by "
-                       "(5.33) to (5.35).")),
+      by=[INVERTIBLE_PROOF,
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[1]], Y: [[0]], J: [[2]], L: [[1]], N1: [[1]], N2: [[0]]}),
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[0]], Y: [[0]], J: [[0]], L: [[1]], N1: [[1]], N2: [[0]]}),
           STABLE_SPACE], note=CERTIFIED)
@@ -539,7 +610,7 @@ claim("NWL92-S50", "Y'FX solves (5.39) and is nonnegative",
       repair=repair("cross-reference", "the Lyapunov equation is (5.27); (5.39) is the Riccati equation",
                     (YFX == T(Y) * G * Y + T(J) * YFX * J) & psd(YFX), sizes=["k", "n"], over=EIGENSPACE,
                     given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE],
-                    by=[example({**UNRELATED, F: [[2]]}), example({**UNRELATED, J: [[1]]}),
+                    by=[order([], [T(Y) * G * Y], inside=[within(1, stein=T(J))]), example({**UNRELATED, F: [[2]]}), example({**UNRELATED, J: [[1]]}),
                         example({"k": 1, "n": 1, F: [[1]], K: [[2]], G: [[3]], X: [[-1]], Y: [[1]], J: [[2]]}), spaces()]),
       note="(5.39) is taken without its stray factor F.")
 

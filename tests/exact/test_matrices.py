@@ -51,18 +51,6 @@ def with_inertia(draw):
     return S * D * S.transpose(), counts
 
 
-@st.composite
-def symplectics(draw):
-    """Return a symplectic matrix: a product of shears and of a block diagonal one."""
-    n = draw(st.integers(0, 2))
-    S, _ = draw(mats(st.just(n), st.just(n))), None
-    S = S + S.transpose()
-    G = draw(invertibles(n))
-    eye, nil = m.identity(n), m.zero(n)
-    shear = m.block([[eye, S], [nil, eye]])
-    return shear * m.block([[G, nil], [nil, G.inv().transpose()]]) * shear.transpose()
-
-
 def test_constructor_reads_every_kind_of_matrix():
     """Lists, numpy arrays, sympy, fmpz and fmpq matrices give the same matrix."""
     want = fmpq_mat([[1, 2], [3, 4]])
@@ -225,20 +213,6 @@ def test_not_symmetric_is_refused():
         with pytest.raises(BadInput, match="not symmetric"):
             call([[1, 2], [3, 4]])
     assert not m.is_symmetric([[1, 2], [3, 4]]) and not m.is_symmetric([[1, 2]]) and m.is_symmetric([])
-
-
-@few
-@given(symplectics())
-def test_symplectic_by_construction(M):
-    """Products of generators are symplectic; twice such a matrix is not."""
-    assert m.is_symplectic(M)
-    assert M.nrows() == 0 or not m.is_symplectic(M * 2)
-
-
-def test_not_symplectic():
-    """Odd or rectangular matrices are not symplectic, the form itself is."""
-    assert not m.is_symplectic([[1]]) and not m.is_symplectic([[1, 0]]) and m.is_symplectic(m.symplectic_form(2))
-    assert not m.is_symplectic(m.identity(2) * -1 + m.matrix([[0, 0], [0, 2]]))
 
 
 @few

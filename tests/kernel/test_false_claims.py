@@ -212,3 +212,237 @@ def test_what_is_shown_along_divides_by_nothing_new():
     assert accepted("induction", made, {"cases": [{}], "solve": [0]})
     assert not accepted("induction", made, {"cases": [{}], "solve": [0], "also": [along]})
     assert accepted("induction", {**made, "over": [["x", ["nonzero"]]]}, {"cases": [{}], "solve": [0], "also": [along]})
+
+
+# ---------------------------------------------------------------------- what is no statement
+@pytest.mark.parametrize("says", [
+    ["=", 1], ["="], ["and"], True, 1.5, ["=>", ["=", 0, 0], ["=", 0, 0], ["=", 0, 1]], ["not", ["=", 0, 1], ["=", 0, 0]],
+    ["=", ["rat", 0, 1], ["rat", 0, -1]], ["=", ["sym", "free"], ["sym", "free"]], ["forall", 3, 0, 0, ["=", 0, 0]], ["nothing", 0],
+    ["prints", ["rat", 4, 5], "1/3"], ["prints", ["rat", 4, 5], "8e-1"], ["prints", ["rat", 4, 5], [["0.8", " 0.8"]]],
+])
+def test_a_statement_is_made_of_operations_with_their_arguments(says):
+    """What has too few or too many arguments, or a number that is none, is read in more than one way or in none."""
+    assert not accepted("evaluation", statement(says, [], sizes=[]), {"cases": [{}]})
+
+
+@pytest.mark.parametrize("says", [["=", ["-", A, A, B], ["O", ["sym", "n"], ["sym", "n"]]], ["=", ["T", A, B], ["T", A]]])
+def test_no_argument_is_left_out_of_account(says):
+    """A third term of a difference is not dropped where words are read."""
+    assert not accepted("membership", statement(says), {"terms": [[]]})
+
+
+def test_a_type_has_its_arguments():
+    """symmetric(n, 1) is no type."""
+    made = [statement(["=", ["T", A], A], [["A", kind]]) for kind in (["symmetric", ["sym", "n"], 1], ["symmetric", ["sym", "n"]])]
+    assert [accepted("membership", s, {"terms": [[]]}) for s in made] == [False, True]
+
+
+def test_a_parameter_hides_no_size():
+    """In det(2 f(3)) with f(n) = I_n the n of f is 3, not the size."""
+    n = ["sym", "n"]
+    for parameter, good in (("n", False), ("k", False)):
+        made = statement(["=", ["det", ["*", 2, ["I", n]]], ["det", ["*", 2, ["at", "f", 3]]]], [], (), [["let", "f", [parameter], ["I", ["sym", parameter]]]])
+        assert accepted("membership", made, {"terms": [[]]}) is good
+
+
+def test_tables_are_those_of_the_language():
+    """The checker has its own list of operations and types, and it is the one that statements are written with."""
+    from exactkf.kernel.wellformed import ARGUMENTS, BINDERS, TYPES
+    from exactkf.language import statement as written
+    from exactkf.language.tree import OPERATIONS
+
+    assert {op: (least, most or max(least, 1 << 30)) if most is None else (least, most) for op, (least, most) in OPERATIONS.items()} == ARGUMENTS
+    assert (written.TYPES, written._BINDERS) == (TYPES, BINDERS)
+
+
+def test_a_lemma_is_used_as_it_was_shown():
+    """psd(I, B) would be shown for I, and used for I - B."""
+    made = statement(["symmetric", B], SQUARE[1:2])
+    shown, used = {"sum": [["I", ["sym", "n"]]], "terms": []}, equation(["-1", [], "lemma 0/0/0/0", []])
+    assert not accepted("order", made, {"lemmas": [["psd", ["I", ["sym", "n"]], B]], "parts": [shown, used]})
+
+
+@pytest.mark.parametrize("text", ["1e999999999", "1E5", "nan", "inf", "1_0", "٣", " 1", "1/0", 0.5, True])
+def test_a_number_is_written_out(text):
+    """Nothing is made of powers of ten that nobody could wait for, nor of digits of other scripts."""
+    made = statement([">=", ["*", x, x], 0], [["x", ["scalar"]]], sizes=[])
+    assert not accepted("instances", made, {"instances": [{"sizes": {}, "values": {"x": text}}]})
+    assert accepted("instances", made, {"instances": [{"sizes": {}, "values": {"x": "-1.50"}}]})
+
+
+# ---------------------------------------------------------------------- sequences and expansions
+def test_sequences_without_end_are_not_compared():
+    """Two of which nothing has been looked at would be equal."""
+    made = statement(["=", ["sym", "u"], ["sym", "v"]], [["u", ["signal", 0]], ["v", ["signal", 0]]], sizes=[])
+    assert not accepted("identity", made, {"cases": [{}]})
+
+
+def test_a_sequence_without_end_goes_on():
+    """An instance lists a few entries; that the next is not among them does not make it undefined."""
+    made = statement(["defined", ["at", "s", 10]], [["s", ["signal", 0]]], sizes=[])
+    assert not accepted("counterexample", made, {"instance": {"sizes": {}, "values": {"s": [1, 2]}}})
+    assert not accepted("counterexample", made, {"instance": {"sizes": {}, "values": {"s": []}}})
+    before = {**made, "says": ["defined", ["at", "s", ["-", 0, 1]]]}
+    assert accepted("counterexample", before, {"instance": {"sizes": {}, "values": {"s": [1, 2]}}})
+
+
+def test_an_expansion_has_a_leading_coefficient():
+    """1/(a z + b) has no constant term at infinity unless a = 0, and then it is 1/b."""
+    a, b = ["sym", "a"], ["sym", "b"]
+    made = statement(["=", ["laurent", ["/", 1, ["+", ["*", a, ["z"]], b]], 0], 0], [["a", ["scalar"]], ["b", ["scalar"]]], sizes=[])
+    assert not accepted("identity", made, {"cases": [{}]})
+    assert accepted("counterexample", made, {"instance": {"sizes": {}, "values": {"a": 0, "b": 1}}})
+    monic = ["=", ["laurent", ["/", a, ["+", ["z"], b]], 2], ["*", -1, a, b]]
+    assert accepted("identity", {**made, "says": monic}, {"cases": [{}]})
+
+
+def test_a_square_of_a_polynomial_has_no_sign():
+    """z^2 >= 0 is nonsense."""
+    made = statement([">=", ["^", ["z"], 2], 0], [], sizes=[])
+    assert not accepted("positivity", made, {"cases": [{}], "terms": [[1, ["z"], []]]})
+
+
+# ---------------------------------------------------------------------- one equation after the other
+def test_a_multiplier_divides_by_nothing_of_a_later_equation():
+    """x y = 0 gives x = 0 and 1/y = 1/y only if the second is looked at first."""
+    over, given = [["x", ["scalar"]], ["y", ["scalar"]]], [["h", ["=", ["*", x, y], 0], "standing"]]
+    parts, terms = [["=", x, 0], ["=", ["/", 1, y], ["/", 1, y]]], [[[["/", 1, y], "h", 1]], []]
+    made = statement(["and", *parts], over, given, sizes=[])
+    assert not accepted("combination", made, {"cases": [{}], "terms": terms})
+    assert accepted("counterexample", made, {"instance": {"sizes": {}, "values": {"x": 1, "y": 0}}})
+    assert accepted("combination", {**made, "says": ["and", *parts[::-1]]}, {"cases": [{}], "terms": terms[::-1]})
+
+
+def test_a_cofactor_divides_by_nothing_of_a_later_equation():
+    """(X - X_0) X = 0 at t, divided by the X of the next equation, gives X = X_0 at t + 1."""
+    over, X = [["c", ["scalar"]]], ["at", "X", ["sym", "t"]]
+    keeps, unit = ["rec", "X", "t", 0, [["sym", "c"]], X], ["rec", "Y", "t", 0, [1], ["*", ["at", "Y", ["sym", "t"]], ["at", "X", ["sym", "t"]]]]
+    first, second = ["=", ["*", X, ["-", ["at", "Y", ["sym", "t"]], 1]], 0], ["=", ["/", 1, X], ["/", 1, X]]
+    made = statement(["always", "t", ["and", first, second]], over, (), [keeps, unit], [])
+    evidence = {"cases": [{}], "cofactors": [[[["/", ["*", X, X], X], 0, 1]], []]}
+    assert not accepted("induction", made, evidence)
+
+
+# ---------------------------------------------------------------------- indices of which nothing is known
+def test_an_index_written_out_is_not_the_one_of_an_induction():
+    """X[t + 1] = s[t] - s[1000000] is not zero at t = 0, though it is at t = 1000000."""
+    for far in (10**6, 10**6 - 1, 10**5):
+        falls = ["rec", "X", "t", 0, [0], ["-", ["at", "s", ["sym", "t"]], ["at", "s", far]]]
+        made = statement(["always", "t", ["=", ["at", "X", ["sym", "t"]], 0]], [["s", ["signal", 0]]], (), [falls], [])
+        assert not accepted("induction", made, {"cases": [{}]})
+
+
+def test_a_state_is_solved_for_at_its_own_index():
+    """X[t] = X[t] is no value of X[t]: by the step from t - 1 it would be one for t > 1 only."""
+    X, Y = (["at", name, ["sym", "t"]] for name in "XY")
+    where = [["rec", "Y", "t", 0, [7], 5], ["rec", "X", "t", 0, [5], Y]]
+    made = statement(["always", "t", ["=", X, 5]], [], (), where, [])
+    assert not accepted("induction", made, {"cases": [{}], "solve": [1, 2], "also": [["=", X, X], ["=", Y, Y]]})
+    assert accepted("counterexample", made, {"instance": NOWHERE})
+
+
+# ---------------------------------------------------------------------- determinants
+def test_a_number_is_no_factor_of_a_determinant():
+    """det(cA) = c^n det(A)."""
+    over = [["C", ["matrix", 1, 1]], SQUARE[0]]
+    for factors in ([C, A], [A, C]):
+        made = statement(["=", ["det", ["*", *factors]], ["*", ["det", C], ["det", A]]], over)
+        evidence = {"parts": [{"sum": [], "blocks": [[], [["1", [], "det 0", []]]], "factors": [[["*", *factors], factors]]}]}
+        assert not accepted("order", made, evidence)
+        square = {**made, "over": [["C", SQUARE[0][1]], SQUARE[0]]}
+        assert accepted("order", square, evidence)
+
+
+# ---------------------------------------------------------------------- at a generic index
+def lemma(says, **more):
+    return {"index": "t", "says": says, "from": 0, "rule": False, "bare": False, "direct": False, "in values": False, "uses": [], **more}
+
+
+def use(number, place, **more):
+    return {"lemma": number, "at": {"t": place}, **more}
+
+
+T, N, K = ["sym", "t"], ["sym", "n"], ["sym", "k"]
+ENTRIES = [["s", ["signal", 0]]]
+CONSTANT = ["rec", "X", "t", 0, [1], ["at", "X", T]]
+IS_ONE = lemma(["=", ["at", "X", T], 1], uses=[use(0, T)])
+
+
+def test_a_multiple_of_a_lemma_divides_by_no_zero():
+    """s = s/(X - 1) (X - 1) where X is one."""
+    made = statement(["always", "t", ["=", ["at", "s", T], 0]], ENTRIES, (), [CONSTANT], ["n"])
+    by_zero = use(0, T, times=["/", ["at", "s", T], ["-", ["at", "X", T], 1]])
+    assert not accepted("generic index", made, {"lemmas": [IS_ONE], "uses": [by_zero]})
+    assert accepted("generic index", {**made, "says": ["always", "t", ["=", ["at", "X", T], 1]]}, {"lemmas": [IS_ONE], "uses": [use(0, T)]})
+
+
+def test_a_recursion_that_divides_by_zero_says_nothing():
+    """F[t + 1] = s[t] R[t]/(X[t] - 1) is s[t] and also 2 s[t] where R = 0 and X = 1."""
+    at = ["at", "F", ["+", T, 1]]
+    quotient = ["rec", "F", "t", 0, [0], ["/", ["*", ["at", "s", T], ["at", "R", T]], ["-", ["at", "X", T], 1]]]
+    before = ["at", "s", ["-", K, 1]]
+    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient])
+    lemmas = [IS_ONE, lemma(["=", ["at", "R", T], 0], uses=[use(1, T)])]
+    lemmas += [lemma(["=", at, ["*", c, ["at", "s", T]]], direct=True, uses=[use(0, T), use(1, T)]) for c in (1, 2)]
+    assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [use(k, ["-", K, 1]) for k in (2, 3)]})
+
+
+def test_a_recursion_that_leads_to_later_values_says_nothing():
+    """X[t + 1] = X[n] + s[t] has no value for t < n, and gives s[n - 1] = 0."""
+    ahead = ["rec", "X", "t", 0, [0], ["+", ["at", "X", N], ["at", "s", T]]]
+    made = statement(["=", ["at", "s", ["-", N, 1]], 0], ENTRIES, [["n", [">=", N, 1], "standing"]], [ahead])
+    shown = lemma(["=", ["at", "X", ["+", T, 1]], ["+", ["at", "X", N], ["at", "s", T]]], direct=True)
+    assert not accepted("generic index", made, {"lemmas": [shown], "uses": [use(0, ["-", N, 1])]})
+    behind = {**made, "where": [["rec", "X", "t", 0, [0], ["+", ["at", "X", T], ["at", "s", T]]]],
+              "says": ["=", ["at", "X", N], ["+", ["at", "X", ["-", N, 1]], ["at", "s", ["-", N, 1]]]]}
+    shown = lemma(["=", ["at", "X", ["+", T, 1]], ["+", ["at", "X", T], ["at", "s", T]]], direct=True)
+    assert accepted("generic index", behind, {"lemmas": [shown], "uses": [use(0, ["-", N, 1])]})
+
+
+def test_a_variable_is_not_the_indeterminate():
+    """A number called z is not z."""
+    assert not accepted("generic index", statement(["=", ["sym", "z"], ["z"]], [["z", ["scalar"]]], sizes=[]), {"lemmas": [], "in values": True})
+
+
+# ---------------------------------------------------------------------- what a certificate rests on
+def test_a_parametrisation_is_named():
+    """x = c^2 reaches no negative x: the identity sqrt-free in c is about the others, and says so."""
+    from exactkf.kernel.replay import rests_on
+
+    made = statement(["=", ["*", x, ["-", x, x]], 0], [["x", ["scalar"]]], sizes=[])
+    evidence = {"cases": [{}], "given_by": {"x": ["^", ["sym", "c"], 2]}, "parameters": [["c", ["scalar"]]]}
+    assert not accepted("identity", made, evidence)
+    assert rests_on(seal("X", "identity", made, {**evidence, "covered_by": "MY-1"})) == "MY-1"
+    said = {**made, "over": [["x", ["scalar"]], ["y", ["scalar"]]], "given": [["h", ["=", x, ["^", y, 2]], "standing"]]}
+    assert rests_on(seal("X", "identity", said, {"cases": [{}], "given_by": {"x": ["^", y, 2]}})) == ""
+
+
+# ---------------------------------------------------------------------- powers inside the unit circle
+Q = ["sym", "Q"]
+OF_TWO = [["A", ["matrix", ["sym", "n"], ["sym", "n"]]], ["Q", ["symmetric", ["sym", "n"]]]]
+LESS = ["-", Q, ["*", A, Q, ["T", A]]]
+INSIDE, NOT_LESS = ["inside", ["schur", A], "standing"], ["less", ["psd", LESS], "standing"]
+#: the sum is the hypothesis itself, so that no multiples are needed
+SUMMED = {"parts": [{"sum": [LESS], "terms": [], "stein": A}]}
+
+
+@pytest.mark.parametrize("given, says, stein, right", [
+    ([INSIDE, NOT_LESS], ["psd", Q], A, True),
+    ([NOT_LESS], ["psd", Q], A, False),  # A = 2, Q = -1
+    ([INSIDE, NOT_LESS], ["psd", Q], ["*", 2, A], False),
+    ([INSIDE, NOT_LESS], ["psd", Q], ["T", A], False),  # another equation
+    ([INSIDE, NOT_LESS], ["pd", Q], A, False),  # Q = 0
+    ([["inside", ["schur", ["inv", A]], "standing"], NOT_LESS], ["psd", Q], A, False),
+    ([["inside", ["schur", ["*", A, A]], "standing"], NOT_LESS], ["psd", Q], A, False),
+])
+def test_a_sum_over_powers(given, says, stein, right):
+    """Q - AQA' >= 0 makes Q >= 0 only where the powers of this A tend to zero."""
+    assert accepted("order", statement(says, OF_TWO, given), {"parts": [{**SUMMED["parts"][0], "stein": stein}]}) is right
+
+
+def test_an_order_of_other_matrices_is_no_sum_over_powers():
+    """The terms are those of Q - AQA', and not of Q."""
+    plain = {"parts": [{"sum": [LESS], "terms": []}]}
+    assert not accepted("order", statement(["psd", Q], OF_TWO, [INSIDE, NOT_LESS]), plain)
+    negative = statement(["psd", Q], OF_TWO, [INSIDE, ["q", ["psd", ["neg", Q]], "standing"]])
+    assert not accepted("order", negative, {"parts": [{"sum": [["neg", Q]], "terms": [], "stein": A}]})

@@ -38,7 +38,8 @@ from exactkf.language import (
 from exactkf.language.mutate import mutants
 
 g, t, k, n, x, y, p = symbols("g t k n x y p")
-CLAIMS = ["BLM91-E2.6", "BLM91-E2.27", "BLZ94-P3.1", "BLZ94-L3.3", "BLZ94-S12", "BLZ94-E3.15a", "BLZ94-E3.20", "BLZ94-EA.12", "BLZ94-SA3"]
+CLAIMS = ["BLM91-E2.6", "BLM91-E2.7", "BLM91-E2.21", "BLM91-E2.26", "BLM91-E2.27", "BLZ94-P3.1", "BLZ94-L3.3", "BLZ94-S12", "BLZ94-E3.15a", "BLZ94-E3.20",
+          "BLZ94-EA.12", "BLZ94-SA3"]
 
 
 def proof(statement, evidence):
@@ -180,3 +181,16 @@ def test_a_region_with_a_point_is_not_empty(forms):
     region = Region([])
     region.forms = known
     assert region._possible(last) or not inside
+
+
+def test_a_product_that_vanishes_is_no_denominator():
+    """x = 0 makes every product zero, so P(hi)/P(lo - 1) is not to be had by division: a value of 5 is refused."""
+    from exactkf.language import prod
+
+    m = symbols("m")[0]
+    zero = {"sizes": ["n", "m"], "over": {"g": scalar()}, "where": [rec(x, t, 0, g * x[t])],
+            "given": [standing("n >= 1", n >= 1), standing("m >= 1", m >= 1)]}
+    vanishes = [lemma(t, x[t] == 0, uses=[use(0, t=t)]),
+                lemma(t, prod(k, 1, t, x[k]) == 0, start=1, uses=[use(1, t=t), use(0, t=t + 1), use(0, t=t)])]
+    with pytest.raises(Rejected):
+        replay(proof(Statement(prod(k, n + 1, n + m, x[k]) == 5, **zero), generic_index(*vanishes, uses=[use(1, t=n), use(1, t=n + m)])))

@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: MIT
+"""Recursions at a generic index: that they define something, and that nothing divided by is zero.
+
+Lemmas about what is not there would prove everything. X[t + 1] = X[n] + s[t] has no solution where t + 1 = n, and yet gives
+s[n - 1] = 0. X[0] = 1, X[t + 1] = X[t] make 1/(X[t] - 1) a division by zero for all values of the variables: what a
+lemma says of it is empty, and two of them may say different things. So two properties are shown beforehand.
+
+*Well-founded.* Each value of a recursion, written out, is made of values at smaller indices, as far as those lead back to
+it. Then the recursions have a solution in the field of rational functions in the variables, whatever lies before their
+start. Of others the definition is not used.
+
+*Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
+and the numbers one (some are of a type that excludes zero). There a recursion has a value if its initial values and its
+step, at a generic index and place, divide by nothing but numbers other than zero, and all its values (coefficients,
+entries) are one number c if those of its initial value are, and those of its step where they are at the index before. Several
+recursions are looked at together: what has been supposed of one is supposed until it is seen not to be so. With these numbers
+in place of its atoms the polynomial comes to its value at the point, whatever the indices.
+
+Main definitions
+----------------
+`ill_founded`
+    Recursions and functions of which the definition is not used.
+`Witness`
+    Finds the values at the point, and tells whether a polynomial is not zero.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Mapping
+from fractions import Fraction
+from typing import Any
+
+from exactkf.kernel.generic import Terms, connected
+from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.packed import Poly, exponents
+from exactkf.kernel.region import INDEX, Form, Region, Split, plus
+from exactkf.kernel.symbolic import Symbolic
+
+__all__ = ["Witness", "ill_founded"]
+
+_MOST_SPLITS = 8
+_Z = Fraction(2)  # the place at which polynomials are looked at as functions of z
+
+Case = tuple[Any, dict[str, Form], list[Form], Form]  # term, values of its indices, region, largest index it may use
+
+
+def _cases(d: Any) -> tuple[list[Case], list[Case]]:
+    """What gives the first values of a recursion, and the later ones from those before; of a function, all."""
+    if d[0] == "let":
+        env: dict[str, Form] = {p: {f"@{p}": 1} for p in d[2][:-1]}
+        return [], [(d[3], {**env, d[2][-1]: {INDEX: 1}}, [{INDEX: 1}], {INDEX: 1, "": -1})]
+    _, _, index, start, initial, step = d
+    first: list[Case] = [(tree, {}, [], plus({"": start + k}, {"": 1}, -1)) for k, tree in enumerate(initial)]
+    return first, [(step, {index: {INDEX: 1}}, [plus({INDEX: 1}, {"": 1 - start - len(initial)})], {INDEX: 1})]
+
+
+def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients or its entries come to, in each part of the region."""
+    tree, env, forms, within = case
+    region = Region([*sizes, *forms])
+    if region.empty:
+        return
+    terms = make(region)
+    terms.within = terms.region.reduce(within), connected(terms.definitions, name)
+    try:
+        if terms.is_matrix(tree):
+            inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
+            terms.region = region.and_(*inside)
+            found = terms.entry(tree, *(terms.region.reduce({n: 1}) for n in ("row", "column")), env)
+        else:
+            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if name in terms.in_z else terms.value(tree, env)
+    except Split as split:
+        if splits > _MOST_SPLITS:
+            raise Unknown("too many cases") from None
+        for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1)
+        return
+    yield terms, found
+
+
+def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
+    """Recursions, and functions that call themselves, not seen to be made of values at smaller indices."""
+    def make(region: Region) -> Terms:
+        return Terms(statement, region)
+
+    found = set()
+    for name in make(Region([])).recursive:
+        first, later = _cases(next(d for d in statement["where"] if d[1] == name))
+        try:
+            for case in first + later:
+                for _ in _values(make, name, case, sizes):
+                    pass
+        except (Unknown, Undefined, RecursionError, KeyError):
+            found.add(name)
+    return found
+
+
+class _AtPoint(Terms):
+    """Terms of a statement at the point; what has a value there that is not known stays an atom."""
+
+    def __init__(self, witness: Witness, region: Region) -> None:
+        super().__init__(witness.statement, region)
+        self.witness = witness
+
+    def atom(self, key: tuple) -> Symbolic:
+        found = self.witness.value(key)
+        return super().atom(key) if found is None else self.number(found)
+
+
+class Witness:
+    """The values of recursions at the point, found when they are asked for.
+
+    Parameters
+    ----------
+    statement
+        Its recursions and variables are looked at.
+    sizes : list of forms
+        What is known not to be negative.
+    """
+
+    def __init__(self, statement: Mapping[str, Any], sizes: list[Form]) -> None:
+        self.statement, self.sizes = statement, sizes
+        self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
+        self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
+        self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
+        self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
+
+    def is_not_zero(self, terms: Terms, p: Poly) -> bool:
+        """The polynomial has one atom, an entry of a variable, or is not zero at the point."""
+        atoms = {place for monomial in p for place, e in enumerate(exponents(monomial)) if e}
+        if len(atoms) == 1:
+            key = terms.atoms[min(atoms)]
+            if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
+                return True
+            if key[0] == "prod":  # no factor is zero, and so the product is not
+                variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
+                return variables or bool(self._number(key[1]))
+        try:
+            values = {place: self.value(terms.atoms[place]) for place in atoms}
+        except (Unknown, Undefined):
+            return False
+        total = Fraction(0)
+        for monomial, c in p.items():
+            term = Fraction(c)
+            for place, e in enumerate(exponents(monomial)):
+                if e and (x := values[place]) is None:
+                    return False
+                term *= x**e if e else 1
+            total += term
+        return total != 0
+
+    def _number(self, body: tuple) -> Fraction | None:
+        """The factor of a product at the point, where it is the same number at every index."""
+        total = Fraction(0)
+        for monomial, c in body:
+            term = Fraction(c)
+            for key, e in monomial:
+                try:
+                    x = self.value(key)
+                except (Unknown, Undefined):
+                    x = None
+                if x is None:
+                    return None
+                term *= x**e
+            total += term
+        return total
+
+    def _opaque(self, key: tuple) -> Fraction | None:
+        """One for the determinant of a matrix with ones on and zeros above its diagonal; zero for a product with a column that is zero.
+
+        Square matrices are the identity at the point, so that their powers have values, whatever the exponents.
+        """
+        tree, env = json.loads(key[1]), dict[str, Form]()
+        if tree[0] == "*" and (kinds := [self._factor(x) for x in tree[1:]]) and all(kinds) and "zero" in kinds:
+            return Fraction(0)
+        if tree[0] != "det":
+            raise Unknown("no value of a term that is not opened")
+        for number in range(len(key) - 2):
+            env[f"@{number}"] = {f"@{number}": 1}
+        matrix = _with_names(tree[1])
+        if _looked_at(self, matrix, env):
+            return Fraction(1)
+        raise Unknown("no value of a determinant")
+
+    def value(self, key: tuple) -> Fraction | None:
+        """The value of an atom, None if it has one that is not known; Unknown if it may have none."""
+        kind, name = key[:2]
+        if kind == "prod":  # of factors one at the point: then P is one there
+            return Fraction(1) if self._number(key[1]) == 1 else None
+        if kind == "opaque":
+            return self._opaque(key)
+        if kind == "sum":  # of atoms that have been looked at
+            return None
+        if kind == "at" and name in self.entries:
+            return Fraction(0)
+        if kind == "at" and (name == "z" or name in self.numbers):
+            return _Z if name == "z" else Fraction(1)
+        if kind not in ("at", "entry", "coeff") or name not in self.recursions:
+            raise Unknown(f"no value of {name} at a point")
+        if name not in self.found:
+            self._find(name)
+        return self.found[name]
+
+    def _factor(self, tree: Any) -> str:
+        """What a factor is at the point: a column of zeros, the identity, or nothing that is known."""
+        if isinstance(tree, int):
+            return ""
+        if tree[0] == "T" or tree[0] == "^" and self._factor(tree[1]) == "one":
+            return self._factor(tree[1])
+        kind = next((kind for name, kind in self.statement["over"] if tree[:1] == ["sym"] and tree[1] == name), None)
+        if kind is None or kind[0] != "matrix":
+            return ""
+        return "zero" if kind[2] == 1 else "one" if kind[1] == kind[2] else ""
+
+    def _find(self, name: str) -> None:
+        """One number, or values that are not known."""
+        first, later = _cases(self.recursions[name])
+        for constant in (True, False):
+            known = dict(self.found)
+            try:
+                if constant:
+                    self.found[name] = next(self._at_point(name, first, True))
+                    if any(x != self.found[name] for x in self._at_point(name, first + later, True)):
+                        raise Unknown(f"{name} does not keep its value")
+                else:
+                    self.found[name] = None
+                    list(self._at_point(name, first + later, False))
+                return
+            except (Unknown, Undefined, StopIteration):
+                self.found = known
+        raise Unknown(f"no value of {name} at a point")
+
+    def _at_point(self, name: str, cases: list[Case], constant: bool) -> Iterator[Fraction]:
+        """What the cases come to, which are numbers if ``constant``; nothing but numbers is divided by."""
+        for case in cases:
+            for terms, x in _values(lambda region: _AtPoint(self, region), name, case, self.sizes):
+                if terms.field.factors or constant and any(x.num):
+                    raise Unknown("no number")
+                yield Fraction(x.num.get(0, 0), x.q)
+
+
+def _with_names(tree: Any) -> Any:
+    """A text of a term with names for its indices."""
+    if not isinstance(tree, list):
+        return tree
+    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [_with_names(x) for x in tree]
+
+
+def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:
+    """Whether a square matrix has ones on and zeros above its diagonal, at the point and whatever its indices are."""
+    def ones(region: Region, on: bool, splits: int = 0) -> bool:
+        if region.empty:
+            return True
+        terms = _AtPoint(witness, region)
+        try:
+            x = terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
+        except Split as split:
+            return splits < _MOST_SPLITS and all(ones(part, on, splits + 1) for part in region.cases(split.form))
+        return not terms.field.factors and not (x - terms.number(int(on))).num
+
+    try:
+        terms = _AtPoint(witness, Region(witness.sizes))
+        rows, cols = terms.shape(matrix, env)
+        if not terms.is_matrix(matrix) or plus(rows, cols, -1):
+            return False
+        gap: Form = {"column": 1, "row": -1}
+        square = Region([*witness.sizes, {"row": 1, "": -1}, plus(rows, {"row": 1}, -1), {"column": 1, "": -1}, plus(rows, {"column": 1}, -1)])
+        return ones(square.and_(gap, plus({}, gap, -1)), True) and ones(square.and_(plus(gap, {"": 1}, -1)), False)
+    except (Unknown, Undefined, KeyError):
+        return False

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: MIT
+r"""Orbits of the fast filter that never escape, by congruences: what is checked about them.
+
+Main definitions
+----------------
+`check_never_singular`  no X_t, t >= 0, is singular
+`zeros_modulo`          the t at which det X_t vanishes modulo a prime
+`intersected`           what two periodic sets of integers have in common
+`reading`               numbers modulo a prime or its square
+`check_irreducible`     the modulus of a field is irreducible
+
+Main statements
+---------------
+(X_t; Y_t) are the powers of S_m applied to (I; 0).  With r_t = 1 - h'P_t h, P_t = Y_t X_t^-1, X_{t+1} = A'^-1 (X_t - hh'Y_t) has
+the determinant det X_t r_t / det A', and r_t is the product of the first t of the 1 - g^2: the orbit escapes
+exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
+
+1. *One prime.*  If p divides no denominator and S_m^L = I modulo p, det X_t modulo p depends on t modulo L only.  Where it is
+   not zero modulo p it is not zero.
+2. *Several primes.*  A t with det X_t = 0 is in the periodic set of every prime, and so in their intersection.
+3. *Orbits that come from an escape.*  If det X_{-k} = 0, k > 0, then -k is in all these sets.  Let p >= 5, M = S_m^L = I + pB over the
+   p-adic integers.  det X_{-k + Ls} is p s (f + p u(s)), u a power series with integral coefficients, because
+   p^j binomial(s, j) has the coefficients of p^j / j!, divisible by p for j = 1 and by p^2 for j > 1.  If that is
+   not zero modulo p^2 at s = 1, p does not divide f, and there is no other zero of the form -k + Ls.
+4. *Algebraic data.*  theta is a zero of an irreducible polynomial F, monic and p-integral, and r a zero of F modulo p.  A p-integral polynomial
+   that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
+   If r is a simple zero it lifts to the p-adic integers, and the homomorphism with it.
+5. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
+   less than H + 1.  If F = GK then |G(n)|, |K(n)| > c for an integer n > H + 1 + c.  So if F(n) is c times a prime, F is irreducible (Murty).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+from math import gcd, isqrt, lcm
+from operator import mul
+from typing import Any
+
+from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.linear import Matrix, char_coefficients
+from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.orbit_wandering import modular
+
+__all__ = ["backward", "check_irreducible", "check_never_singular", "intersected", "reading", "step_matrix", "zeros_modulo"]
+
+_LONGEST, _MOST = 10**6, 10**5
+
+
+def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
+    """Accept if no det X_t, t >= 0, of a reduced pair is zero.
+
+    Parameters
+    ----------
+    Q, S : lists of Fraction or Algebraic
+    places : list
+        ``[p, L]`` or, for algebraic data, ``[p, L, r]``.
+    before : list
+        The k of statement 3.
+    """
+    _need(bool(places), "no prime is named")
+    m, period, left = len(Q) - 1, 1, [0]
+    for p, L, root in map(_place, places):
+        _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
+        values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
+        period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
+        _need(len(left) < _MOST, "too many times are left")
+    if left:
+        singular = _singular_before(Q, S, before)
+        alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
+        _need(all(any((t + k) % L == 0 for k, L in alone) for t in left), f"nothing excludes an escape at times {left[0]} modulo {period}")
+
+
+def _place(data: Any) -> tuple[Any, Any, Any]:
+    _need(len(data) in (2, 3), "a place is a prime, a period and, for algebraic data, a residue")
+    return data[0], data[1], data[2] if len(data) == 3 else None
+
+
+def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
+    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues."""
+    common = gcd(M, L)
+    by_rest: dict[int, list[int]] = {}
+    for t in second:
+        by_rest.setdefault(t % common, []).append(t)
+    u = pow(M // common, -1, L // common) if L > common else 0
+    return M // common * L, [s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ())]
+
+
+# ---------------------------------------------------------------------- modulo N
+def reading(values: list, p: int, root: int | None = None, power: int = 1) -> list[int]:
+    """Numbers modulo a prime or its square; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
+    field = next((x.field for x in values if isinstance(x, Algebraic)), None)
+    if field is None:
+        _need(root is None, "rational data have no generator")
+        return modular(values, p**power)
+    _need(field.irreducible, "the modulus of the field is not known to be irreducible")
+    if type(root) is not int:
+        raise Undefined("the residue of the generator is missing")
+    _need(type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+    modulus = modular([Fraction(c) / field.modulus[-1] for c in field.modulus], p**power)
+    value = _horner(modulus, root, p**power)
+    _need(value % p == 0, f"the residue of the generator is no zero modulo {p}")
+    if power > 1:  # Hensel's lemma
+        slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
+        _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
+        root = (root - value * pow(slope, -1, p)) % p**power
+    return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
+
+
+def check_irreducible(field: AlgebraicField, n: Any) -> None:
+    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 5."""
+    common = lcm(*(Fraction(c).denominator for c in field.modulus))
+    F = [int(c * common) for c in field.modulus]
+    content = gcd(*F)
+    F = [c // content for c in F]
+    _need(type(n) is int and n > 0, "the argument is not a positive integer")
+    H = max(abs(Fraction(x, F[-1])) for x in F)
+    _need(n > H + 2, "the argument is too small")
+    value, c = abs(sum(x * n**k for k, x in enumerate(F))), 1
+    for r in range(2, 100):
+        while value % r == 0 and n > H + 1 + c * r:
+            value, c = value // r, c * r
+    _need(_is_prime(value), "the modulus of the field is not shown to be irreducible")
+    field.irreducible = True
+
+
+def _is_prime(n: int) -> bool:
+    """By the strong test to the bases 2, ..., 41, which is right below 3.3 * 10^24 (Sorenson and Webster)."""
+    bases = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
+    _need(n < 3317044064679887385961981, "a value is too large for the test of primality")
+    if n < 43:
+        return n in bases
+    odd, twos = n - 1, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    for a in bases:
+        x = pow(a, odd, n)
+        if x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
+            return False
+    return True
+
+
+def _horner(f: list[int], x: int, N: int) -> int:
+    acc = 0
+    for c in reversed(f):
+        acc = (acc * x + c) % N
+    return acc
+
+
+# ---------------------------------------------------------------------- powers of the symplectic matrix
+def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
+    """The t from 0 to L - 1 with det X_t = 0 modulo p, where S_m^L = I modulo p.
+
+    With S^{i + jB} in two parts, det X is a sum of products of minors (Cauchy and Binet).
+    """
+    S, size = step_matrix(q, g, p), isqrt(L) + 1
+    m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
+    top, rows = [_minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
+    power = eye[:m]
+    for _ in range(size - 1):
+        power = _product(power, rows, p)
+        top.append(_minors(power, p))
+    leap = _power(S, size, p)
+    _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
+    columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
+    for start in range(0, L, size):
+        minors = _minors(columns, p)
+        found |= {start + i for i, row in enumerate(top) if sum(map(mul, row, minors)) % p == 0}
+        columns = _product(columns, leap, p)
+    return {t for t in found if t < L}
+
+
+def _minors(rows: list[list[int]], p: int) -> list[int]:
+    """The minors of all rows modulo p, in an order that depends on the shape only."""
+    found = {0: 1}
+    for row in rows:
+        following: dict[int, int] = {}
+        for chosen, value in found.items():
+            for j, x in enumerate(row):
+                if not chosen >> j & 1:
+                    sign = -1 if (chosen >> j).bit_count() & 1 else 1
+                    following[chosen | 1 << j] = following.get(chosen | 1 << j, 0) + sign * value * x
+        found = {k: v % p for k, v in following.items()}
+    return [found[k] for k in sorted(found)]
+
+
+def _product(A: list[list[int]], columns: list[list[int]], p: int) -> list[list[int]]:
+    """A B modulo p, B given by its columns."""
+    return [[sum(map(mul, row, column)) % p for column in columns] for row in A]
+
+
+def _power(A: list[list[int]], k: int, p: int) -> list[list[int]]:
+    out = [[int(i == j) for j in range(len(A))] for i in range(len(A))]
+    columns = [list(c) for c in zip(*A, strict=True)]
+    for bit in bin(k)[2:]:
+        out = _product(out, [list(c) for c in zip(*out, strict=True)], p)
+        if bit == "1":
+            out = _product(out, columns, p)
+    return out
+
+
+def step_matrix(q: list[int], g: list[int], N: int) -> list[list[int]]:
+    """S_m modulo N: (X; Y) -> (A'^-1 (X - hh'Y); gg'X' + AY), A = J - qh', X' the new X."""
+    m = len(q)
+    _need(gcd(q[-1], N) == 1, f"S is singular modulo {N}")
+    inverse = pow(q[-1], -1, N)
+    X = [[int(i == j) for j in range(2 * m)] for i in range(m)]
+    Y = [[int(i + m == j) for j in range(2 * m)] for i in range(m)]
+    W = [[x - y for x, y in zip(X[0], Y[0], strict=True)], *X[1:]]
+    last = [-x * inverse for x in W[0]]  # row i of A'V is row i - 1 of V; row 0 is -q'V
+    for i in range(m - 1):
+        last = [x - q[i] * inverse * y for x, y in zip(last, W[i + 1], strict=True)]
+    new_x = [[x % N for x in row] for row in [*W[1:], last]]
+    along = [sum(map(mul, g, column)) for column in zip(*new_x, strict=True)]
+    new_y = [[(g[i] * s - q[i] * y + (Y[i + 1][j] if i + 1 < m else 0)) % N for j, (s, y) in enumerate(zip(along, Y[0], strict=True))] for i in range(m)]
+    return new_x + new_y
+
+
+# ---------------------------------------------------------------------- times before the start
+def backward(X: list, Y: list, q: list, g: list) -> tuple[list, list]:
+    """The plane before: Y = A^-1 (Y' - gg'X'), X = A'X' + hh'Y."""
+    m = len(q)
+    along = [_dot(g, column) for column in zip(*X, strict=True)]
+    R = [[y - g[i] * s for y, s in zip(Y[i], along, strict=True)] for i in range(m)]
+    top = [-r / q[-1] for r in R[-1]]  # A v = r: v_{i+1} = r_i + q_i v_1
+    new_y = [top, *([r + q[i] * t for r, t in zip(R[i], top, strict=True)] for i in range(m - 1))]
+    new_x = [[-_dot(q, column) for column in zip(*X, strict=True)], *X[:-1]]
+    new_x[0] = [x + y for x, y in zip(new_x[0], new_y[0], strict=True)]
+    return new_x, new_y
+
+
+def _dot(x: Iterable, y: Iterable) -> Any:
+    first, *rest = map(mul, x, y)
+    return sum(rest, first)
+
+
+def _singular_before(Q: list, S: list, before: Any) -> list[int]:
+    """The k of those named with det X_{-k} = 0, checked exactly."""
+    _need(all(type(k) is int and 0 < k < 1000 for k in before), "times before the start are positive numbers")
+    q, g, zero = Q[-2::-1], S[-2::-1], Q[-1] - Q[-1]
+    X: list = [[zero + int(i == j) for j in range(len(q))] for i in range(len(q))]
+    Y: list = [[zero] * len(q) for _ in q]
+    found = []
+    for k in range(1, max(before, default=0) + 1):
+        X, Y = backward(X, Y, q, g)
+        if k in before and char_coefficients(Matrix(X))[0] == 0:
+            found.append(k)
+    return found
+
+
+def _alone(Q: list, S: list, k: int, p: int, L: int, root: int | None) -> bool:
+    """Whether det X_{L-k} is not zero modulo p^2; see statement 3, where det X_{-k} = 0 and S^L = I modulo p are known."""
+    m = len(Q) - 1
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, 2)
+    X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], p * p), L - k, p * p)[:m]]
+    return char_coefficients(Matrix(X))[0] % (p * p) != 0
+
+
+def _need(condition: bool, step: str) -> None:
+    if not condition:
+        raise Undefined(step)

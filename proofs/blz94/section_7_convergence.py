@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+"""Section 7: convergence of the fast algorithm, and the manifolds of an equilibrium.
+
+Let P be the solution of (6.1) whose closed loop G has its eigenvalues in the closed unit disc. By X.2 and X.8 the solution from zero is
+P_t = P + G^t N_t^(-1) G'^t, where N_t is -P^(-1) less a Gramian of (h, G) that grows with t. So 1 - h'P_th times a(t) + g(t) - v, v the limit
+polynomial, is -G^(t+1) N_t^(-1) G'^t h: a closed formula for the orbit, in which only powers of G depend on t. They tend to zero if D has no zero on
+the circle; if it has some, the theorem of Parlett and Poole on powers of S is needed.
+
+Convergence as such is decided on instances: of an orbit with sign definite D it is computed that it comes as near to the equilibria as
+one asks, of one with indefinite D that it never meets them.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, instances, steps
+from exactkf.language import (
+            Identity,
+            T,
+            Z,
+            Zero,
+            charpoly,
+            coeff,
+            column,
+            coprime,
+            forall,
+            function,
+            given,
+            inv,
+            laurent,
+            let,
+            matrix_of,
+            monic,
+            nonneg_on_circle,
+            nonzero,
+            outside_roots,
+            positive,
+            rational,
+            rec,
+            recip,
+            scalar,
+            schur,
+            standing,
+            substitute,
+            sum_of,
+            symbols,
+            symmetric_matrix,
+            to_expr,
+            vector,
+            when,
+)
+from proofs.blz94.notation import (
+            FAST,
+            HALF,
+            ORBIT,
+            SCALE,
+            VECTORS,
+            D,
+            F,
+            J,
+            P,
+            a,
+            a0,
+            a_of,
+            alpha,
+            alpha0,
+            b_of,
+            g,
+            g0,
+            gamma,
+            gamma0,
+            h,
+            i,
+            j,
+            k,
+            m,
+            monic_of,
+            n,
+            strict_of,
+            symmetric_part,
+            t,
+)
+from proofs.blz94.section_6 import B
+
+N, Gamma, Phi, c, e, f, l, o, p, q, r, s, u, v, w, x, y = symbols("N Gamma Phi c e f l o p q r s u v w x y")
+
+# ---------------------------------------------------------------------- Theorem 7.1
+_DEFINITE = let(y, when(nonneg_on_circle(D) | nonneg_on_circle(-D), 1, 0))
+TENDS = when(y == 1, q >= 0, p < 1)
+#: first t at which the square of the length of g(t) is at most x, or -1 if the orbit is back before
+_NEAR = function(f, [t], when((T(g[t]) * g[t])[1, 1] <= x, t, when((t > 0) & (a[t] == a0) & (g[t] == g0), -1, f(t + 1)))), let(q, f(0))
+_VECTORS = {"sizes": ["n", "m"], "over": {a0: vector(n), g0: vector(n), x: positive()},
+            "where": [*FAST, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0))), _DEFINITE, _NEAR,
+                      let(p, sum_of(t, 0, m, when(g[t] == 0 * g0, 1, 0)))]}
+POWERS_TEND = ["Parlett and Poole: the powers of a matrix take a subspace to the dominant one, in the sense of exponents, if it is complementary to the codominant one",
+          "powers of a matrix with all eigenvalues in the open disc tend to zero"]
+CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
+          "BLZ94-X.7", "BLZ94-X.8")
+_GLUE = ("Necessity: in the limit (2.18) makes D a multiple of v(z)v(1/z), see X.1. Sufficiency: if a and b are coprime, Im(I; 0) does not meet the codominant subspace "
+         "(Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. A common factor goes "
+         "through all steps (X.3), and alpha_n = 0 lowers the order (S26).")
+_BIT = x / (1 + 4 * x)
+claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
+      TENDS, **_VECTORS,
+      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose=_GLUE),
+          example({a0: ["1/3"], g0: ["7/3"], x: "1/9"}, n=1, m=4), example({a0: ["-1/3", "5/3"], g0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
+          example({a0: [2], g0: [0], x: "1/9"}, n=1, m=2), example({a0: [3], g0: ["-1"], x: "1/25"}, n=1, m=2), example({a0: [-3], g0: [2], x: "1/25"}, n=1, m=2),
+          instances(10, n=(1, 2), m=(3, 4), using={u: scalar(), v: vector(n)}, made_by={x: u**2 / 8 + rational("1/20")}),
+          instances(10, n=(1, 2), m=(3,), using={u: scalar(), v: vector(n), w: vector(n)},
+                    made_by={x: u**2 / 8 + rational("1/20"), a0: column(i, n, v[i] / 4), g0: column(i, n, w[i] / 9)})],
+      note="g(t) tends to zero: for every x > 0 some g(t) has a square length of at most x, q being the first such t. y = 1 if D is sign definite. If it is not, none of the first g(t) is zero, p being their number; that g(t) does "
+           "not tend to zero either is (2.18). An orbit that escapes, where a division by zero occurs, is outside the statement.")
+
+_GAMMA_NEAR = function(f, [t], when((T(gamma[t]) * gamma[t])[1, 1] <= x, t, when((t > 0) & (alpha[t] == alpha0) & (gamma[t] == gamma0), -1, f(t + 1)))), let(q, f(0))
+ALONG = (*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), _DEFINITE, _GAMMA_NEAR,
+             let(p, sum_of(t, 0, m, when(gamma[t] == 0 * gamma0, 1, 0))))
+claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergence, away from the escaping points",
+      TENDS, sizes=["n", "m"],
+      over={alpha0: vector(n), gamma0: vector(n), x: positive()},
+      where=ALONG,
+      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", facts=POWERS_TEND, prose=_GLUE),
+          example({alpha0: [0, 2], gamma0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
+          example({alpha0: ["8/3"], gamma0: ["7/3"], x: "1/9"}, n=1, m=3),
+          example({alpha0: [2], gamma0: [0], x: "1/9"}, n=1, m=2), example({alpha0: [3], gamma0: [2], x: "1/25"}, n=1, m=2), example({alpha0: [1], gamma0: [3], x: "1/25"}, n=1, m=2),
+          instances(10, n=(1, 2), m=(3, 4), using={u: scalar()}, made_by={x: u**2 / 8 + rational("1/20")}),
+          instances(10, n=(1, 2), m=(3,), using={u: scalar(), v: vector(n), w: vector(n)},
+                    made_by={x: u**2 / 8 + rational("1/20"), alpha0: column(i, n, v[i] / 4), gamma0: column(i, n, w[i] / 9)})],
+      note="The statement of Theorem 7.1 once more, in the coordinates (alpha, gamma). gamma(t) tends to zero: q is the first t at which its square length is at most x; "
+           "y = 1 for sign definite D, and p counts the zeros among the first gamma(t).")
+
+not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those among them with sign definite D, have measure zero",
+            "a statement about Lebesgue measure and closure, for which there is no formula here. Its exact part: for each t escape is one equation 1 - gamma_t^2 = 0, which is not an "
+            "identity as equilibria never escape (BLZ94-X.4)")
+
+#: b, and r with D = r l(z)l(1/z), for given a and l: n + 1 linear equations
+_A0, _L0 = monic_of(a0), monic_of(l)
+_SOLVED = (inv(matrix_of(i, j, n + 1, n + 1, when(j <= n, coeff(symmetric_part(_A0, Z ** (n - j)), i - 1), -coeff(_L0 * recip(_L0), i - 1))))
+           * column(i, n + 1, -coeff(symmetric_part(_A0, Z**n), i - 1)))
+#: Ph from (6.2), and then P from (6.1): P - JPJ' is known
+_PH = column(i, n, when(i == 1, 1 - c[n + 1], a0[i - 1] + g0[i - 1] - c[n + 1] * l[i - 1]))
+_GAIN = g0 - (J - a0 * T(h)) * o
+_KNOWN = -a0 * T(o) * T(J) - J * o * T(a0) + a0 * T(h) * o * T(a0) + _GAIN * T(_GAIN) / c[n + 1]
+FACTORED = {"using": {e: vector(n), l: vector(n), c: vector(n + 1), o: vector(n)},
+            "made_by": {l: column(i, n, e[i] / to_expr(3) ** i), c: _SOLVED, g0: column(i, n, HALF * (c[i] - a0[i])), o: _PH,
+                        P: sum_of(k, 0, n - 1, J**k * _KNOWN * T(J) ** k), q: 1 / c[n + 1]}}
+_LIMIT = q * (g0 - F * P * h) + a0
+claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc, times the common factor of a and b",
+      forall(t, 0, m, (u[t] + v[t] == (monic_of(a[t]) + strict_of(g[t])) * x)
+             & (r[t] * (a[t] + g[t] - alpha) == -(Gamma * Phi[t] * inv(N[t]) * T(Phi[t]) * h))), sizes=["n", "k", "m"],
+      over={a0: vector(n), g0: vector(n), P: symmetric_matrix(n), q: scalar(), x: monic(k)},
+      where=[*FAST, *SCALE, let(F, J - a0 * T(h)), let(alpha, _LIMIT), let(Gamma, J - alpha * T(h)), rec(Phi, t, Identity(n), Gamma * Phi[t]),
+             rec(N, t, -inv(P), N[t] - q * T(Phi[t]) * h * T(h) * Phi[t]),
+             function(p, [t], coeff(v[t], n + k - 1)),
+             rec(u, t, monic_of(a0) * x, (u[t] + (1 - Z) * v[t]) / (1 - p(t))), rec(v, t, strict_of(g0) * x, ((Z - p(t)) * v[t] - p(t) * u[t]) / (1 - p(t) ** 2))],
+      given=[standing("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), standing("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
+             standing("zeros in the closed disc", outside_roots(monic_of(alpha)) == 0), standing("coprime", coprime(monic_of(a0), monic_of(a0 + 2 * g0)))],
+      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose="By X.2, X.8 and (2.17). The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
+                                            "Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the common factor, their difference to zero."),
+          instances(16, n=(1, 2), k=(0, 1), m=(1, 2, 3), **FACTORED)],
+      note="(a, g) are the reduced data and x the common factor theta; u and v are a_t(z) and g_t(z) along (2.16) from the full data. alpha is (6.2) for the P whose closed loop has its "
+           "zeros in the closed disc, and r_t goes to 1/q, so that alpha(z)theta(z) is the limit.")
+
+# ---------------------------------------------------------------------- Corollary 7.2
+_EQUILIBRIUM = given("the orbit stays at the equilibrium", (u * x == w * x) & (v * x == w * x))
+claim("BLZ94-C7.2.1", "for the points of the global stable manifold the reduced polynomials are coprime",
+      coprime(u, v), sizes=["n", "k"], over={u: monic(n), v: monic(n), w: monic(n), x: monic(k)},
+      given=[standing("w is Schur", schur(w)), standing("zeros of x outside", outside_roots(x) == k), _EQUILIBRIUM],
+      by=[example(n=1, k=0, u=["1/2", 1], v=["1/2", 1], w=["1/2", 1], x=[1]), instances(n=(0,), k=(0, 1), made_by={u: w, v: w})],
+      note="u, v are the reduced a, b of (7.1b) and w, x the two factors of the limit. A consequence: an equilibrium tends to itself, but a = b is not coprime with itself.",
+      repair=repair("missing hypothesis", "Coprimeness must be asked of the zeros outside alone: a common zero s of the reduced a and b does no harm exactly if it lies inside. Then it is a "
+                                          "zero of w, and what is left has the limit w(z)/(z - s); otherwise 1/s is one, and the limit is another.",
+                    ~coprime(w, Z - p), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n + 1), s: nonzero(), r: nonzero()},
+                    where=[let(p, when(abs(s) < 1, s, 1 / s))],
+                    given=[given("w is Schur", schur(w)), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * w * recip(w))],
+                    by=[steps("BLZ94-X.3", "BLZ94-X.4", facts=["a polynomial has one factorization into linear ones", "Theorem 7.1 (iii)"],
+                              prose="At z = s the left side vanishes, so w(s) = 0 or w(1/s) = 0, and all zeros of w lie inside."),
+                        instances(20, n=(1, 2), using={y: monic(n)},
+                                  made_by={u: substitute(y, 4 * Z) / to_expr(4) ** n, v: u, w: u * (Z - when(abs(s) < 1, s, 1 / s)), r: when(abs(s) < 1, 2, 2 * s**2)}),
+                        example(n=1, u=[0, 1], v=["4/5", 1], w=["-1/6", "1/6", 1], s="1/3", r="8/5"), example(n=1, u=[0, 1], v=["4/5", 1], w=["-1/6", "1/6", 1], s=3, r="72/5"),
+                        example(n=1, u=[0, 1], v=[0, 1], w=["-1/6", "1/6", 1], s=3, r=1), example(n=0, u=[1], v=[1], w=["1/2", 1], s="1/3", r=1),
+                        example(n=0, u=[1], v=[1], w=[-3, 1], s="1/3", r="2/9")]))
+
+claim("BLZ94-C7.2.2", "for the points of the global unstable manifold the reduced polynomials are coprime",
+      coprime(u, v), sizes=["n", "k"], over={u: monic(k), v: monic(k), w: monic(n), x: monic(k)},
+      given=[standing("w is Schur", schur(w)), standing("zeros of x outside", outside_roots(x) == k), given("the orbit stays at the equilibrium", (u * w == w * x) & (v * w == w * x))],
+      by=[example(n=0, k=1, u=[2, 1], v=[2, 1], w=[1], x=[2, 1]), instances(n=(0, 1), k=(0,), made_by={u: x, v: x})],
+      note="u, v are a and b without the factor w. The equilibrium belongs to its unstable manifold, but a = b.",
+      repair=repair("missing hypothesis", "A common zero s of the reduced a and b does no harm exactly if it lies outside: then it is a zero of the factor with zeros outside.",
+                    ~coprime(x, Z - p), sizes=["k"], over={u: monic(k), v: monic(k), x: monic(k + 1), s: nonzero(), r: nonzero()},
+                    where=[let(p, when(abs(s) > 1, s, 1 / s))],
+                    given=[given("zeros of x outside", outside_roots(x) == k + 1), given("(7.1a)", 2 * symmetric_part(u * (Z - s), v * (Z - s)) == r * x * recip(x))],
+                    by=[steps("BLZ94-X.3", "BLZ94-X.4", facts=["a polynomial has one factorization into linear ones", "Theorem 7.1 (iii), with S^(-1) for S"],
+                              prose="At z = s the left side vanishes, so x(s) = 0 or x(1/s) = 0, and all zeros of x lie outside."),
+                        instances(20, k=(1,), using={y: scalar()},
+                                  made_by={u: Z - 4 - y**2, v: u, x: u * (Z - when(abs(s) > 1, s, 1 / s)), r: when(abs(s) > 1, 2, 2 * s**2)}),
+                        example(k=0, u=[1], v=[1], x=["-3", 1], s="1/3", r="2/9"), example(k=0, u=[1], v=[1], x=["-3", 1], s=3, r=2),
+                        example(k=0, u=[1], v=[1], x=["-3", 1], s=2, r=1), example(k=0, u=[1], v=[1], x=["-3", 1], s="1/2", r=1),
+                        example(k=0, u=[1], v=[1], x=["-1/3", 1], s=3, r=18)]))
+
+claim("BLZ94-C7.2.3", "the equilibria as a center manifold",
+      forall(i, 1, n, (laurent(alpha[1][i], 0) == w[i]) & (laurent(alpha[1][i], 1) == u[i]) & (laurent(gamma[1][i], 0) == 0)
+             & (laurent(gamma[1][i], 1) == (B * v)[i, 1])) & (charpoly(B) == monic_of(w)), sizes=["n"],
+      over={w: vector(n), u: vector(n), v: vector(n)},
+      where=[let(alpha0, w + u / Z), let(gamma0, v / Z), *ORBIT, let(B, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -w[n - j + 1])))],
+      by=[steps("BLZ94-X.4", facts=["center manifold theorem: an invariant manifold that is tangent to the center space is a center manifold"],
+                prose="E consists of fixed points. In the direction (u, v) at (w, 0) the derivative is (u, Bv), so E is tangent to the eigenspace of the eigenvalue one, and the other "
+                      "eigenvalues are the zeros of w(z), none of which is on the circle here."),
+          instances(20, n=(1, 2, 3))],
+      note="The first two terms of a step in powers of 1/z, from (w + u/z, v/z).")
