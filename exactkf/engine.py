@@ -31,6 +31,7 @@ from flint import fmpq, fmpz
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
+from exactkf.finders.effort import counted
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates, every_size
 from exactkf.kernel.meaning import World
@@ -79,7 +80,7 @@ def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
     started = time.perf_counter()
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
-    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
+    with rationals(fmpq), counted():  # the search; replaying goes back to Fraction by itself
         return _verify(claim, claim.statement, seed, started)
 
 

@@ -27,12 +27,12 @@ bases for non-commutative polynomial rings.
 from __future__ import annotations
 
 import heapq
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from exactkf.finders.effort import clock, spend
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Poly, Relation, times_scalars
 
@@ -40,6 +40,7 @@ __all__ = ["Stuck", "System", "system_of"]
 
 _FIRST_LETTER, _FIRST_SCALAR = 0x100, 0x8000  # characters; those of a scalar and its inverse differ in the last bit
 _MOST_RULES = 600
+_SEARCHED = 5  # steps that it takes to look for a rule
 _ONE_ROW = (("", 1),)
 
 Origin = list[tuple[Any, str, Any, str, str]]  # c, left, rule or name, right, scalars
@@ -167,10 +168,10 @@ class System:
         self.deadline = deadline
         rest, used = self._reduce(self.encode(goal))
         while rest:
-            if time.perf_counter() > deadline:
+            if clock() > deadline:
                 return self._stuck("out of time", rest)
             if not self._grow():
-                late = time.perf_counter() > deadline
+                late = clock() > deadline
                 return self._stuck("out of time" if late else "too many rules" if self.queue else "no more overlaps up to this degree", rest)
             rest, more = self._reduce(rest)
             used += more
@@ -230,8 +231,10 @@ class System:
         pending, done, used = dict(p), dict[str, Any](), list[Any]()
         heap = [(-len(key), key) for key in pending]
         heapq.heapify(heap)
+        steps = 0
         while heap:
             _, key = heapq.heappop(heap)
+            steps += 1
             c = pending.pop(key, 0)
             if not c:
                 continue
@@ -248,10 +251,15 @@ class System:
                 else:
                     pending[new] -= c * v
             used.append((c, left, rule, right, scalars))
-            if not len(used) & 1023 and time.perf_counter() > self.deadline:
-                for k, v in pending.items():
-                    _bump(done, k, v)
-                break
+            steps += len(rule.tail)
+            if not len(used) & 1023:
+                spend(steps)
+                steps = 0
+                if clock() > self.deadline:
+                    for k, v in pending.items():
+                        _bump(done, k, v)
+                    break
+        spend(steps)
         return done, used
 
     def _match(self, key: str) -> tuple | None:
@@ -259,6 +267,7 @@ class System:
         if key in self.hits:
             return self.hits[key]
         word = self._word(key)
+        spend(_SEARCHED)
         found = self._search(word, key[len(word):])
         if found is None and self.mixed:
             found = self._number_in(word, key[len(word):])
@@ -365,6 +374,7 @@ class System:
         self.rules.setdefault(lead, []).append(rule)
         self.lengths = sorted({len(x) for x in self.rules})
         self.hits.clear()
+        spend(2 * sum(map(len, self.rules.values())))
         for rules in list(self.rules.values()):
             for other in rules:
                 self._pairs(rule, other)
@@ -398,7 +408,7 @@ class System:
             if self._insert(self.encode(relation.poly), [(1, "", name, "", "")]):
                 return True
         while self.queue and sum(map(len, self.rules.values())) < _MOST_RULES:
-            if time.perf_counter() > self.deadline:
+            if clock() > self.deadline:
                 return False
             _, _, length, (first, right, second, left, behind) = heapq.heappop(self.queue)
             whole = _least_common(first.scalars, second.scalars)

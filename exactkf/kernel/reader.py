@@ -88,18 +88,12 @@ class Reader:
         self.transposed[name], self.transposed[other] = other, name
         self.sizes[other] = (cols, rows)
 
-    def size(self, tree: Any) -> Size:
+    def size(self, tree: Any, local: Mapping[str, Any] | None = None) -> Size:
         """A size as a linear form in the named sizes."""
-        form = self._linear(tree)
+        form = self._linear(tree, local or {})
         return tuple(sorted((n, c) for n, c in form.items() if c))
 
-    def _size_at(self, tree: Any, local: Mapping[str, Any]) -> Size:
-        """A size inside a function, where a name may stand for an argument."""
-        if local and _counts(tree):
-            raise Unknown("the size of a matrix inside a function")
-        return self.size(tree)
-
-    def _linear(self, tree: Any) -> dict[str, int]:
+    def _linear(self, tree: Any, local: Mapping[str, Any]) -> dict[str, int]:
         if isinstance(tree, int):
             return {"": tree}
         op = tree[0]
@@ -108,14 +102,14 @@ class Reader:
         if op in ("+", "-", "neg"):
             out: dict[str, int] = {}
             for k, part in enumerate(tree[1:]):
-                for n, c in self._linear(part).items():
+                for n, c in self._linear(part, local).items():
                     out[n] = out.get(n, 0) + (-c if op == "neg" or (op == "-" and k) else c)
             return out
         if op == "*" and len(tree) == 3 and isinstance(tree[1], int):
-            return {n: tree[1] * c for n, c in self._linear(tree[2]).items()}
+            return {n: tree[1] * c for n, c in self._linear(tree[2], local).items()}
         if op == "sym" and tree[1].startswith(_NULLITY):
             return {tree[1]: 1}
-        if op in ("nrows", "ncols") and isinstance(x := self.read(tree[1]), Blocks):
+        if op in ("nrows", "ncols") and isinstance(x := self.read(tree[1], local), Blocks):
             return dict(self.total(x.rows if op == "nrows" else x.cols))
         raise Unknown(f"size {tree!r} is not linear in the named sizes")
 
@@ -247,7 +241,7 @@ class Reader:
             if isinstance(base, Blocks) or list(base.values()) != [1] or any(word for _, word in base):
                 raise Unknown("a power, with a size in the exponent, of what is no product of scalars")
             ((scalars, _),) = base
-            return self._to_size(scalars, self._size_at(tree[2], local))
+            return self._to_size(scalars, self.size(tree[2], local))
         base = self._inverse(base) if tree[2] < 0 else base
         if tree[2] == 0:
             raise Unknown("power zero")
@@ -412,11 +406,11 @@ class Reader:
         return {(((f"det({name})", 1),), ()): 1}
 
     def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        size = self._size_at(tree[1], local)
+        size = self.size(tree[1], local)
         return Blocks((size,), (size,), [[dict(ONE)]])
 
     def _read_zero(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        return Blocks((self._size_at(tree[1], local),), (self._size_at(tree[2], local),), [[{}]])
+        return Blocks((self.size(tree[1], local),), (self.size(tree[2], local),), [[{}]])
 
     def _split_like(self, x: Blocks, rows: tuple, cols: tuple) -> Blocks:
         """An identity or zero of a total size, opened into blocks."""
@@ -457,11 +451,6 @@ class Reader:
                 parts.append(c)
             grid.extend([sum((c.grid[i] for c in parts), []) for i in range(len(height))])  # type: ignore[arg-type]
         return Blocks(sum(heights, ()), sum(widths, ()), grid)  # type: ignore[arg-type]
-
-
-def _counts(tree: Any) -> bool:
-    """A number of rows or columns occurs in a size."""
-    return isinstance(tree, (list, tuple)) and (tree[0] in ("nrows", "ncols") or any(map(_counts, tree[1:])))
 
 
 def _is_number(x: Any) -> bool:
