@@ -67,6 +67,7 @@ class Reader:
         self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
+        self.turned: dict[Word, Word] = {}  # words and their transposes
         self.noted: dict[int, dict[str, Relation]] = {}  # what hypotheses say, by their number, see `relations`
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
@@ -279,7 +280,9 @@ class Reader:
         return {(s, self._transpose_word(w)): c for (s, w), c in p.items()}
 
     def _transpose_word(self, word: Word) -> Word:
-        return tuple(self.transposed[a] for a in reversed(word))
+        if word not in self.turned:
+            self.turned[word] = tuple([self.transposed[a] for a in reversed(word)])
+        return self.turned[word]
 
     def _read_inverse(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return self._inverse(self.read(tree[1], local))
