@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import click
+from flint import arb, fmpq
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
@@ -15,6 +16,7 @@ from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.exact_json import polynomial_words
 from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
+from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.files import check_target, dump_json, write_text
 
@@ -146,6 +148,10 @@ def shown_number(value: Any, digits: int) -> str:
     """
     if not isinstance(value, dict):
         return str(value)
+    if "minpoly" not in value:
+        lo, hi = (fmpq(*map(int, end.split("/"))) for end in value["interval"])
+        with precision(4 * digits + 64):
+            return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
     field = RealField(value["minpoly"], value["interval"])
     digits_of = field.gen().enclose(digits).str(digits, radius=False)
     return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"

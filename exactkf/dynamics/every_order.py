@@ -45,6 +45,7 @@ from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact, later
+from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
 from exactkf.dynamics.spectral_factor import Factor, spectral_factor
 from exactkf.dynamics.torus import torus_evidence
@@ -52,14 +53,20 @@ from exactkf.dynamics.wandering import (
     Readings,
     aperiodic_place,
     apparent_orders,
+    common_period,
+    escape_seen,
     escapes_before,
+    irreducible_at,
     modulus_without_escape,
     no_escape_modulo,
     places_without_escape,
 )
+from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.intervals import does_not_escape
+from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
+from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_wandering import common_order
 from exactkf.kernel.replay import seal
 from exactkf.theory._scalars import Scalar, check_length, unify
@@ -72,7 +79,6 @@ _FEW = 60
 _LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
-_TORUS_OF_A_FIELD = "the relations between roots of a polynomial with irrational coefficients are not sought"
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
 
 
@@ -107,7 +113,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     -------
     Answer
         With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        described in the facts and not written as numbers, and orbits that neither converge nor repeat are undecided.
+        enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------
@@ -219,12 +225,17 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         fields["period"] = 1
     elif len(case.D) == 1:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
-    found = _Limit(case)
-    if case.rational or len(case.D) == 1:
-        fields["limit"] = later(lambda _: found.limit)
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    return _answer(case, "converges", lambda: found.evidence if "limit" in fields else {}, **fields)
+    if case.rational or len(case.D) == 1:
+        found: Any = _Limit(case)
+    else:
+        found = EnclosedLimit.of(case.D, case.reduced.removed)
+        if found is None:
+            case.facts.append(Fact("It is not enclosed: a factor of D over the field has zeros on the circle and others of the same multiplicity off it.",
+                                   "$D$ has zeros on $|z| = 1$ that do not split off."))
+            return _answer(case, "converges", {}, **fields)
+    return _answer(case, "converges", lambda: found.evidence, limit=later(lambda _: found.limit), **fields)
 
 
 class _Limit:
@@ -361,34 +372,49 @@ def _returning(case: _Case, period: int) -> Answer:
 
 
 def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_steps: int) -> Answer:
-    escape = _first_escape(case, min(max_steps, _FEW))
+    seen = escape_seen(pair, min(max_steps, _FEW))
+    escape = None if seen is None else _first_escape(case, case.reduced.start + seen)
     if escape is not None:
         return _escaped(case, escape)
+    reason = "D changes sign on the circle, so the orbit does not converge; "
     if aperiodic is None:
-        return _undecided(case, min(max_steps, _FEW), "D changes sign on the circle, so the orbit does not converge; its zeros seem to be roots of unity of so "
-                          "large an order that this was not decided")
+        return _undecided(case, 0, reason + "its zeros seem to be roots of unity, of an order too large to decide whether it repeats")
+    irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
+    if irreducible.get("irreducible", 1) is None:
+        return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
     evidence = _no_escape(case, pair)
     if evidence is None:
-        steps = max_steps if case.rational else min(max_steps, _FEW)
+        steps = max_steps if case.rational else 0
         escape = _first_escape(case, steps)
         if escape is not None:
             return _escaped(case, escape)
-        return _undecided(case, steps, "D changes sign on the circle, so the orbit does not converge, and its zeros are not distinct roots of unity, "
-                          f"so it does not repeat; it does not escape in {steps} steps, but no primes were found that exclude a later escape"
+        return _undecided(case, steps, reason + "its zeros are not distinct roots of unity, so it does not repeat; "
+                          f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
                           + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    dimension, torus, reason = torus_evidence(_fractions(case.D)) if case.rational else (None, {}, _TORUS_OF_A_FIELD)
+    dimension, torus, reason = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
         case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
     else:
         case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
                                f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
-    return _answer(case, "not convergent, not periodic", {**evidence, "aperiodic": aperiodic, "torus": torus}, never_escapes=True, torus_dimension=dimension)
+    evidence = {**evidence, **irreducible, "aperiodic": aperiodic, "torus": torus}
+    return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
 
 
 def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
     """Evidence that the orbit never escapes, or None if none was found."""
     before = escapes_before(pair)
+    N = common_period(case.D) if case.rational else None
+    if N is not None:
+        try:
+            check_by_polynomials(_fractions(case.reduced.Q), _fractions(case.reduced.S), _fractions(case.D), N)
+        except Undefined:
+            return None
+        case.facts.append(Fact(f"The zeros of D are roots of unity, some multiple: along t = k, k + {N}, k + {2 * N}, ... the determinants whose zeros are the "
+                               "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
+                               f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
+        return {"order": N}
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:
@@ -415,7 +441,7 @@ def _first_escape(case: _Case, steps: int) -> int | None:
     """The escape within so many steps."""
     if case.rational:
         return first_escape(case.a, case.g, steps)
-    return next((t for t, (Q, S) in zip(range(min(steps, _FEW) + 1), _pairs(case), strict=False) if Q[-1] * Q[-1] == S[-2] * S[-2]), None)
+    return next((t for t, (Q, S) in zip(range(steps + 1), _pairs(case), strict=False) if Q[-1] * Q[-1] == S[-2] * S[-2]), None)
 
 
 def _fractions(values: Sequence[Any]) -> list[Fraction]:
@@ -451,7 +477,7 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     answer : Answer
         Of an orbit that converges.
     digits : int
-        The relative error of each coefficient is at most ``10**-digits``.
+        The relative error of each coefficient is at most ``10**-digits``; for algebraic data that of coefficients below one is absolute.
 
     Returns
     -------
@@ -463,7 +489,27 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
         If the answer has no limit, or `digits` is not a positive integer.
     """
     if answer.limit is None or "alpha" not in answer.limit:
-        raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for rational data that converge")
+        raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for data that converge to such a limit")
+    if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
+        raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
+    if any(isinstance(x, dict) and "minpoly" not in x for x in values):
+        case = _case(*_state_of(answer.certificate["statement"]["question"]))
+        found, bits, _ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)  # type: ignore[union-attr]
+        return LimitDigits(tuple(_ball(lo, hi, bits) for lo, hi in found))
     numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
+
+
+def _ball(lo: int, hi: int, bits: int) -> arb:
+    """A ball around the interval from lo / 2^bits to hi / 2^bits."""
+    with precision(bits + 64):
+        return arb(fmpq(lo, 1 << bits)).union(arb(fmpq(hi, 1 << bits)))
+
+
+def _state_of(question: dict[str, Any]) -> tuple[list[RealNumber], list[RealNumber]]:
+    """The state that a question with algebraic data asks about."""
+    modulus, lo, hi = question["field"]
+    field = RealField(modulus, (lo, hi))
+    a, g = ([field(x if isinstance(x, list) else [x]) for x in question[k]] for k in ("a", "g"))
+    return a, g

@@ -32,7 +32,7 @@ from fractions import Fraction
 from math import isqrt, lcm
 from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, fmpq, fmpz, fmpz_mat, nmod_mat, nmod_poly
+from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, nmod_mat, nmod_poly
 
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -40,11 +40,13 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_sieve import intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "escapes_before", "modulus_without_escape", "no_escape_modulo", "places_without_escape", "primes"]
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
+           "no_escape_modulo", "places_without_escape", "primes"]
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
 _LONGEST, _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 5000, 12, 10_000, 200_000, 10_000
+_Taken = tuple[int, int | None, int, set[int]]
 
 
 def primes(start: int = 2) -> Iterator[int]:
@@ -78,46 +80,54 @@ class Readings(NamedTuple):
         """From the polynomials of a reduced pair."""
         return cls(Q[-2::-1], S[-2::-1], D, next((x.field for x in Q if isinstance(x, RealNumber)), None))
 
-    def roots(self, p: int) -> list[int] | None:
-        """The residues of the generator modulo `p`, if there are as many as the degree of the field; none for rational data."""
+    def roots(self, p: int) -> Sequence[int | None]:
+        """The residues of the generator modulo `p`: simple zeros; one None for rational data."""
         if self.field is None:
+            return [None]
+        f = self.field.minpoly
+        if f.denom() % p == 0:
             return []
-        f = [int(c.p) * pow(int(c.q), -1, p) % p for c in self.field.minpoly.coeffs()] if self.field.minpoly.denom() % p else []
-        factors = nmod_poly(f, p).factor()[1] if f else []
-        found = sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
-        return found if len(found) == self.field.degree else None
+        factors = nmod_poly([int(c.p) * pow(int(c.q), -1, p) % p for c in f.coeffs()], p).factor()[1]
+        return sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
 
-    def all(self, values: Sequence[Any], p: int, power: int = 1) -> list[list[int]] | None:
-        """The values modulo `p` or its square, in each of the ways to read them; None if a denominator is no unit or the field is not read."""
-        roots = self.roots(p)
-        if roots is None:
-            return None
+    def read(self, values: Sequence[Any], p: int, root: int | None, power: int = 1) -> list[int] | None:
+        """The values modulo `p` or its square; None if a denominator is no unit."""
+        N = p**power
+        if power > 1 and self.field is not None and root is not None:
+            f = self.field.minpoly
+            value, slope = f(fmpq(root)), f.derivative()(fmpq(root))
+            root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
+        out = []
         try:
-            return [_read(values, p**power, self._lifted(r, p) if power > 1 else r) for r in (roots or [0])]
-        except (ValueError, ZeroDivisionError):
+            for x in values:
+                total = 0
+                for c in reversed(x.poly.coeffs()) if isinstance(x, RealNumber) else (x,):
+                    total = (total * (root or 0) + int(c.numerator) * pow(int(c.denominator), -1, N)) % N
+                out.append(total)
+        except ValueError:
             return None
-
-    def _lifted(self, r: int, p: int) -> int:
-        """The zero modulo p^2 that a zero modulo `p` becomes."""
-        if self.field is None:
-            return 0
-        f = self.field.minpoly * self.field.minpoly.denom()
-        value, slope = f(fmpq(r)), f.derivative()(fmpq(r))
-        return (r - int(value.p) * pow(int(slope.p), -1, p)) % (p * p)
-
-    def place(self, p: int, *entries: int) -> list[Any]:
-        """A place as evidence names it."""
-        return [p, *entries] if self.field is None else [p, *entries, self.roots(p)]
+        return out
 
 
-def _read(values: Sequence[Any], p: int, r: int) -> list[int]:
-    out = []
-    for x in values:
-        total = 0
-        for c in reversed(x.poly.coeffs() if isinstance(x, RealNumber) else [x]):
-            total = (total * r + int(c.numerator) * pow(int(c.denominator), -1, p)) % p
-        out.append(total)
-    return out
+def irreducible_at(field: RealField) -> int | None:
+    """Return an `n` that shows the checker that the polynomial of the field is irreducible; see `exactkf.kernel.orbit_sieve`."""
+    f = field.minpoly.numer()
+    largest = max(abs(c) for c in field.minpoly.coeffs())
+    for n in range(int(largest) + 2, int(largest) + 5000):
+        value, c = abs(int(f(n))), 1
+        if value.bit_length() > 80:
+            return None
+        for r in range(2, 100):
+            while value % r == 0 and n > largest + 1 + c * r:
+                value, c = value // r, c * r
+        if n > largest + 2 and fmpz(value).is_prime():
+            return n
+    return None
+
+
+def _place(p: int, root: int | None, *entries: int) -> list[Any]:
+    """A place as evidence names it."""
+    return [p, *entries] if root is None else [p, *entries, root]
 
 
 # ---------------------------------------------------------------------- no escape
@@ -156,43 +166,43 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
     before : list of int
         The `k` with a singular plane `k` steps before the start.
     """
-    period, left, taken, steps = 1, [0], [], 0
+    taken: list[_Taken] = []
+    period, left, steps = 1, [0], 0
     for p in primes(5 if before else 2):
         if p > _PRIME_BOUND or steps > _MOST_STEPS:
             return None
-        L = _common_order_modulo(pair, p)
-        if L is None:
-            continue
-        steps += L
-        found = _zeros_modulo(pair, p, L)
-        if found is None:
-            continue
-        found -= {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, L)}
-        if len(found) > _MOST_ZEROS:
-            continue
-        one = (p, L, found)
-        few = next((some for some in ([one], *([one, other] for other in taken)) if not _left(some)), None)
-        period, left = intersected(period, left, L, found)
-        taken.append(one)
-        if few or not left:
-            return [pair.place(p, L) for p, L, _ in _needed(few or taken)]
-        if len(left) > _MOST_LEFT or period > 1 << 60 and min(left) < _SOON:  # an escape, it seems
-            return None
+        for root in pair.roots(p):
+            L = _short_order(pair, p, root)
+            found = None if L is None else _zeros_modulo(pair, p, root, L)
+            if found is None or L is None:
+                continue
+            steps += L
+            found -= {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, root, L)}
+            if len(found) > _MOST_ZEROS:
+                continue
+            one = (p, root, L, found)
+            few = next((some for some in ([one], *([one, other] for other in taken)) if not _left(some)), None)
+            period, left = intersected(period, left, L, found)
+            taken.append(one)
+            if few or not left:
+                return [_place(p, root, L) for p, root, L, _ in _needed(few or taken)]
+            if len(left) > _MOST_LEFT or period > 1 << 60 and min(left) < _SOON:  # an escape, it seems
+                return None
     return None
 
 
-def _needed(taken: list[tuple[int, int, set[int]]]) -> list[tuple[int, int, set[int]]]:
+def _needed(taken: list[_Taken]) -> list[_Taken]:
     """Leave out, from the longest period down, what is not needed to leave no time."""
-    for one in sorted(taken, key=lambda x: -x[1]):
+    for one in sorted(taken, key=lambda x: -x[2]):
         fewer = [x for x in taken if x is not one]
         if fewer and not _left(fewer):
             taken = fewer
     return taken
 
 
-def _left(taken: list[tuple[int, int, set[int]]]) -> bool:
+def _left(taken: list[_Taken]) -> bool:
     period, left = 1, [0]
-    for _, L, found in sorted(taken, key=lambda x: len(x[2])):
+    for _, _, L, found in sorted(taken, key=lambda x: len(x[3])):
         period, left = intersected(period, left, L, found)
         if not left:
             return False
@@ -201,27 +211,12 @@ def _left(taken: list[tuple[int, int, set[int]]]) -> bool:
     return bool(left)
 
 
-def _common_order_modulo(pair: Readings, p: int) -> int | None:
-    """The order of z modulo `D` and `p`, common to all readings, if it is known to be short."""
-    roots = pair.roots(p)
-    if roots is None:
+def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
+    """The order of z modulo `D` at a place, if it divides p - 1 or p + 1, or is small."""
+    d = pair.read(pair.D, p, root)
+    if d is None or d[-1] == 0:
         return None
-    read = pair.all(pair.D, p)
-    if read is None:
-        return None
-    order = 1
-    for d in read:
-        if d[-1] == 0:
-            return None
-        found = _order_modulo(nmod_poly(d, p), p)
-        if found is None or (order := lcm(order, found)) > max(_LONGEST, p + 1):
-            return None
-    return order
-
-
-def _order_modulo(f: nmod_poly, p: int) -> int | None:
-    """The order of z modulo `f`, if it divides p - 1 or p + 1, or is small."""
-    z = nmod_poly([0, 1], p)
+    f, z = nmod_poly(d, p), nmod_poly([0, 1], p)
     power = z.pow_mod(p - 1, f)
     if power == 1:
         return _least(z, f, p - 1)
@@ -245,39 +240,71 @@ def _least(z: nmod_poly, f: nmod_poly, order: int) -> int:
     return order
 
 
-def _zeros_modulo(pair: Readings, p: int, L: int) -> set[int] | None:
-    """The t below `L` with a singular X_t in some reading, as `exactkf.kernel.orbit_sieve.zeros_modulo`, or None."""
+def _zeros_modulo(pair: Readings, p: int, root: int | None, L: int) -> set[int] | None:
+    """The t below `L` with a singular X_t at a place, as `exactkf.kernel.orbit_sieve.zeros_modulo`, or None."""
+    S = _step_matrix(pair, p, root)
+    if S is None or S**L != _unit(S.nrows(), S.nrows(), p):
+        return None
+    m, size = S.nrows() // 2, isqrt(L) + 1
+    tops, power = [], _unit(m, 2 * m, p)
+    for _ in range(size):
+        tops.append(power)
+        power = power * S
     found: set[int] = set()
-    for values in pair.all([*pair.q, *pair.g], p) or []:
-        m = len(values) // 2
-        try:
-            S = nmod_mat(2 * m, 2 * m, [x for row in step_matrix(values[:m], values[m:], p) for x in row], p)
-        except Undefined:
-            return None
-        one = nmod_mat(2 * m, 2 * m, [int(i == j) for i in range(2 * m) for j in range(2 * m)], p)
-        if S ** L != one:
-            return None
-        size = isqrt(L) + 1
-        tops, power = [], nmod_mat(m, 2 * m, [int(i == j) for i in range(m) for j in range(2 * m)], p)
-        for _ in range(size):
-            tops.append(power)
-            power = power * S
-        leap, columns = S**size, nmod_mat(2 * m, m, [int(i == j) for i in range(2 * m) for j in range(m)], p)
-        for start in range(0, L, size):
-            found.update(start + i for i, top in enumerate(tops) if not (top * columns).det())
-            columns = leap * columns
+    leap, columns = S**size, _unit(2 * m, m, p)
+    for start in range(0, L, size):
+        found.update(start + i for i, top in enumerate(tops) if not (top * columns).det())
+        columns = leap * columns
     return {t for t in found if t < L}
 
 
-def _is_alone(pair: Readings, k: int, p: int, L: int) -> bool:
-    """Whether det X_{L - k} is not zero modulo p^2 in any reading; see `exactkf.kernel.orbit_sieve`, statement 3."""
-    N = p * p
-    for values in pair.all([*pair.q, *pair.g], p, 2) or []:
-        m = len(values) // 2
-        power = nmod_mat(2 * m, 2 * m, [x for row in step_matrix(values[:m], values[m:], N) for x in row], N) ** (L - k)
-        if int(fmpz_mat(m, m, [int(power[i, j]) for i in range(m) for j in range(m)]).det()) % N == 0:
-            return False
-    return True
+def _step_matrix(pair: Readings, p: int, root: int | None, power: int = 1) -> nmod_mat | None:
+    """S_m modulo `p` or its square."""
+    values = pair.read([*pair.q, *pair.g], p, root, power)
+    if values is None:
+        return None
+    m = len(values) // 2
+    try:
+        return nmod_mat(2 * m, 2 * m, [x for row in step_matrix(values[:m], values[m:], p**power) for x in row], p**power)
+    except Undefined:
+        return None
+
+
+def _unit(rows: int, columns: int, p: int) -> nmod_mat:
+    return nmod_mat(rows, columns, [int(i == j) for i in range(rows) for j in range(columns)], p)
+
+
+def _is_alone(pair: Readings, k: int, p: int, root: int | None, L: int) -> bool:
+    """Whether det X_{L - k} is not zero modulo p^2; see `exactkf.kernel.orbit_sieve`, statement 3."""
+    S = _step_matrix(pair, p, root, 2)
+    if S is None:
+        return False
+    m, power = S.nrows() // 2, S ** (L - k)
+    return int(fmpz_mat(m, m, [int(power[i, j]) for i in range(m) for j in range(m)]).det()) % (p * p) != 0
+
+
+def escapes_before(pair: Readings, steps: int = 40) -> list[int]:
+    """Return the `k` up to `steps` for which the plane `k` steps before the start seems to be singular, as it is modulo a large prime."""
+    S = _modulo_large_prime(pair)
+    return [k for k, singular in enumerate(_singular(S.inv(), steps), 1) if singular]
+
+
+def escape_seen(pair: Readings, steps: int) -> int | None:
+    """Return the first step up to `steps` at which a reduced pair seems to escape, as it does modulo a large prime."""
+    return next((t - 1 for t, singular in enumerate(_singular(_modulo_large_prime(pair), steps + 2), 1) if singular), None)
+
+
+def _modulo_large_prime(pair: Readings) -> nmod_mat:
+    return next(S for p in primes(_LARGE) for root in pair.roots(p) if (S := _step_matrix(pair, p, root)) is not None)
+
+
+def _singular(S: nmod_mat, steps: int) -> Iterator[bool]:
+    """Whether the upper block of S^k (I; 0) is singular, k = 1, 2, ..."""
+    m, p = S.nrows() // 2, int(S.modulus())
+    top, columns = _unit(m, 2 * m, p), _unit(2 * m, m, p)
+    for _ in range(steps):
+        columns = S * columns
+        yield not (top * columns).det()
 
 
 def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p: int) -> bool:
@@ -293,40 +320,33 @@ def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p
     return True
 
 
-def escapes_before(pair: Readings, steps: int = 40) -> list[int]:
-    """Return the `k` up to `steps` for which the plane `k` steps before the start seems to be singular, as it is modulo a large prime."""
-    for p in primes(_LARGE):
-        read = pair.all([*pair.q, *pair.g], p)
-        if read is None:
-            continue
-        found: list[int] = []
-        for values in read:
-            m = len(values) // 2
-            S = nmod_mat(2 * m, 2 * m, [x for row in step_matrix(values[:m], values[m:], p) for x in row], p).inv()
-            top, columns = (nmod_mat(*shape, [int(i == j) for i in range(shape[0]) for j in range(shape[1])], p) for shape in ((m, 2 * m), (2 * m, m)))
-            for k in range(1, steps + 1):
-                columns = S * columns
-                if not (top * columns).det():
-                    found.append(k)
-        return found
-    return []
-
-
 # ---------------------------------------------------------------------- no period
 def aperiodic_place(pair: Readings) -> list[Any] | None:
     """Return a place that shows that the zeros of `D` are not distinct roots of unity, or None if they seem to be."""
     degree = 1 if pair.field is None else pair.field.degree
-    N, tried = common_order((len(pair.D) - 1) * degree), 0
+    N, tried, monic = common_order((len(pair.D) - 1) * degree), 0, [c / pair.D[-1] for c in pair.D]
     for p in primes(10**9 + 7):
-        read = pair.all([c / pair.D[-1] for c in pair.D], p)
-        if read is None:
-            continue
-        if all(nmod_poly([0, 1], p).pow_mod(N, nmod_poly(d, p)) != 1 for d in read):
-            return pair.place(p)
-        tried += 1
-        if tried == 3:
-            return None
+        for root in pair.roots(p)[:1]:
+            read = pair.read(monic, p, root)
+            if read is None:
+                continue
+            if nmod_poly([0, 1], p).pow_mod(N, nmod_poly(read, p)) != 1:
+                return _place(p, root)
+            tried += 1
+            if tried == 2:
+                return None
     return None
+
+
+def common_period(D: Sequence[Any]) -> int | None:
+    """Return the least common multiple of the orders of the zeros of rational `D`, if all are roots of unity."""
+    N = 1
+    for factor, _ in fmpq_poly(list(D)).numer().factor()[1]:
+        order = int(factor.is_cyclotomic())  # zero if it is not
+        if not order:
+            return None
+        N = lcm(N, order)
+    return N
 
 
 def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:

@@ -52,16 +52,25 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     if not statement["sizes"]:
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
-    if (terms := find_membership(statement, degree, seconds)) is not None:
-        yield seal(id, "membership", statement, {"terms": terms})
     asked = hints.get("order", {})
-    sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
-    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
-        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **({"inside": inside} if inside else {})})
-    if not _has_index(statement["says"]):
+    first = _by_membership if not any(asked.get(key) for key in ("sums", "lemmas", "inside", "factors")) else _by_order  # hints are for an order
+    for way in (first, _by_order if first is _by_membership else _by_membership):
+        yield from way(id, statement, asked, seconds, degree)
+    if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
         return
     if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)
+
+
+def _by_membership(id: str, statement: dict, _asked: Mapping[str, Any], seconds: float, degree: int) -> Iterator[dict]:
+    if (terms := find_membership(statement, degree, seconds)) is not None:
+        yield seal(id, "membership", statement, {"terms": terms})
+
+
+def _by_order(id: str, statement: dict, asked: Mapping[str, Any], seconds: float, degree: int) -> Iterator[dict]:
+    sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
+    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
+        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **({"inside": inside} if inside else {})})
 
 
 def _has_index(tree: Any) -> bool:

@@ -133,8 +133,9 @@ class Witness:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
-            if key[0] == "prod":
-                return bool(self._number(key[1]))
+            if key[0] == "prod":  # no factor is zero, and so the product is not
+                variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
+                return len(p) == 1 and (variables or bool(self._number(key[1])))
         try:
             values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
@@ -166,8 +167,13 @@ class Witness:
         return total
 
     def _opaque(self, key: tuple) -> Fraction | None:
-        """The determinant of a matrix that is the identity at the point, or has zeros above its diagonal of ones, is one."""
+        """One for the determinant of a matrix with ones on and zeros above its diagonal; zero for a product with a column that is zero.
+
+        Square matrices are the identity at the point, so that their powers have values, whatever the exponents.
+        """
         tree, env = json.loads(key[1]), dict[str, Form]()
+        if tree[0] == "*" and (kinds := [self._factor(x) for x in tree[1:]]) and all(kinds) and "zero" in kinds:
+            return Fraction(0)
         if tree[0] != "det":
             raise Unknown("no value of a term that is not opened")
         for number in range(len(key) - 2):
@@ -195,6 +201,17 @@ class Witness:
         if name not in self.found:
             self._find(name)
         return self.found[name]
+
+    def _factor(self, tree: Any) -> str:
+        """What a factor is at the point: a column of zeros, the identity, or nothing that is known."""
+        if isinstance(tree, int):
+            return ""
+        if tree[0] == "T" or tree[0] == "^" and self._factor(tree[1]) == "one":
+            return self._factor(tree[1])
+        kind = next((kind for name, kind in self.statement["over"] if tree[:1] == ["sym"] and tree[1] == name), None)
+        if kind is None or kind[0] != "matrix":
+            return ""
+        return "zero" if kind[2] == 1 else "one" if kind[1] == kind[2] else ""
 
     def _find(self, name: str) -> None:
         """One number, or values that are not known."""

@@ -90,6 +90,8 @@ def determinant(proof: Any, says: Any, triangular: Any, env: Mapping[str, Form],
     first, last = terms.index(low, env), terms.index(high, env)
     if region.reduce(plus(plus(rows, last, -1), plus(first, _ONE, -1))):
         raise Rejected(f"{name}: as many factors as the matrix has rows are needed")
+    if region.reduce(plus(rows, _order(proof, triangular, env, region, name), -1)):
+        raise Rejected(f"{name}: L and M are of different sizes")
     unit_triangular(proof, triangular, env, region, uses, f"{name}, L")
     product = ["*", triangular, matrix]
     on, _, below = _triangles(proof, product, env, region, name)
@@ -129,7 +131,9 @@ def _solve(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: R
             place = int(t.region.zero(plus(_ROW, _COLUMN, -1)))
             return [_entry(t, ["*", matrix, says[2]], env) - t.number(place)]
     else:
-        width = terms.shape(right, env)[1] if terms.is_matrix(right) else _ONE
+        height, width = terms.shape(right, env)
+        if region.reduce(plus(height, rows, -1)):
+            raise Rejected(f"{name}: v has not as many rows as M")
         square = region.and_(plus(_ROW, _ONE, -1), plus(rows, _ROW, -1), plus(_COLUMN, _ONE, -1), plus(width, _COLUMN, -1))
 
         def goal(t: Terms) -> list[Symbolic]:
@@ -142,7 +146,7 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
     if says[0] != "=" or len(says) != 3 or says[1][0] != "charpoly":
         raise Rejected(f"{name}: the fact is charpoly(A) == p")
     matrix, p, (index, row) = says[1][1], says[2], lemma["by"]
-    if index in env or index in proof.statement["sizes"]:
+    if proof.is_bound(index, env):
         raise Rejected(f"{name}: index {index!r} bound twice")
     rows, uses, names = _order(proof, matrix, env, region, name), lemma.get("uses", ()), {**env, **_PLACE, "z": {"z": 1}}
     if not region.and_(_minus(rows)).empty:
@@ -173,7 +177,7 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
     if says[0] != "forall" or says[2] != 0 or says[4][0] != "=" or len(says[4]) != 3:
         raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K")
     _, k, _, high, (_, left, x) = says
-    if left[0] != "laurent" or left[1][0] != "/" or left[2] != ["sym", k] or k in env or k in proof.statement["sizes"]:
+    if left[0] != "laurent" or left[1][0] != "/" or left[2] != ["sym", k] or proof.is_bound(k, env):
         raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K")
     _, above, below = left[1]
     if k in _mentioned([above, below]):

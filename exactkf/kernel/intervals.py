@@ -12,9 +12,10 @@ from math import ceil, floor, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.linear import Matrix
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["does_not_escape", "enclosed", "generator", "is_schur"]
+__all__ = ["around", "does_not_escape", "enclosed", "generator", "is_schur", "product", "stable_factor"]
 
 Interval = tuple[int, int]
 
@@ -89,20 +90,77 @@ def is_schur(p: list) -> bool:
     """
     bits = 128
     while bits < 1 << 16:
-        one = 1 << bits
-        rest = [enclosed(x, bits) if isinstance(x, Algebraic) else _rational(x, bits) for x in p]
-        while len(rest) > 1:
-            k = rest[0]
-            if k[0] > one or k[1] < -one:
-                return False
-            if not (-one < k[0] and k[1] < one):
-                break  # undecided at this precision
-            u = _inverse(_minus((one, one), _times(k, k, bits)), bits)
-            rest = [_times(_minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
-        else:
-            return True
+        found = _all_inside([around(x, bits) for x in p], bits)
+        if found is not None:
+            return found
         bits *= 2
     raise Undefined("the zeros of a polynomial could not be separated from the circle")
+
+
+def _all_inside(rest: list[Interval], bits: int) -> bool | None:
+    """Whether all monic polynomials with coefficients in the intervals have all zeros inside the circle, or none has, or neither is known."""
+    one = 1 << bits
+    while len(rest) > 1:
+        k = rest[0]
+        if k[0] > one or k[1] < -one:
+            return False
+        if not (-one < k[0] and k[1] < one):
+            return None
+        u = _inverse(_minus((one, one), _times(k, k, bits)), bits)
+        rest = [_times(_minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
+    return True
+
+
+def stable_factor(D: list, center: list[int], bits: int) -> list[Interval]:
+    """Intervals around the coefficients of the monic w with all zeros inside the circle and w(z) w(1/z) = c D(z) for some c.
+
+    D is given as z^m D, without zeros on the circle; the center is close to 2^bits (w_0, ..., w_{m-1}, c).  With F_k = sum_j w_j w_{j+k} - c d_k, k =
+    0, ..., m, a box X around the center y, and Y near the inverse of the Jacobian at y, F has a zero in
+    K = y - Y F(y) + (I - Y F'(X)) (X - y) if K lies in X (Krawczyk).  All polynomials in K have their zeros inside, and there is one such w only.
+    """
+    m, one, rho = len(D) // 2, 1 << bits, 1 << bits - 2 * bits // 5
+    if len(center) != m + 1:
+        raise Undefined("the center has another length than the unknowns")
+    d = [around(x, bits) for x in D[m:]]
+    y = [(v, v) for v in center]
+    w, c = [*y[:m], (one, one)], y[m]
+    rest = [_minus(_sum([_times(w[j], w[j + k], bits) for j in range(m + 1 - k)]), _times(c, d[k], bits)) for k in range(m + 1)]
+    at_y = _jacobian(w, d)
+    inverse = Matrix([[Fraction(x[0] + x[1], 2 * one) for x in row] for row in at_y]).inverse()
+    Y = [[_rational(x, bits) for x in row] for row in inverse.rows]
+    J = _jacobian([*((v - rho, v + rho) for v in center[:m]), (one, one)], d)
+    out = []
+    for i, row in enumerate(Y):
+        moved = _minus(y[i], _sum([_times(a, b, bits) for a, b in zip(row, rest, strict=True)]))
+        wrong = [_minus((one, one) if i == j else (0, 0), _sum([_times(a, b, bits) for a, b in zip(row, column, strict=True)]))
+                 for j, column in enumerate(zip(*J, strict=True))]
+        out.append(_sum([moved, *(_times(x, (-rho, rho), bits) for x in wrong)]))
+    if not all(v - rho < lo and hi < v + rho for (lo, hi), v in zip(out, center, strict=True)) or out[m][0] <= 0 <= out[m][1]:
+        raise Undefined("the spectral factor is not enclosed")
+    if _all_inside([*out[:m], (one, one)], bits) is not True:
+        raise Undefined("the spectral factor enclosed may have a zero outside the circle")
+    return [*out[:m], (one, one)]
+
+
+def _jacobian(w: list[Interval], d: list[Interval]) -> list[list[Interval]]:
+    """The derivatives of F_0, ..., F_m in `stable_factor` by w_0, ..., w_{m-1} and c."""
+    m = len(w) - 1
+    zero: Interval = (0, 0)
+    return [[*(_sum([w[i + k] if i + k <= m else zero, w[i - k] if i >= k else zero]) for i in range(m)), (-d[k][1], -d[k][0])] for k in range(m + 1)]
+
+
+def _sum(terms: list[Interval]) -> Interval:
+    return sum(x[0] for x in terms), sum(x[1] for x in terms)
+
+
+def product(p: list[Interval], q: list[Interval], bits: int) -> list[Interval]:
+    """Intervals around the coefficients of a product of polynomials."""
+    return [_sum([_times(p[i], q[k - i], bits) for i in range(len(p)) if 0 <= k - i < len(q)]) for k in range(len(p) + len(q) - 1)]
+
+
+def around(x: Any, bits: int) -> Interval:
+    """An interval around a rational or algebraic number."""
+    return enclosed(x, bits) if isinstance(x, Algebraic) else _rational(x, bits)
 
 
 def _rational(x: Any, bits: int) -> Interval:
@@ -115,7 +173,7 @@ def does_not_escape(Q: list, S: list, steps: int, bits: Any) -> bool:
         raise Undefined("the number of bits is not a positive integer")
     one = 1 << bits
 
-    q, s = ([enclosed(x, bits) if isinstance(x, Algebraic) else _rational(x, bits) for x in p] for p in (Q, S))
+    q, s = ([around(x, bits) for x in p] for p in (Q, S))
     for _ in range(steps):
         g = s[-2]
         r = _minus((one, one), _times(g, g, bits))

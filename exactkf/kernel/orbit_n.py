@@ -49,9 +49,10 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.intervals import does_not_escape, is_schur
+from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
 from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
-from exactkf.kernel.orbit_sieve import check_never_singular, readings
+from exactkf.kernel.orbit_polynomial import check_by_polynomials
+from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
 
@@ -243,7 +244,7 @@ def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
     D = spectral_polynomial(reduced.Q, reduced.S)
     _need(m == 0 or spectral_sign(D) in ("+", "0+", "-", "-0"), "D changes sign on the circle")
     _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
-    _need(answer["period"] in (None, 1), "an equilibrium has period one")
+    _need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
     _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
     if answer["limit"] is not None:
         _limit(reduced, D, answer["limit"], evidence)
@@ -292,6 +293,9 @@ def is_positive_real(Q: list, S: list) -> bool:
 
 def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
     """The limit is the stable spectral factor of D times the factors taken out."""
+    if "center" in evidence:
+        _enclosed_limit(reduced, D, limit, evidence)
+        return
     field = _field(evidence.get("field"))
     one = _number("1", field)
     w = [_number(x, field) for x in evidence["factor"]]
@@ -306,6 +310,24 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
         _need(_same(claimed, value), "the limit is another number than the coefficient of the spectral factor")
+
+
+def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
+    """The same in intervals: D is the square of e, all of whose zeros are on the circle, times a part without zeros there."""
+    field = next((x.field for x in D if isinstance(x, Algebraic)), None)
+    e = [_number(x, field) for x in evidence["circle"]]
+    bits, center = evidence["bits"], evidence["center"]
+    _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
+    _need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
+    _need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
+    rest, left = divmod_poly(D, _product(e, e))
+    _need(not left and (len(rest) == 1 or spectral_sign(rest) in ("+", "-")), "D has other zeros on the circle than the squares of e")
+    w = stable_factor(rest, center, bits) if len(rest) > 1 else [around(Fraction(1), bits)]
+    full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
+    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
+        _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
+              <= fraction(claimed["interval"][1]), "the limit is not within the interval")
 
 
 def _same(claimed: Any, value: Any) -> bool:
@@ -328,7 +350,8 @@ def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
     _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
-    _need(reduced.start == (answer["preperiod"] or 0), f"the orbit comes back to step {reduced.start} first")
+    before = 0 if answer["preperiod"] is None else _step_number(answer["preperiod"], "preperiod")
+    _need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
     _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
@@ -357,24 +380,30 @@ def power_of_z(k: int, modulus: list) -> list:
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+    algebraic = next((x for x in Q if isinstance(x, Algebraic)), None)
+    if algebraic is not None:
+        check_irreducible(algebraic.field, evidence["irreducible"])
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _aperiodic(D, *evidence["aperiodic"])
+    _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
     if "modulus" in evidence:
-        _need(all(isinstance(x, Fraction) for x in Q), "a modulus alone is for rational data")
+        _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
+    elif "order" in evidence:
+        _need(algebraic is None, "polynomials in the time are for rational data")
+        check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
-        _need(all(isinstance(x, Fraction) for x in Q), "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
 
 
-def _aperiodic(D: list, p: Any, *roots: Any) -> None:
+def _aperiodic(D: list, degree: int, place: Any) -> None:
     """The zeros of D are not distinct roots of unity."""
+    _need(len(place) in (1, 2), "a place is a modulus and, for algebraic data, a residue")
+    p, root = place[0], place[1] if len(place) == 2 else None
     _need(type(p) is int and p > 1, "a modulus is an integer above one")
-    degree = max((len(x.field.modulus) - 1 for x in D if isinstance(x, Algebraic)), default=1)
-    _need(all(has_infinite_order(d, (len(D) - 1) * degree, p) for d in readings([divide(c, D[-1]) for c in D], p, *roots)), "S may be of finite order")
+    _need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
 
 
 def _nonconvergent(Q: list, S: list) -> Reduced:

@@ -6,7 +6,8 @@ Main definitions
 `check_never_singular`  no X_t, t >= 0, is singular
 `zeros_modulo`          the t at which det X_t vanishes modulo a prime
 `intersected`           what two periodic sets of integers have in common
-`readings`              numbers modulo N, in every way in which their field can be read modulo N
+`reading`               numbers modulo a prime or its square
+`check_irreducible`     the modulus of a field is irreducible
 
 Main statements
 ---------------
@@ -21,17 +22,18 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
    p-adic integers.  det X_{-k + Ls} is p s (f + p u(s)), u a power series with integral coefficients, because
    p^j binomial(s, j) has the coefficients of p^j / j!, divisible by p for j = 1 and by p^2 for j > 1.  If that is
    not zero modulo p^2 at s = 1, p does not divide f, and there is no other zero of the form -k + Ls.
-4. *Algebraic data.*  theta is a zero of a monic polynomial F with zeros r_1, ..., r_d modulo p, as many as its degree and all
-   different.  The minimal polynomial of theta divides F, so some r_i is a zero of it modulo p, and theta -> r_i
-   defines a homomorphism of the p-integral polynomials in theta.  Which r_i it is need not be known: what
-   is required is required of all; the set of the prime is the union of their sets.
+4. *Algebraic data.*  theta is a zero of an irreducible polynomial F, monic and p-integral, and r a zero of F modulo p.  A p-integral polynomial
+   that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
+   If r is a simple zero it lifts to the p-adic integers, and the homomorphism with it.
+5. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
+   less than H + 1.  If F = GK then |G(n)|, |K(n)| > c for an integer n > H + 1 + c.  So if F(n) is c times a prime, F is irreducible (Murty).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from math import gcd, isqrt
+from math import gcd, isqrt, lcm
 from operator import mul
 from typing import Any
 
@@ -40,7 +42,7 @@ from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_never_singular", "intersected", "readings", "step_matrix", "zeros_modulo"]
+__all__ = ["backward", "check_irreducible", "check_never_singular", "intersected", "reading", "step_matrix", "zeros_modulo"]
 
 _LONGEST, _MOST = 10**6, 10**5
 
@@ -52,24 +54,27 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
     ----------
     Q, S : lists of Fraction or Algebraic
     places : list
-        ``[p, L]`` or, for algebraic data, ``[p, L, [r_1, ..., r_d]]``.
+        ``[p, L]`` or, for algebraic data, ``[p, L, r]``.
     before : list
         The k of statement 3.
     """
     _need(bool(places), "no prime is named")
     m, period, left = len(Q) - 1, 1, [0]
-    for p, L, *roots in places:
+    for p, L, root in map(_place, places):
         _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
         _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
-        found: set[int] = set()
-        for values in readings([*Q[-2::-1], *S[-2::-1]], p, *roots):
-            found |= zeros_modulo(values[:m], values[m:], p, L)
-        period, left = intersected(period, left, L, found)
+        values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
+        period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
         _need(len(left) < _MOST, "too many times are left")
     if left:
         singular = _singular_before(Q, S, before)
-        alone = [(k, L) for k in singular for p, L, *roots in places if p > 3 and L > k and _alone(Q, S, k, p, L, roots)]
+        alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
         _need(all(any((t + k) % L == 0 for k, L in alone) for t in left), f"nothing excludes an escape at times {left[0]} modulo {period}")
+
+
+def _place(data: Any) -> tuple[Any, Any, Any]:
+    _need(len(data) in (2, 3), "a place is a prime, a period and, for algebraic data, a residue")
+    return data[0], data[1], data[2] if len(data) == 3 else None
 
 
 def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
@@ -83,26 +88,57 @@ def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> 
 
 
 # ---------------------------------------------------------------------- modulo N
-def readings(values: list, p: int, roots: list | None = None, power: int = 1) -> list[list[int]]:
-    """Numbers modulo p or p^2: in one way if they are rational, in one for every residue of theta if they are algebraic."""
+def reading(values: list, p: int, root: int | None = None, power: int = 1) -> list[int]:
+    """Numbers modulo a prime or its square; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
     field = next((x.field for x in values if isinstance(x, Algebraic)), None)
     if field is None:
-        _need(roots is None, "rational data have no generator")
-        return [modular(values, p**power)]
-    _need(type(roots) is list, "the residues of the generator are missing")
-    return [[_value(x, r, p**power) for x in values] for r in _all_roots(field, p, roots, power)]  # type: ignore[arg-type]
-
-
-def _all_roots(field: AlgebraicField, p: int, roots: list, power: int) -> list[int]:
-    """The named zeros of the monic modulus modulo a prime, as many as the degree, or what they become modulo its square."""
-    _need(all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        _need(root is None, "rational data have no generator")
+        return modular(values, p**power)
+    _need(field.irreducible, "the modulus of the field is not known to be irreducible")
+    if type(root) is not int:
+        raise Undefined("the residue of the generator is missing")
+    _need(type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
     modulus = modular([Fraction(c) / field.modulus[-1] for c in field.modulus], p**power)
-    slope = [k * c for k, c in enumerate(modulus)][1:]
-    _need(all(type(r) is int and 0 <= r < p and _horner(modulus, r, p) == 0 for r in roots), f"a residue of the generator is no zero modulo {p}")
-    _need(len(set(roots)) == len(roots) == len(modulus) - 1, f"modulo {p} there are not enough zeros")
-    if power == 1:
-        return roots
-    return [(r - _horner(modulus, r, p * p) * pow(_horner(slope, r, p), -1, p)) % (p * p) for r in roots]  # Hensel's lemma
+    value = _horner(modulus, root, p**power)
+    _need(value % p == 0, f"the residue of the generator is no zero modulo {p}")
+    if power > 1:  # Hensel's lemma
+        slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
+        _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
+        root = (root - value * pow(slope, -1, p)) % p**power
+    return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
+
+
+def check_irreducible(field: AlgebraicField, n: Any) -> None:
+    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 5."""
+    common = lcm(*(Fraction(c).denominator for c in field.modulus))
+    F = [int(c * common) for c in field.modulus]
+    content = gcd(*F)
+    F = [c // content for c in F]
+    _need(type(n) is int and n > 0, "the argument is not a positive integer")
+    H = max(abs(Fraction(x, F[-1])) for x in F)
+    _need(n > H + 2, "the argument is too small")
+    value, c = abs(sum(x * n**k for k, x in enumerate(F))), 1
+    for r in range(2, 100):
+        while value % r == 0 and n > H + 1 + c * r:
+            value, c = value // r, c * r
+    _need(_is_prime(value), "the modulus of the field is not shown to be irreducible")
+    field.irreducible = True
+
+
+def _is_prime(n: int) -> bool:
+    """By the strong test to the bases 2, ..., 41, which is right below 3.3 * 10^24 (Sorenson and Webster)."""
+    bases = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
+    _need(n < 3317044064679887385961981, "a value is too large for the test of primality")
+    if n < 43:
+        return n in bases
+    odd, twos = n - 1, 0
+    while odd % 2 == 0:
+        odd, twos = odd // 2, twos + 1
+    for a in bases:
+        x = pow(a, odd, n)
+        if x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
+            return False
+    return True
 
 
 def _horner(f: list[int], x: int, N: int) -> int:
@@ -110,10 +146,6 @@ def _horner(f: list[int], x: int, N: int) -> int:
     for c in reversed(f):
         acc = (acc * x + c) % N
     return acc
-
-
-def _value(x: Any, r: int, N: int) -> int:
-    return _horner(modular(x.c, N), r, N) if isinstance(x, Algebraic) else modular([x], N)[0]
 
 
 # ---------------------------------------------------------------------- powers of the symplectic matrix
@@ -217,14 +249,12 @@ def _singular_before(Q: list, S: list, before: Any) -> list[int]:
     return found
 
 
-def _alone(Q: list, S: list, k: int, p: int, L: int, roots: list) -> bool:
+def _alone(Q: list, S: list, k: int, p: int, L: int, root: int | None) -> bool:
     """Whether det X_{L-k} is not zero modulo p^2; see statement 3, where det X_{-k} = 0 and S^L = I modulo p are known."""
-    N, m = p * p, len(Q) - 1
-    for values in readings([*Q[-2::-1], *S[-2::-1]], p, *(roots or [None]), 2):
-        X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], N), L - k, N)[:m]]
-        if char_coefficients(Matrix(X))[0] % N == 0:
-            return False
-    return True
+    m = len(Q) - 1
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, 2)
+    X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], p * p), L - k, p * p)[:m]]
+    return char_coefficients(Matrix(X))[0] % (p * p) != 0
 
 
 def _need(condition: bool, step: str) -> None:

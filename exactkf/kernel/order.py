@@ -70,11 +70,12 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
     inner = {number: (vector, formulas) for number, vector, formulas in inside}
     for number, (case, formula) in enumerate(_outer_leaves(statement, lemmas)):
         vector, formulas = inner.get(number, ("", ()))
-        lemma, said = case.get("lemma", False), formula
+        lemma, said = case.get("lemma", False), [*case.get("said", ()), formula]
         if vector:
             case, formula = _through_vector(case, formula, vector == "left")
         for part in formulas:
-            yield from _leaves({**case, "lemma": True}, part)
+            _well_formed(part)
+            yield from _leaves({**case, "lemma": True, "said": []}, part)
             case = {**_assume({**case, "lemma": True}, f"inner lemma {len(case['given'])}", part), "lemma": lemma}
         yield {**case, "said": said}, formula  # the inverses of a lemma must exist, those of what a vector has replaced too
 
@@ -136,8 +137,9 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
         yield from _leaves(_assume(statement, label, formula[1]), formula[2])
         yield from _leaves(_assume(statement, label, formula[2]), formula[1])
     elif formula[0] == "!=" and (differ := [f[1:] for _, f, _ in statement["given"] if f[0] == "!="]):
-        # a = b would make equal what a hypothesis, the last of this form, says to differ
-        yield from _leaves(_assume(statement, label, ["=", *formula[1:]]), ["=", *differ[-1]])
+        # a = b would make equal what a hypothesis, the last of this form, says to differ; in a lemma a and b must have values
+        contrary = {**_assume(statement, label, ["=", *formula[1:]]), "said": [*statement.get("said", ()), formula]}
+        yield from _leaves(contrary, ["=", *differ[-1]])
     else:
         yield statement, formula
 
@@ -182,7 +184,7 @@ class Leaf:
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
                  factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = ()) -> None:
-        said = [formula, statement.get("said", formula)]
+        said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
         self.reader = reader = Reader(statement)
@@ -267,8 +269,12 @@ class Leaf:
         if len(terms) != 4:
             raise Unknown("a rank is shown by X = BC with a left inverse of B and a right inverse of C")
         x, b, c, left, right = (reader.read(tree) for tree in (formula[1][1], *terms))
-        if not all(isinstance(m, Blocks) for m in (x, b, c, left, right)) or reader.total(b.cols) != reader.size(formula[2]):
-            raise Unknown("the first factor has not as many columns as the rank")
+        if not all(isinstance(m, Blocks) for m in (x, b, c, left, right)):
+            raise Unknown("factors that are no matrices")
+        rows, cols, rank = reader.total(x.rows), reader.total(x.cols), reader.size(formula[2])
+        sides = [(rows, rank), (rank, cols), (rank, rows), (cols, rank)]  # a 1 x 1 matrix is no number here
+        if [(reader.total(m.rows), reader.total(m.cols)) for m in (b, c, left, right)] != sides:
+            raise Unknown("the first factor has not as many columns, or the second not as many rows, as the rank, or another size does not fit")
         return [reader._plus(x, reader._times(b, c), -1), reader._plus(reader._times(left, b), Blocks.unit(b.cols), -1),
                 reader._plus(reader._times(c, right), Blocks.unit(c.rows), -1)]
 

@@ -30,6 +30,7 @@ from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader
+from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, size_tree
 
 __all__ = ["FAMILIES", "Induction", "along", "before", "inductions"]
@@ -75,6 +76,7 @@ def before(statement: Mapping[str, Any], says: Any) -> tuple[dict[str, Any], Any
     recursion that do not exist may be chosen at will here: what is used of them is the step, where it has a value, and
     hypotheses, which give them one.
     """
+    check_formula(statement, says)
     nothing = ["=", 0, 0]
     indexed = says[0] == "forall"
     alone = [*says[:4], nothing] if indexed else nothing
@@ -130,6 +132,8 @@ class Induction:
         self.nodes = 0
         self.first = max([low, *(d[3] + len(d[4]) - 1 for d in self.recursions.values())]) if self.index else low
         self.also, self.lemmas = also, list[Any]()
+        for formula in also:
+            check_formula(statement, formula, *([self.index] if self.index else []))
         self.bases = [self._base(k) for k in range(low, self.first + 1)]
         self.step = self._step() if self.index else None
         for made in [*self.bases, self.step]:

@@ -20,7 +20,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix, inertia
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 
-__all__ = ["chebyshev", "circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly"]
+__all__ = ["chebyshev", "circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly", "squarefree"]
 
 
 def _trim(p: list) -> list:
@@ -57,7 +57,7 @@ def _derivative(p: list) -> list:
     return [k * c for k, c in enumerate(p)][1:]
 
 
-def _squarefree(p: list) -> list[tuple[list, int]]:
+def squarefree(p: list) -> list[tuple[list, int]]:
     """Pairs (factor, multiplicity)."""
     out = []
     g = gcd_poly(p, _derivative(p))
@@ -148,7 +148,7 @@ def count_circle(p: list) -> tuple[int, int, int]:
     on = ones + minus_ones
     pairs = 0
     if len(g) > 1:
-        for factor, k in _squarefree(chebyshev(g)):
+        for factor, k in squarefree(chebyshev(g)):
             pairs += 2 * k * count_real(factor, -2, 2)
     half = (len(g) - 1 - pairs) // 2
     return inside + mine + half, on + pairs, outside + half
@@ -162,7 +162,7 @@ def circle_sign(d: Laurent) -> str:
         return "0"
     m = d.degree
     g = chebyshev([d.get(k - m) for k in range(2 * m + 1)])
-    odd = any(k % 2 and count_real(f, -2, 2) - (_at(f, 2) == 0) > 0 for f, k in (_squarefree(g) if len(g) > 1 else []))
+    odd = any(k % 2 and count_real(f, -2, 2) - (_at(f, 2) == 0) > 0 for f, k in (squarefree(g) if len(g) > 1 else []))
     if odd:
         return "+-"
     touches = _at(g, -2) == 0 or count_real(g, -2, 2) > 0

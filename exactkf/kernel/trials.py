@@ -64,7 +64,7 @@ class Trials:
         if self._failures:
             self._failures -= 1
             return 0
-        times = next(self._told)
+        times = next(self._told, 0)
         if type(times) is not int or not 1 <= times <= most:
             raise Rejected(f"cancelled: a factor cannot be cancelled {times!r} times")
         self._failures = next(self._told, -1)

@@ -9,6 +9,8 @@ Main definitions
 ----------------
 `check_statement`
     Raises `Rejected` with what is wrong.
+`check_formula`
+    The same for a formula of the evidence.
 `check_arguments`
     The same for the operation at the root of a tree of the evidence.
 """
@@ -21,7 +23,7 @@ from typing import Any
 
 from exactkf.kernel.numbers import Rejected
 
-__all__ = ["ARGUMENTS", "BINDERS", "TYPES", "check_arguments", "check_statement", "check_variables"]
+__all__ = ["ARGUMENTS", "BINDERS", "TYPES", "check_arguments", "check_formula", "check_statement", "check_variables"]
 
 #: type of a variable -> number of arguments
 TYPES = {
@@ -63,6 +65,14 @@ def check_statement(statement: Mapping[str, Any], hiding: bool = True) -> None:
         _need(isinstance(label, str) and isinstance(kind, str), "a hypothesis has a label and a kind")
         _tree(formula, declared, own)
     _tree(statement["says"], declared, own)
+
+
+def check_formula(statement: Mapping[str, Any], formula: Any, *bound: str) -> None:
+    """Refuse what is no formula in the names of a statement and these indices: the evidence shows it, and uses it as it stands."""
+    declared = dict([*((name, "size") for name in statement["sizes"]), *statement["over"], *((d[1], d) for d in statement["where"])])
+    own = {name for name, kind in declared.items() if kind == "size"}
+    _bound(bound, own)
+    _tree(formula, declared, own, bound)
 
 
 def check_variables(statement: Mapping[str, Any], over: Any) -> dict[str, Any]:

@@ -43,6 +43,7 @@ from exactkf.finders.prove import candidates, every_size
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
+from exactkf.kernel.words import size_tree
 from exactkf.language import Expr, Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
@@ -366,7 +367,7 @@ _HOW = {
 def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> Iterator[dict]:
     """Proofs of an order by a term that an equation of the lemma names, and of an equation by null vectors of semidefinite matrices."""
     if data["says"][0] in ("psd", "pd", "loewner"):
-        tried = [[side] for side in sides]
+        tried = [*([side] for side in sides), *_squares(data)]
     elif data["says"][0] == "=":
         tried = [list(terms) for _, formula, _ in data["given"] if (terms := _null_terms(formula))]
     else:
@@ -378,6 +379,56 @@ def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> 
         parts = find_order(data, [terms] * _MOST_LEAVES, degree=degree, seconds=left)
         if parts is not None:
             yield seal("lemma", "order", data, {"parts": parts, "lemmas": []})
+
+
+def _squares(data: dict) -> Iterator[list]:
+    """For a claim A - K M A >= 0, with a semidefinite A: (I - KM)A(I - KM)' and KVK' with each V that is known to be semidefinite; and inverses."""
+    big, small = _difference(data)
+    left = _factors(data, small)
+    own = _factors(data, big)
+    if len(left) <= len(own) or left[-len(own):] != own:
+        return
+    reader, left = Reader(data), left[:-len(own)]
+    known = [["sym", name] for name, kind in data["over"] if kind[0] in ("psd", "pd")]
+    known += [f[1] for _, f, _ in data["given"] if f[0] in ("psd", "pd") and f[1] not in known]
+    for k in range(1, len(left)):
+        gain, seen = (part[0] if len(part) == 1 else ["*", *part] for part in (left[:k], left[k:]))
+        try:
+            size, inner = reader.read(big).rows, reader.read(gain).cols
+            rest = ["-", ["I", size_tree(reader.total(size))], ["*", gain, seen]]
+            fits = [v for v in known if reader.read(v).rows == inner]
+        except (Unknown, Undefined, AttributeError):
+            continue
+        square = ["*", rest, big, ["T", rest]]
+        for weight in fits:
+            yield [square, ["*", gain, weight, ["T", gain]]]
+            yield [["inv", ["+", ["inv", big], ["*", ["T", seen], ["inv", weight], seen]]]]
+        yield [square, ["*", gain, ["T", gain]]]
+
+
+def _difference(data: dict) -> tuple[Any, Any]:
+    """The two sides of an order A >= B, or of A - B >= 0."""
+    op, *args = data["says"]
+    if op == "loewner" and args[1] != 0 and args[1][0] != "O":
+        return args[0], args[1]
+    whole = _written_out(data, args[0])
+    return (whole[1], whole[2]) if isinstance(whole, list) and whole[0] == "-" else (whole, 0)
+
+
+def _factors(data: dict, tree: Any) -> list:
+    """Factors of a product, opened where they are products; definitions of products are opened too."""
+    opened = _written_out(data, tree)
+    if not isinstance(opened, list) or opened[0] != "*":
+        return [tree]
+    return [x for part in opened[1:] for x in _factors(data, part)]
+
+
+def _written_out(data: dict, tree: Any) -> Any:
+    """What a name without parameters stands for."""
+    if isinstance(tree, list) and tree[0] == "sym":
+        body = next((d[3] for d in data["where"] if d[0] == "let" and d[1] == tree[1] and not d[2]), None)
+        return tree if body is None else _written_out(data, body)
+    return tree
 
 
 def _null_terms(formula: Any) -> Sequence[Any]:

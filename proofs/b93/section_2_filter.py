@@ -16,7 +16,7 @@ where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.evidence import example, first, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -33,6 +33,7 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
+    matrix_of,
     nonneg,
     nonsingular,
     nonzero,
@@ -41,18 +42,23 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     rank,
+    rational,
     rec,
     scalar,
+    sequence,
     sequence_of,
     signal_of,
     standing,
+    sum_of,
     symbols,
     symmetric_matrix,
     vector,
     vstack,
     when,
 )
-from proofs.b93.notation import d, i, k, n, p, q, r
+from proofs.b93.introduction import K0, K1, K2, LOUD, ONE_PHI, P1, STEP_GIVEN, STEP_MADE, STEP_OVER, STEP_SIZES, Y1, V
+from proofs.b93.introduction import STEP as ONE_TIME
+from proofs.b93.notation import d, i, j, k, n, p, q, r
 
 A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
 P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
@@ -63,12 +69,26 @@ LIMITS = "an almost sure statement about a stationary ergodic system; it has no 
 MEASURE = "a statement about sigma-algebras and conditional laws; its covariance algebra is (5) and (6)"
 
 not_checked("B93-S46", "the conditionally Gaussian set-up", "a definition: it fixes notation and asserts nothing")
-not_checked("B93-S47", "the recursions under Hypothesis H", "conditionally on the past it is (5) and (6) with the independence that H (ii) states; "
-            "what is beyond that is about sigma-algebras")
+claim("B93-S47", "the recursions under Hypothesis H",
+      (P1 == Phi(P0)) & (K1 * V + K2 * Y1 == (A - P1 * R * A) * (K0 * V) + P1 * T(C) * Y1), sizes=STEP_SIZES, over=STEP_OVER, where=[*ONE_TIME, ONE_PHI],
+      given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE],
+      note="Conditionally on the past the parameters are constants, by H (i), everything is Gaussian, and the noises of time n have the independence that "
+           "H (ii) states: U, V, E, N are the coefficients of X_(n-1), of the past observations and of the noises in a standard Gaussian vector, as in (5) "
+           "and (6). The section 1 set-up does not state that independence, this one does.")
 not_checked("B93-S48", "independent noises and parameters satisfy H", MEASURE)
 not_checked("B93-S49", "the parameters for all times", "the extension theorem for stationary processes; it has no exact instances")
-not_checked("B93-X2.1.1", "periodic parameters", "that the uniform law on the residues is invariant and ergodic under the shift is all there is to check; "
-            "the rest is about probability spaces. The display writes B_n for the F_n of (1)")
+here, shifted, f_, g_ = symbols("here shifted f g")
+claim("B93-X2.1.1", "periodic parameters",
+      forall(t, 0, p, (shifted[t] == here[t] + f_[t] - f_[0]) & (g_[t] == g_[0])) & (shifted[p] == here[p]), sizes=["p"],
+      over={f_: sequence(0, p), g_: sequence(0, p)},
+      where=[rec(here, t, 0, here[t] + f_[t]), rec(shifted, t, 0, shifted[t] + f_[t + 1])],
+      given=[given("f is a function on the residues", f_[p] == f_[0]), given("g is one, and invariant", forall(k, 0, p - 1, g_[k + 1] == g_[k]))],
+      by=[induction(before=[first(forall(t, 0, p, shifted[t] == here[t] + f_[t] - f_[0]))]),
+          example(p=1, f=[1, 2], g=[0, 0]), example(p=2, f=[0, 0, 0], g=[0, 1, 0]),
+          instances(p=(1, 2, 3, 4), made_by={f_: (k, when(k == p, y[0], y[k])), g_: (k, m)}, using={m: scalar(), y: sequence(0, p)})],
+      note="That the parameters are stationary and ergodic: the sum of a function over the residues is that of its shift, so that the uniform law is "
+           "invariant, and an invariant function is constant, so that the shift is ergodic. The noises live on the other factor of the product space and "
+           "are independent of the parameters. The display writes B_n for the F_n of (1).")
 not_checked("B93-X2.1.2", "random sampling", "an announcement: the assertions are the numbered lines that follow")
 not_checked("B93-E18", "the time-invariant system and the sampling times", "a definition: it fixes notation and asserts nothing")
 
@@ -175,12 +195,15 @@ claim("B93-S60", "the smallest and the largest eigenvalue as norms",
       note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
 for _id, _title in (
         ("S61", "what the theorem says of the error"), ("T2.4", "the stationary error covariance and convergence to it"),
-        ("S66", "the logarithm of the first step is integrable"), ("S67", "a composition contracts with positive probability"),
-        ("P2.5", "the rate of convergence in norm"), ("E23", "the rates of the eigenvalues"), ("E24", "subexponential growth of the stationary solution"),
-        ("R2.5", "nonnegative starts"), ("T2.6", "the filter is exponentially stable"), ("S77", "one may look at every n-th time"),
-        ("S81", "subexponential growth of the covariance"), ("S82", "the ergodic theorem for the rates"), ("S83", "a negative mean rate"),
+        ("S67", "a composition contracts with positive probability"),
+        ("P2.5", "the rate of convergence in norm"), ("E24", "subexponential growth of the stationary solution"),
+        ("R2.5", "nonnegative starts"), ("T2.6", "the filter is exponentially stable"), ("S81", "subexponential growth of the covariance"),
         ("R2.6.1", "the rate as a Lyapunov exponent"), ("R2.6.2", "nonnegative starts of the filter")):
     not_checked(f"B93-{_id}", _title, LIMITS)
+not_checked("B93-S66", "the logarithm of the first step is integrable", "the inequalities bound the distance of the first step from above; whether the mean of "
+            "its logarithm is finite from below, too, hangs on the negative parts in hypothesis (c), and means of logarithms are beyond exact instances")
+not_checked("B93-E23", "the rates of the eigenvalues", "superior limits of logarithms of logarithms along a sequence; all there is to it is that |1 - x| is at "
+            "most twice |log x| near x = 1, which is about the logarithm and not about matrices")
 not_checked("B93-S62", "condition (C1) as it is checked", "a condition on an expectation, which the proof quotes without the positive part that Theorem 3.1 has")
 
 a2, f2, c2, b2 = symbols("a2 f2 c2 b2")
@@ -259,3 +282,56 @@ claim("B93-S78", "the Lyapunov function along the backward recursion",
           instances(d=(1, 2))],
       note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
            "V_n <= tau V_(n+1).")
+
+G_, Bs_, Ts_, Pi_, rate, p0, pbar, tau1 = symbols("G B T Pi rate p0 pbar tau")
+claim("B93-S77", "n steps have the form of one",
+      always(t, P[t] == Pi_[t] * P0 * T(Pi_[t]) + G_[t]), sizes=["d"],
+      over={Bs_: signal_of(matrix(d, d), 0), Ts_: signal_of(positive_semidefinite(d), 0), P0: positive_semidefinite(d)},
+      where=[rec(P, t, P0, Bs_[t] * P[t] * T(Bs_[t]) + Ts_[t]), rec(Pi_, t, I, Bs_[t] * Pi_[t]),
+             rec(G_, t, Zero(d, d), Ts_[t] + Bs_[t] * G_[t] * T(Bs_[t]))],
+      by=[induction(), instances(12, d=(1, 2), horizon=3)],
+      note="So the sequence P_(nk) follows the recursion of Lemma 2.7 with the product of n matrices B for B and with the G_n of Lemma 2.8 for T, which may be "
+           "invertible where T is not. Times are counted from 0.")
+
+a_, f0, c0 = symbols("a f c")
+QUARTER = matrix_of(i, j, 2, 2, when(i < j, 1, when(i > j, rational("1/4"), 0)))
+SCALAR_PHI = function(Phi, [x], (a_**2 * x + f0**2) / (1 + c0**2 * f0**2 + c0**2 * a_**2 * x))
+claim("B93-S82", "the ergodic theorem for the rates",
+      (a_ - pbar * c0**2 * a_)**2 <= tau1, over={a_: nonzero(), f0: nonzero(), c0: nonzero(), p0: positive(), pbar: positive()},
+      where=[SCALAR_PHI, let(x1, Phi(p0)), let(tau1, 1 - (x1 * c0**2 * x1 + (1 - x1 * c0**2)**2 * f0**2) / x1)],
+      given=[given("pbar is the limit of the P_n", pbar == Phi(pbar))],
+      by=[example({"a": 1, "f": "3/2", "c": 1, "p0": "1/100", "pbar": "3/4"}), instances(made_by={p0: pbar})],
+      repair=repair("missing hypothesis", "The rates tau_n are a stationary sequence only for the stationary solution; for another one tau_1 depends on P_0 "
+                                          "and the limit does not.",
+                    always(t, loewner(rate[t] * Pbar, Pi_[t] * Pbar * T(Pi_[t]))), sizes=["d"],
+                    over={B: matrix(d, d), Pbar: positive_semidefinite(d), X: symmetric_matrix(d), la: nonneg(), si: positive()},
+                    where=[rec(Pi_, t, I, B * Pi_[t]), rec(rate, t, 1, (1 - la / si) * rate[t])],
+                    given=[given("Pbar is stationary", Pbar == B * Pbar * T(B) + X), given("T >= lambda I", loewner(X, la * I)),
+                           given("Pbar <= sigma I", loewner(si * I, Pbar)), standing("lambda <= sigma, as T <= Pbar", 1 - la / si >= 0)],
+                    by=[induction(also=[rate[t] >= 0], base=order(),
+                                  step=order([(1 - la / si) * rate[t]], [B * (rate[t] * Pbar - Pi_[t] * Pbar * T(Pi_[t])) * T(B), rate[t] * (X - la * I),
+                                                                        rate[t] * (la / si) * (si * I - Pbar)])),
+                        example(d=1, B=[[1]], Pbar=[[1]], X=[["1/2"]], **{"lambda": "1/2", "sigma": 1}),
+                        example(d=1, B=[[1]], Pbar=[[1]], X=[[0]], **{"lambda": "1/2", "sigma": 1}),
+                        example(d=1, B=[["1/2"]], Pbar=[[4]], X=[[3]], **{"lambda": 3, "sigma": 3}),
+                        instances(d=(1, 2), made_by={B: c * I, Pbar: I, X: (1 - c**2) * I, si: 1, la: 1 - c**2}, using={c: scalar()}, horizon=3),
+                        instances(d=(2,), using={E: nonsingular(2)}, horizon=3,
+                                  made_by={Pbar: E * T(E), B: E * QUARTER * inv(E), X: Pbar - B * Pbar * T(B), la: 0, si: Pbar[1, 1] + Pbar[2, 2]})]),
+      note="For constant parameters in one dimension, where P_n tends to the fixed point pbar, so that the left side is the logarithm of the square of a - "
+           "pbar c^2 a, and tau_1 is a number. The stationary solution is the constant one. In the repair P_n is that solution, constant parameters of any "
+           "size: B^t Pbar B*^t is at most tau^t Pbar, so that the rate is at most log tau.")
+
+claim("B93-S83", "a negative mean rate",
+      (la <= si) & (1 - la / si < 1) & (1 - mu / si <= 1), sizes=["d"],
+      over={Ts_: positive_definite(d), P0: positive_semidefinite(d), B: matrix(d, d), x: vector(d), la: positive(), mu: nonneg(), si: positive()},
+      where=[let(P, B * P0 * T(B) + Ts_)],
+      given=[standing("a unit vector", T(x) * x == 1), given("lambda is at most T", loewner(Ts_, la * I)), given("P <= sigma I", loewner(si * I, P))],
+      by=[order([T(x) * (si * I - P) * x, T(x) * (Ts_ - la * I) * x, T(x) * B * P0 * T(B) * x], [1 * (la / si)], [1 * (mu / si)]),
+          example(d=1, T=[[1]], P0=[[0]], B=[[0]], x=[1], **{"lambda": 2, "mu": 0, "sigma": 1}),
+          example(d=1, T=[[2]], P0=[[0]], B=[[0]], x=[1], **{"lambda": 2, "mu": 0, "sigma": 1}),
+          instances(d=(1, 2), using={y: vector(d), E: matrix(d, d), c: positive()},
+                    made_by={x: column(i, d, when(i == 1, 1, 0)) - 2 * y[1] / (T(y) * y) * y, Ts_: la * I + E * T(E), P0: I, B: c * I,
+                             si: la + c**2 + sum_of(i, 1, d, sum_of(j, 1, d, E[i, j]**2))})],
+      note="lambda > 0 is the smallest eigenvalue of an invertible T, sigma the norm of P; mu is the smallest eigenvalue of any other T, or 0. So tau is at "
+           "most 1 always, and where T is invertible it is less than 1, so that log tau is never positive, and negative with positive probability: then its "
+           "mean is negative (it may be minus infinity, as tau may be 0).")

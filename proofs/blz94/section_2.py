@@ -106,7 +106,10 @@ claim("BLZ94-E2.1", "v has degree n exactly when the realization is reachable an
       where=[let(N, charpoly(F - g * T(h)) - charpoly(F)),
              let(C, matrix_of(i, j, n, n, (F ** (j - 1) * g)[i])),
              let(O, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j]))],
-      by=[instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]),
+      by=[steps(facts=["det(M + gh') = det(M)(1 + h'M^(-1)g)", "Kalman: a realization of a rational function has the degree of the function as its dimension if and only if it "
+                       "is reachable and observable"],
+                prose="With M = zI - F the first fact is the formula for the numerator; numerator and denominator without a common zero make the degree n."),
+          instances(40, n=(1, 2, 3)), example(n=2, F=[[1, 0], [0, 2]], g=[1, 1], h=[1, 0]),
           example(n=2, F=[[1, 0], [0, 2]], g=[1, 0], h=[1, 1])],
       note="A definition; what is checked is that the minimal realizations are those whose numerator and denominator "
            "have no common zero.")
@@ -174,7 +177,12 @@ claim("BLZ94-S4", "for positive real v the Riccati orbit from zero increases to 
              let(Pinf, sum_of(k, 0, n - 1, J**k * S * T(J) ** k)),
              rec(P, t, Zero(n, n), F * P[t] * T(F) + (g - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g - F * P[t] * h))],
       given=[given("a(z) is stable", schur(monic_of(a))), given("the spectral factor is stable", schur(monic_of(q)))],
-      by=[instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i),
+      by=[steps("BLZ94-E6.9", "BLZ94-E6.11", "BLZ94-X.2",
+                facts=["positive real lemma: P_inf is positive semidefinite and 1 - h'P_inf h positive", "P(I - hh'P)^(-1) increases with P as long as 1 - h'Ph is positive",
+                       "powers of a matrix with all eigenvalues in the open disc tend to zero"],
+                prose="The step is gg' + AP(I - hh'P)^(-1)A', increasing in P, and P_1 is not below P_0 = 0 nor above P_inf, so the orbit increases and stays below P_inf. By X.2 the distance to "
+                      "P_inf shrinks at least as under the closed loop."),
+          instances(12, n=(1, 2), made_by={a: column(i, n, x[i] / to_expr(4) ** i),
                                            q: column(i, n, y[i] / to_expr(4) ** i)},
                     using={x: vector(n), y: vector(n)}, horizon=3)],
       note="Every positive real v comes from a stable a(z) and the stable q(z) with D proportional to q(z)q(1/z): b "

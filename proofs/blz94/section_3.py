@@ -425,7 +425,7 @@ claim("BLZ94-S11", "(alpha, gamma) without gamma_k of modulus one correspond to 
       iff(prod(k, 0, n - 1, 1 - gamma[k] ** 2) != 0, prod(k, 1, n, det(Toeplitz[k])) != 0),
       sizes=["n"], over={alpha: sequence(1, n), gamma: sequence(0, n - 1)},
       where=[*KIMURA, function(c, [k], laurent(b / (2 * a), k)), *TOEPLITZ],
-      by=[steps("BLZ94-P4.1", "BLZ94-P3.1", "BLZ94-S22", facts=["the complement of the zero set of a nonzero "
+      by=[steps("BLZ94-P4.1", "BLZ94-P3.1", facts=["the complement of the zero set of a nonzero "
                                                                 "polynomial is open and dense"],
                 prose="Proposition 4.1 makes the map a bijection where gamma_0, ..., gamma_{n-2} have not modulus "
                       "one; the condition on gamma_{n-1} is that on T_n, and det T_1 ... det T_n is a polynomial in "

@@ -49,7 +49,6 @@ from exactkf.language import (
 )
 from proofs.blz94.notation import (
             FAST,
-            HALF,
             ORBIT,
             SCALE,
             VECTORS,
@@ -78,29 +77,29 @@ from proofs.blz94.notation import (
             symmetric_part,
             t,
 )
-from proofs.blz94.section_6 import B
+from proofs.blz94.section_6 import B, factored
 
 N, Gamma, Phi, c, e, f, l, o, p, q, r, s, u, v, w, x, y = symbols("N Gamma Phi c e f l o p q r s u v w x y")
 
 # ---------------------------------------------------------------------- Theorem 7.1
 _DEFINITE = let(y, when(nonneg_on_circle(D) | nonneg_on_circle(-D), 1, 0))
-_TENDS = when(y == 1, q >= 0, p < 1)
+TENDS = when(y == 1, q >= 0, p < 1)
 #: first t at which the square of the length of g(t) is at most x, or -1 if the orbit is back before
 _NEAR = function(f, [t], when((T(g[t]) * g[t])[1, 1] <= x, t, when((t > 0) & (a[t] == a0) & (g[t] == g0), -1, f(t + 1)))), let(q, f(0))
 _VECTORS = {"sizes": ["n", "m"], "over": {a0: vector(n), g0: vector(n), x: positive()},
             "where": [*FAST, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0))), _DEFINITE, _NEAR,
                       let(p, sum_of(t, 0, m, when(g[t] == 0 * g0, 1, 0)))]}
-_FACTS = ["Parlett and Poole: the powers of a matrix take a subspace to the dominant one, in the sense of exponents, if it is complementary to the codominant one",
+POWERS_TEND = ["Parlett and Poole: the powers of a matrix take a subspace to the dominant one, in the sense of exponents, if it is complementary to the codominant one",
           "powers of a matrix with all eigenvalues in the open disc tend to zero"]
-_STEPS = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
+CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
           "BLZ94-X.7", "BLZ94-X.8")
 _GLUE = ("Necessity: in the limit (2.18) makes D a multiple of v(z)v(1/z), see X.1. Sufficiency: if a and b are coprime, Im(I; 0) does not meet the codominant subspace "
          "(Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. A common factor goes "
          "through all steps (X.3), and alpha_n = 0 lowers the order (S26).")
 _BIT = x / (1 + 4 * x)
 claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
-      _TENDS, **_VECTORS,
-      by=[steps(*_STEPS, facts=_FACTS, prose=_GLUE),
+      TENDS, **_VECTORS,
+      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose=_GLUE),
           example({a0: ["1/3"], g0: ["7/3"], x: "1/9"}, n=1, m=4), example({a0: ["-1/3", "5/3"], g0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({a0: [2], g0: [0], x: "1/9"}, n=1, m=2), example({a0: [3], g0: ["-1"], x: "1/25"}, n=1, m=2), example({a0: [-3], g0: [2], x: "1/25"}, n=1, m=2),
           instances(10, n=(1, 2), m=(3, 4), using={u: scalar(), v: vector(n)}, made_by={x: u**2 / 8 + rational("1/20")}),
@@ -110,12 +109,13 @@ claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if 
            "not tend to zero either is (2.18). An orbit that escapes, where a division by zero occurs, is outside the statement.")
 
 _GAMMA_NEAR = function(f, [t], when((T(gamma[t]) * gamma[t])[1, 1] <= x, t, when((t > 0) & (alpha[t] == alpha0) & (gamma[t] == gamma0), -1, f(t + 1)))), let(q, f(0))
+ALONG = (*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), _DEFINITE, _GAMMA_NEAR,
+             let(p, sum_of(t, 0, m, when(gamma[t] == 0 * gamma0, 1, 0))))
 claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergence, away from the escaping points",
-      _TENDS, sizes=["n", "m"],
+      TENDS, sizes=["n", "m"],
       over={alpha0: vector(n), gamma0: vector(n), x: positive()},
-      where=[*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), _DEFINITE, _GAMMA_NEAR,
-             let(p, sum_of(t, 0, m, when(gamma[t] == 0 * gamma0, 1, 0)))],
-      by=[steps(*_STEPS, "BLZ94-T4.3.1", facts=_FACTS, prose=_GLUE),
+      where=ALONG,
+      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", facts=POWERS_TEND, prose=_GLUE),
           example({alpha0: [0, 2], gamma0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({alpha0: ["8/3"], gamma0: ["7/3"], x: "1/9"}, n=1, m=3),
           example({alpha0: [2], gamma0: [0], x: "1/9"}, n=1, m=2), example({alpha0: [3], gamma0: [2], x: "1/25"}, n=1, m=2), example({alpha0: [1], gamma0: [3], x: "1/25"}, n=1, m=2),
@@ -129,17 +129,7 @@ not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those am
             "a statement about Lebesgue measure and closure, for which there is no formula here. Its exact part: for each t escape is one equation 1 - gamma_t^2 = 0, which is not an "
             "identity as equilibria never escape (BLZ94-X.4)")
 
-#: b, and r with D = r l(z)l(1/z), for given a and l: n + 1 linear equations
-_A0, _L0 = monic_of(a0), monic_of(l)
-_SOLVED = (inv(matrix_of(i, j, n + 1, n + 1, when(j <= n, coeff(symmetric_part(_A0, Z ** (n - j)), i - 1), -coeff(_L0 * recip(_L0), i - 1))))
-           * column(i, n + 1, -coeff(symmetric_part(_A0, Z**n), i - 1)))
-#: Ph from (6.2), and then P from (6.1): P - JPJ' is known
-_PH = column(i, n, when(i == 1, 1 - c[n + 1], a0[i - 1] + g0[i - 1] - c[n + 1] * l[i - 1]))
-_GAIN = g0 - (J - a0 * T(h)) * o
-_KNOWN = -a0 * T(o) * T(J) - J * o * T(a0) + a0 * T(h) * o * T(a0) + _GAIN * T(_GAIN) / c[n + 1]
-FACTORED = {"using": {e: vector(n), l: vector(n), c: vector(n + 1), o: vector(n)},
-            "made_by": {l: column(i, n, e[i] / to_expr(3) ** i), c: _SOLVED, g0: column(i, n, HALF * (c[i] - a0[i])), o: _PH,
-                        P: sum_of(k, 0, n - 1, J**k * _KNOWN * T(J) ** k), q: 1 / c[n + 1]}}
+FACTORED = factored(J, h)
 _LIMIT = q * (g0 - F * P * h) + a0
 claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc, times the common factor of a and b",
       forall(t, 0, m, (u[t] + v[t] == (monic_of(a[t]) + strict_of(g[t])) * x)
@@ -151,7 +141,7 @@ claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc,
              rec(u, t, monic_of(a0) * x, (u[t] + (1 - Z) * v[t]) / (1 - p(t))), rec(v, t, strict_of(g0) * x, ((Z - p(t)) * v[t] - p(t) * u[t]) / (1 - p(t) ** 2))],
       given=[standing("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), standing("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
              standing("zeros in the closed disc", outside_roots(monic_of(alpha)) == 0), standing("coprime", coprime(monic_of(a0), monic_of(a0 + 2 * g0)))],
-      by=[steps(*_STEPS, facts=_FACTS, prose="By X.2, X.8 and (2.17). The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
+      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose="By X.2, X.8 and (2.17). The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
                                             "Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the common factor, their difference to zero."),
           instances(16, n=(1, 2), k=(0, 1), m=(1, 2, 3), **FACTORED)],
       note="(a, g) are the reduced data and x the common factor theta; u and v are a_t(z) and g_t(z) along (2.16) from the full data. alpha is (6.2) for the P whose closed loop has its "

@@ -1,48 +1,40 @@
 # SPDX-License-Identifier: MIT
-"""Section 8: orders one and two.
+"""Section 8: order one.
 
 For n = 1 the constant of the motion is 1 + alpha^2 - gamma^2 = (2/kappa) alpha, so that alpha moves by
 the fractional linear map alpha -> kappa/(2 - kappa alpha). If lambda + 1/lambda = 2/kappa with |lambda| < 1, the cross ratio
 (alpha - lambda)/(alpha - 1/lambda) is multiplied by lambda^2 in each step. With a = alpha - gamma and b = alpha + gamma the curve is
 1 + ab = (a + b)/kappa; if 1/kappa = -cos(2 pi q/p) every orbit returns after p steps.
-
-For n = 2 the two constants are the quotients of the coefficients of D. At an equilibrium D = alpha(z)alpha(1/z), and other
-equilibria on the same manifold come from reflecting roots of alpha(z) in the unit circle.
 """
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import (
-    Identity,
     Z,
     always,
     charpoly,
     circle_roots,
-    coeff,
     column,
     coprime,
+    cospi,
     defined,
-    det,
+    exists,
     forall,
     function,
     given,
     iff,
     inside_roots,
     let,
-    matrix_of,
     nonneg_on_circle,
     nonzero,
     outside_roots,
     pos_on_circle,
-    rank,
     rational,
     real_roots,
     rec,
-    recip,
     rows,
     scalar,
     schur,
-    sqrt,
     standing,
     substitute,
     sum_of,
@@ -53,26 +45,28 @@ from exactkf.language import (
 from proofs.blz94.notation import (
     HALF,
     ORBIT,
-    A,
+    VECTORS,
     D,
-    G,
     a,
+    a_of,
     alpha,
     alpha0,
     b,
+    b_of,
     gamma,
     gamma0,
     i,
     j,
     k,
     m,
+    monic_of,
     n,
     symmetric_part,
     t,
     u,
 )
 
-p, q, v, w, x, y, kappa, lam, c, e, f, S, X = symbols("p q v w x y kappa lambda c e f S X")
+p, q, v, w, x, y, kappa, lam, c, d, e, f, S, X = symbols("p q v w x y kappa lambda c d e f S X")
 k1, k2, al, ga = symbols("kappa1 kappa2 alpha_bar gamma_bar")
 
 #: (8.1) from (al, ga)
@@ -82,15 +76,14 @@ POINT = {al: scalar(), ga: scalar()}
 D_ONE = (let(a, Z + al - ga), let(b, Z + al + ga), let(D, symmetric_part(a, b)))
 DEFINITE = nonneg_on_circle(D) | nonneg_on_circle(-D)
 #: a point of the curve with 1/kappa = e, by a = alpha - gamma
-_B = (e * x - 1) / (x - e)
-ON_CURVE = {al: HALF * (x + _B), ga: HALF * (_B - x)}
+CURVE_B = (e * x - 1) / (x - e)
+ON_CURVE = {al: HALF * (x + CURVE_B), ga: HALF * (CURVE_B - x)}
 
 # ---------------------------------------------------------------------- order one
 claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
-      always(t, (A[t] * alpha[t] == alpha[t] / (1 - gamma[t][1] ** 2)) & (G[t + 1] * gamma[t] == -gamma[t] * alpha[t][1] / (1 - gamma[t][1] ** 2)))
-      & (a == Z + alpha0[1] - gamma0[1]) & (b == Z + alpha0[1] + gamma0[1]), sizes=["n"], over={alpha0: vector(n), gamma0: vector(n)},
-      where=[*ORBIT, let(a, Z - gamma0[1] + alpha0[1]), let(b, Z + gamma0[1] + alpha0[1])], given=[standing("n = 1", n == 1)],
-      by=[instances(n=(1,))], note="phi_1 = z - gamma_0, psi_1 = z + gamma_0.")
+      (alpha[1][1] == alpha0[1] / (1 - gamma0[1] ** 2)) & (gamma[1][1] == -gamma0[1] * alpha0[1] / (1 - gamma0[1] ** 2))
+      & (monic_of(a_of[0]) == Z + alpha0[1] - gamma0[1]) & (monic_of(b_of[0]) == Z + alpha0[1] + gamma0[1]), over={alpha0: vector(1), gamma0: vector(1)},
+      where=[let(n, 1), *ORBIT, *VECTORS], by=[identity(), instances()], note="One step of (4.4) from any point, and a(z), b(z) there.")
 
 claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al) + abs(ga) < 1, schur(a) & pos_on_circle(D)),
       over=POINT, where=D_ONE,
@@ -113,12 +106,14 @@ claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) t
            "(D < 0) and its pole lies inside the circle.")
 
 claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", iff(defined(alpha[1]), (ga != 1) & (ga != -1)), over=POINT,
-      where=ONE, by=[example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
+      where=ONE, by=[steps("BLZ94-E8.1", prose="A step divides by 1 - gamma^2 and by nothing else."), example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
 
+#: the orbit of (0, ga)
+_AXIS = (rec(v, t, 0, v[t] / (1 - w[t] ** 2)), rec(w, t, ga, -w[t] * v[t] / (1 - w[t] ** 2)))
 claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
-      forall(t, 0, 3, al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (0 * al / (1 - ga**2) == 0), over=POINT, where=ONE,
-      by=[steps("BLZ94-E4.13", prose="The two coefficients d_0 = 1 + alpha^2 - gamma^2 and d_1 = alpha are multiplied by the same factor in each step. With "
-                                     "alpha = 0, (8.1) gives (0, 0)."), instances(20)])
+      always(t, (al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (v[t] == 0) & (w[t + 1] == 0)), over=POINT, where=[*ONE, *_AXIS],
+      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)]]), instances(20)],
+      note="The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
 
 claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
       ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2)),
@@ -129,7 +124,7 @@ claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
           example({al: 1, ga: 1, kappa: 2}), example({al: 1, ga: 2, kappa: 1}), example({al: 1, ga: 3, kappa: -1}), example({al: 0, ga: 1, kappa: -1}),
           example({al: 2, ga: 2, kappa: "1/2"})])
 
-_CROSS = forall(t, 0, m, (alpha[t] - lam) * (al - 1 / lam) == lam ** (2 * t) * (al - lam) * (alpha[t] - 1 / lam))
+_RHO = 1 - gamma[t] ** 2
 claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point of its curve with |alpha| <= 1",
       abs(al) <= 1, over=POINT, where=[*D_ONE, *ONE],
       given=[given("D is sign definite", DEFINITE), given("the orbit stays where it is", (alpha[1] == al) & (gamma[1] == ga))],
@@ -137,9 +132,11 @@ claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point o
       note="A consequence for equilibria, whose limit is the point itself: (2, 0) lies in the shaded region and stays there.",
       repair=repair("missing hypothesis", "The equilibria with |alpha| > 1 and the points that escape have to be excepted; otherwise the cross ratio with "
                                           "the two equilibria of the curve is multiplied by lambda^2 in each step, lambda the one inside.",
-                    _CROSS, sizes=["m"], over={lam: nonzero(), x: scalar()},
-                    where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, let(e, HALF * (lam + 1 / lam))],
-                    by=[identity(m=range(0, 4)), instances(m=(1, 2, 3))]))
+                    always(t, (alpha[t] - lam) * (al - 1 / lam) == p[t] * (al - lam) * (alpha[t] - 1 / lam)), over={lam: nonzero(), x: scalar()},
+                    where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, let(e, HALF * (lam + 1 / lam)), rec(p, t, 1, lam**2 * p[t])],
+                    by=[induction(also=[1 + alpha[t] ** 2 - gamma[t] ** 2 == 2 * e * alpha[t]],
+                                  cofactors=[[(alpha[t] * lam / _RHO, 0, 1), ((p[t] * lam * (al - lam) - lam * al + 1) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]),
+                        instances(20, horizon=3)]))
 
 claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots only at (1, 0) and (-1, 0)",
       iff((substitute(a, x) == 0) & (substitute(b, x) == 0) & (substitute(a, w) == 0), (ga == 0) & (al == -x) & (x == w)),
@@ -172,45 +169,66 @@ claim("BLZ94-S61", "0 < kappa^2 < 1: the equilibria on the curve, and how they a
                                     "other orbit tends to the root inside is the cross ratio of Figure 8.2. The Jacobian at (alpha, 0) is diag(1, -alpha)."),
           example({kappa: "1/2"}), example({kappa: "-1/3"}), example({kappa: 2}), instances(20)])
 
-#: 1/kappa = -cos(2 pi q/p) for one q prime to p
-_COS = when(p == 3, HALF, when(p == 4, 0, when(p == 5, (1 + sqrt(5)) / 4, when(p == 6, -HALF, when(p == 8, sqrt(2) / 2, when(
-    p == 10, -(1 + sqrt(5)) / 4, -sqrt(3) / 2))))))
-_PERIODS = (3, 4, 5, 6, 8, 10, 12)
-_CURVE = (let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE)
+_NUM = x**2 - 2 * e * x + 1
+_MOBIUS = (rec(d, t, x, d[t] - c[t]), rec(c, t, 1, d[t] + (1 - 2 * e) * c[t]), rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]))
+claim("BLZ94-X.9", "alpha - gamma moves by a fractional linear map, whose powers are known",
+      always(t, ((alpha[t] - gamma[t]) * c[t] == d[t]) & (d[t] - x * c[t] == -v[t] * _NUM)), over={e: scalar(), x: scalar()},
+      where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, *_MOBIUS],
+      by=[induction(also=[1 + alpha[t] ** 2 - gamma[t] ** 2 == 2 * e * alpha[t], c[t] == v[t] * (x + 1 - 2 * e) - w[t],
+                          d[t] == (v[t] - w[t]) * x - v[t]],
+                    cofactors=[[(1 - alpha[t] * (1 + gamma[t]) / _RHO, 0, 1), (c[t] * (1 + gamma[t]) / _RHO, 2, 1)], [(1, 4, 1), (-1, 3, 1), (-x, 4, 1), (-x * (1 - 2 * e), 3, 1)],
+                               [(1 / _RHO, 2, 1)], [(1, 4, 1), (1 - 2 * e, 3, 1)], [(1, 4, 1), (-1, 3, 1)]]),
+          instances(20, horizon=3)],
+      note="Not printed. (d_t, c_t) is (x, 1) times the t-th power of ((1, -1), (1, 1 - 2e)), and v_t is the entry 2, 1 of it. With e = -cos(2 phi) the rotation is by "
+           "phi and v_t a multiple of sin(t phi); for |e| < 1 the factor x^2 - 2ex + 1 is not zero, so that alpha - gamma is back at x exactly if sin(t phi) = 0.")
+
+#: 1/kappa = -cos(2 pi q/p), q and p coprime: then the z^k - 1 have only z - 1 in common
+_COS = -cospi(2 * q, p)
+_PRIME = standing("q and p coprime, q < p/2", coprime(sum_of(k, 0, p - 1, Z**k), sum_of(k, 0, q - 1, Z**k)) & (2 * q < p))
+_CURVE = (let(e, _COS), let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE)
 #: w is the first step at which the orbit is back; alpha - gamma names the point
 _RETURN = (function(f, [k], when(alpha[k] - gamma[k] == x, k, f(k + 1))), let(w, f(1)))
 _PERIOD = w == p
-claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
-      by=[instances(28, p=_PERIODS)],
-      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p). One q for each p in 3, 4, 5, 6, 8, 10, 12; x = alpha - gamma names any point of the curve.")
+_ROTATION = steps("BLZ94-E8.4", "BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
+                  prose="By X.9 the orbit is back at time t exactly if sin(t phi) = 0, with phi = pi q/p.")
+claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p", "q"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
+      given=[_PRIME], by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9), q=(1, 2, 3, 4))],
+      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p), with 2 pi q/p in (0, pi/2) for kappa < -1 and in (pi/2, pi) for kappa > 1. x = alpha - gamma names any point "
+           "of the curve.")
 
-claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[*_CURVE, *_RETURN], by=[instances(28, p=_PERIODS)],
-      note="Checked for p = 3, 4, 5, 6, 8, 10, 12. In general 1/kappa = -cos(2 pi/p) has the angle pi/p, with q = 1: kappa < -1 for p > 4, kappa infinite for "
-           "p = 4, kappa = 2 for p = 3.")
+claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[let(q, 1), *_CURVE, *_RETURN], given=[standing("p > 2", p > 2)],
+      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on.")
 
-claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p"],
+claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p", "q"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
-             function(f, [k], when(y(k) == 0, k, f(k + 1)))],
-      by=[instances(p=_PERIODS)],
+             function(f, [k], when(y(k) == 0, k, f(k + 1)))], given=[_PRIME],
+      by=[steps("BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
+                prose="The points that escape are those that go to one of the two points at infinity of the curve, a = infinity and a = e, under a rotation of order p. For odd p the two "
+                      "have different orbits of p points each, for even p the same; the points at infinity are not counted."),
+          instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10, 11), q=(1, 2, 3, 4, 5))],
       note="alpha = y(k) moves to infinity in k steps; each such alpha belongs to two points, gamma and -gamma. Going back from infinity one comes "
            "to alpha = 0, which nothing moves to, and there the list ends.")
 
 claim("BLZ94-X8.B", "other angles: no orbit returns, and infinitely many points escape",
-      (w == 1) & (v == m), sizes=["m"], over={x: scalar(), e: scalar()},
-      where=[let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)), *ONE, function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
-             let(w, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))), let(v, sum_of(k, 1, m, when(y(k) == 0, 0, 1)))],
-      given=[standing("indefinite", abs(e) < 1), given("not a rational angle", e * (4 * e**2 - 1) != 0)],
-      by=[steps(facts=["Niven: 0, 1/2, 1 and their negatives are the only rational cosines of rational multiples of pi",
-                       "Kronecker: the multiples of an irrational angle are dense in the circle"],
-                prose="The curve is a circle on which each step is a rotation by one angle; y(k) are the alpha that escape at step k. w counts the visits at the start, v the y(k) that are not zero."),
+      (d == 1) & (c == m), sizes=["m"], over={x: scalar(), e: scalar()},
+      where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]),
+             function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
+             let(d, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))),
+             let(c, sum_of(k, 1, m, when((y(k) == 0) | exists(j, 1, k - 1, y(j) == y(k)), 0, 1)))],
+      given=[standing("indefinite", abs(e) < 1), given("the angle is not k pi/j for j <= 2m + 2", forall(k, 1, 2 * m + 2, v[k] != 0))],
+      by=[steps("BLZ94-X.9", facts=["Kronecker: the multiples of an irrational angle are dense in the circle"],
+                prose="The curve is a circle on which each step is a rotation by one angle, by X.9; v_k is a multiple of sin(k phi), which never vanishes for an irrational angle. So no orbit "
+                      "returns, each is dense, and going back from infinity never ends."),
           example({"m": 3, x: "1/3", e: "1/2"}), example({"m": 4, x: "1/3", e: 0}), example({"m": 6, x: "1/3", e: "-1/2"}),
-          instances(30, m=(3, 6, 8), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
-      note="Rational 1/kappa = e with |e| < 1; that orbits are dense is the second fact.")
+          instances(30, m=(3, 5), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
+      note="1/kappa = e. d counts the visits at the start within m steps, c the different ones among the alpha y(1), ..., y(m), which escape after as many steps.")
 
 claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
-      forall(t, 0, m, (alpha[t] - c) * (1 - c * t * (x - c)) == x - c), sizes=["p", "m"], over={x: scalar()},
-      where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE], by=[identity(p=(1, 2), m=range(0, 5)), instances(p=(1, 2), m=(2, 3))],
-      note="c = kappa. Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is 1 = c t (x - c) for some t, a countable set. At (c, 0) the "
+      always(t, (alpha[t] - c) * w[t] == x - c), sizes=["p"], over={x: scalar()},
+      where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE, rec(w, t, 1, w[t] - c * (x - c))],
+      by=[induction(p=(1, 2), also=[gamma[t] ** 2 == (alpha[t] - c) ** 2],
+                    cofactors=[[((1 + c * (alpha[t] - c)) / _RHO, 0, 1), ((c * w[t + 1] + x - c) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]), instances(p=(1, 2))],
+      note="c = kappa, and w_t = 1 - ct(x - c). Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is w_t = 0 for some t, a countable set. At (c, 0) the "
            "Jacobian is diag(1, -c): both eigenvalues have modulus one. Near (c, 0), (alpha - c)^2 - gamma^2 takes both signs, so curves of all "
            "types come near.")
 
@@ -221,157 +239,15 @@ claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order
       note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1); the other entries of gamma "
            "are earlier values of gamma_{n-1} after n - 1 steps.")
 
-# ---------------------------------------------------------------------- order two
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",
       w == p, sizes=["p"], over={x: scalar()},
-      where=[let(n, 2), let(e, _COS), let(al, HALF * (x + _B)), let(ga, HALF * (_B - x)),
+      where=[let(n, 2), let(e, -cospi(2, p)), let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)),
              let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT,
              function(f, [k], when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, f(k + 1)), f(k + 1))), let(w, f(1))],
-      by=[instances(12, p=(3, 4, 5))],
-      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. The second sentence follows from X8.B: arbitrarily close to any kappa of "
-           "period p there are kappa with dense, hence unbounded, orbits.")
-
-claim("BLZ94-E8.5", "(8.5) is (4.4) for n = 2",
-      (alpha[1][1] == alpha0[1] / (1 - gamma0[2] ** 2) + gamma0[2] / (1 - gamma0[2] ** 2) * gamma0[1] / (1 - gamma0[1] ** 2) * alpha0[2])
-      & (alpha[1][2] == alpha0[2] / (1 - gamma0[1] ** 2)) & (gamma[1][1] == gamma0[2])
-      & (gamma[1][2] == -alpha[1][1] * gamma0[2] - alpha[1][2] * gamma0[1]), over={alpha0: vector(2), gamma0: vector(2)}, where=[let(n, 2), *ORBIT],
-      by=[identity(), instances()])
-
-al1, al2, ga0, ga1 = symbols("alpha1 alpha2 gamma0 gamma1")
-_R1, _R2 = 1 - ga0**2, (1 - ga0**2) * (1 - ga1**2)
-_PHI2 = (let(a, Z * (Z - ga0) - ga1 * (1 - ga0 * Z) + al1 * (Z - ga0) + al2), let(b, Z * (Z + ga0) + ga1 * (1 + ga0 * Z) + al1 * (Z + ga0) + al2),
-         let(D, symmetric_part(a, b)))
-_POINT2 = {al1: scalar(), al2: scalar(), ga0: scalar(), ga1: scalar()}
-claim("BLZ94-E8.6", "the coefficients of D for n = 2",
-      (coeff(D, 0) == al2**2 + _R1 * al1**2 + _R2) & (coeff(D, 1) == _R1 * al1 + al1 * al2 + ga0 * ga1 * al2) & (coeff(D, 2) == al2),
-      over=_POINT2, where=_PHI2, by=[identity(), instances()], note="kappa_i = 2 d_i/d_0, so (8.6) is 2 d_i = kappa_i d_0.")
-
-claim("BLZ94-E8.7", "the constants at an equilibrium for n = 2",
-      (2 * coeff(D, 1) / coeff(D, 0) == 2 * al1 * (1 + al2) / (al2**2 + al1**2 + 1)) & (2 * coeff(D, 2) / coeff(D, 0) == 2 * al2 / (al2**2 + al1**2 + 1)),
-      over={al1: scalar(), al2: scalar()}, where=[let(ga0, 0), let(ga1, 0), *_PHI2], by=[identity(), instances()])
-
-_W = let(f, Z**2 + al1 * Z + al2)
-_AL = {al1: scalar(), al2: scalar()}
-_TRIANGLE = (abs(al1) <= 1 + al2) & (al2 <= 1)
-_GRID = ((0, -1), (-2, 1), (2, 1), (1, 1), (0, 1), (1, 0), (-1, 0), ("1/2", "-1/2"), ("-1/2", "-1/2"), (3, 2), (-3, 2), (3, 1), (0, 2), (0, "-3/2"),
-         (1, "1/4"), (0, "1/2"), (1, "1/2"), ("1/2", 0), (1, "1/5"), ("247/100", "3/2"), (-2, 2), (-1, "1/4"))
-_EDGES = [example({al1: x_, al2: y_}) for x_, y_ in _GRID]
-claim("BLZ94-F8.3a", "the closed triangle is the set of alpha with all zeros inside the unit circle", iff(_TRIANGLE, schur(f)), over=_AL, where=[_W],
-      by=[*_EDGES[:1], instances(20)], note="The text says that all zeros lie inside the unit circle, and speaks of the closed triangle.",
-      repair=repair("boundary case", "The closed triangle belongs to zeros in the closed disc; on its boundary zeros lie on the circle.",
-                    iff(_TRIANGLE, inside_roots(f) + circle_roots(f) == 2), over=_AL, where=[_W],
-                    by=[steps(facts=["Schur and Cohn: all roots of z^2 + uz + v lie in |z| < 1 if and only if |v| < 1 and |u| < 1 + v"],
-                              prose="The closed case is its limit."), *_EDGES, instances(20)]))
-
-claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
-      iff((abs(al1) < 1 + al2) & (al2 < 1), schur(f)) & (circle_roots(f * q) == 2 * circle_roots(f))
-      & iff(w == 1, schur(f) & (real_roots(f, -1, 1) == 2))
-      & iff(4 * al2 > al1**2, v == 1),
-      over={al1: scalar(), al2: nonzero()}, where=[_W, let(q, 1 + al1 * Z + al2 * Z**2), let(w, when((abs(al1) < 1 + al2) & (al2 < 1) & (4 * al2 < al1**2), 1, 0)), let(v, when(real_roots(f, -1000, 1000) == 0, 1, 0))],
-      by=[steps(facts=["the discriminant of z^2 + uz + v is u^2 - 4v"], prose="z^2 D = f q up to a factor, q having the inverse roots of f."),
-          *[example({al1: x_, al2: y_}) for x_, y_ in _GRID if y_ != 0], instances(20)],
-      note="v = 1 without real zeros, w = 1 inside the triangle below the parabola; f = alpha_infinity(z), q its reversed polynomial.")
-
-claim("BLZ94-F8.3c", "the other equilibria with the same D",
-      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
-      over={x: nonzero(), y: nonzero()}, where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y))],
-      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1)],
-      by=[steps(facts=["a polynomial has one factorization into linear ones"],
-                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. A complex pair can only be "
-                      "replaced together."),
-          instances(20, using={u: nonzero(), v: nonzero()}, made_by={x: u / 7, y: v / 7}), example({x: 2, y: "1/2"}), example({x: "1/3", y: 2}),
-          example({x: "1/3", y: "1/2"})],
-      note="Real zeros x, y. For x = y, on the parabola, the two saddles are one.")
-
-_ROWS = rows([[1 + al1**2 + al2**2, al1 * (1 + al2), al2], [2 * al1, 1 + al2, 0], [2 * al2, al1, 1]])
-_SAME = given("on the same invariant manifold", (al1 * (1 + al2) * (1 + u**2 + v**2) == u * (1 + v) * (1 + al1**2 + al2**2))
-              & (al2 * (1 + u**2 + v**2) == v * (1 + al1**2 + al2**2)))
-_INTERIOR = given("interior of the triangle", (abs(u) < 1 + v) & (v < 1))
-_FOUR = {al1: scalar(), al2: scalar(), u: scalar(), v: scalar()}
-claim("BLZ94-S65", "the invariant manifold of an interior point has no singular point among the equilibria", rank(e) == 3, over=_FOUR, where=[let(e, _ROWS)],
-      given=[_INTERIOR, _SAME], by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), instances(made_by={al1: u + 0, al2: v + 0})],
-      note="The rows are (d_0, d_1, d_2) at (alpha, 0) and its derivatives; those in gamma vanish. (u, v) = (1, 1/4) lies on the parabola, and (5/2, 1) on "
-           "its manifold.",
-      repair=repair("missing hypothesis", "The points on the parabola have to be excepted: reflecting one of two equal zeros gives an equilibrium with a pair "
-                                          "of reciprocal zeros, which is a singular point.",
-                    rank(e) == 3, over=_FOUR, where=[let(e, _ROWS)], given=[_INTERIOR, _SAME, given("not on the parabola", u**2 != 4 * v)],
-                    by=[example({al1: "5/2", al2: 1, u: 1, v: "1/4"}), example({al1: 0, al2: 1, u: 0, v: 0}), example({al1: 3, al2: 2, u: 3, v: 2}),
-                        instances(made_by={al1: u + 0, al2: v + 0}),
-                        instances(using={x: nonzero(), y: nonzero()}, made_by={u: -x / 7 - y / 7, v: x * y / 49, al1: -7 / x - y / 7, al2: y / x})]))
-
-claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
-      by=[identity(), instances()], note="The determinant vanishes exactly on the three lines that bound the triangle.")
-
-claim("BLZ94-S64", "a = b occurs only at equilibria; a common root one outside of them", iff(a == b, (ga0 == 0) & (ga1 == 0)), over=_POINT2, where=_PHI2,
-      by=[steps(prose="b - a = 2 gamma_0 z + 2(gamma_1 + alpha_1 gamma_0). a(1) = b(1) = 0 holds for instance at (-1, 0, 0, 0) and at (-2, 1, 0, 0), and with "
-                      "gamma_0 = -gamma_1/(1 + alpha_1) and 1 + alpha_1 + alpha_2 + gamma_0 gamma_1 = 0."),
-          example({al1: 1, al2: 1, ga0: 0, ga1: 0}), example({al1: 1, al2: 1, ga0: 0, ga1: 1}), example({al1: 1, al2: 1, ga0: 1, ga1: -1}), instances()])
-
-claim("BLZ94-S67", "n = 2: no eigenvalue on the circle exactly off the boundary of the triangle",
-      iff(circle_roots(f) == 0, w == 0), over=_AL, where=[_W, let(w, when(_TRIANGLE, when((abs(al1) == 1 + al2) | (al2 == 1), 1, 0), 0))],
-      by=[example({al1: -3, al2: 2}), instances(10)],
-      note="w = 1 on the boundary. The text speaks of the lines through the corners and of the boundary as if they were the same. The center manifold has dimension 2 + c.",
-      repair=repair("other", "The two lines through (0, -1) belong entirely to zeros at 1 and -1, also beyond the triangle; of the third only the edge.",
-                    iff(inside_roots(f) + outside_roots(f) == 2, v == 1), over=_AL,
-                    where=[_W, let(v, when(((1 + al2) ** 2 == al1**2) | ((al2 == 1) & (abs(al1) <= 2)), 0, 1))],
-                    by=[steps(prose="A zero 1 or -1 is 1 + v = -u or u; a pair on the circle is v = 1 with |u| < 2."), *_EDGES, instances(20)]))
-
-claim("BLZ94-S70", "dimensions of the center manifolds on the boundary of the triangle", x == y, over=_AL,
-      where=[_W, let(x, circle_roots(f)), let(y, when(al2 == 1, 2, when((al1 == 0) & (al2 == -1), 2, 1)))],
-      given=[standing("boundary", _TRIANGLE & ((abs(al1) == 1 + al2) | (al2 == 1)))],
-      by=[steps(prose="The dimension is n + c (Theorem 5.2), c the number of zeros on the circle: v = 1 has two, (0, -1) has 1 and -1, the open edges have one."),
-          *_EDGES[:5], instances(10, using={u: scalar()}, made_by={al2: u**2 / (1 + u**2), al1: 1 + u**2 / (1 + u**2)}),
-          instances(10, using={u: scalar()}, made_by={al2: -1 + u**2 / (2 + u**2), al1: u**2 / (2 + u**2)})])
-
-_AB2 = (let(a, Z**2 + al1 * Z + al2), let(b, Z**2 + ga0 * Z + ga1), let(D, symmetric_part(a, b)),
-        let(e, rows([[coeff(D, 0), coeff(D, 1), coeff(D, 2)],
-                     [coeff(symmetric_part(Z, b), 0), coeff(symmetric_part(Z, b), 1), coeff(symmetric_part(Z, b), 2)],
-                     [coeff(symmetric_part(1, b), 0), coeff(symmetric_part(1, b), 1), coeff(symmetric_part(1, b), 2)],
-                     [coeff(symmetric_part(a, Z), 0), coeff(symmetric_part(a, Z), 1), coeff(symmetric_part(a, Z), 2)],
-                     [coeff(symmetric_part(a, 1), 0), coeff(symmetric_part(a, 1), 1), coeff(symmetric_part(a, 1), 2)]])))
-claim("BLZ94-S69", "the invariant manifold of a point with v = 1, or of (0, -1), has dimension less than two",
-      rank(e) < 3, over={**_POINT2, u: scalar()}, where=_AB2,
-      given=[given("on the manifold of (u, 1)", (coeff(D, 0) == coeff(D, 2) * (2 + u**2)) & (coeff(D, 1) == coeff(D, 2) * 2 * u)),
-             standing("D is not zero", coeff(D, 2) != 0)],
-      by=[example({al1: 0, al2: 0, ga0: 0, ga1: 1, u: 0}), instances(10, made_by={al1: u + 0, al2: 1 + 0 * u, ga0: u + 0, ga1: 1 + 0 * u})],
-      note="a = z^2 + alpha_1 z + alpha_2 and b = z^2 + gamma_0 z + gamma_1 here. Where D, up to a factor, is a map of rank two, the manifold is a surface. In "
-           "the example a = z^2, b = z^2 + 1, with the D of z^2 + 1.",
-      repair=repair("other", "Only the equilibrium itself is singular: the manifold is a surface at its points whose polynomial a(z) has no pair of reciprocal zeros.",
-                    rank(e) == 3, over={**_POINT2, u: scalar()}, where=_AB2,
-                    given=[given("a has no reciprocal zeros", (al2 - 1) * ((1 + al2) ** 2 - al1**2) != 0)],
-                    by=[steps(prose="The last two rows and a(z)b(1/z) + a(1/z)b(z) are the values of an invertible linear map at z, 1 and b."),
-                        example({al1: 1, al2: 1, ga0: 1, ga1: 1, u: 1}), example({al1: "5/2", al2: 1, ga0: "5/2", ga1: 1, u: 1}), instances(20)]))
-
-_CLOSED = (let(n, 2), let(alpha0, rows([[0], [2]])), let(gamma0, rows([[rational("1/2")], [rational("1/3")]])), *ORBIT,
-           function(al1, [t], alpha[t][1]), function(al2, [t], alpha[t][2]), function(ga0, [t], gamma[t][1]), function(ga1, [t], gamma[t][2]),
-           function(a, [t], Z * (Z - ga0[t]) - ga1[t] * (1 - ga0[t] * Z) + al1[t] * (Z - ga0[t]) + al2[t]),
-           function(b, [t], Z * (Z + ga0[t]) + ga1[t] * (1 + ga0[t] * Z) + al1[t] * (Z + ga0[t]) + al2[t]),
-           function(D, [t], symmetric_part(a[t], b[t])))
-claim("BLZ94-X8.1a", "the point (0, 2, 1/2, 1/3): D is positive, v is not positive real, the orbit converges",
-      (D[0] == rational("14/3") + (Z + 1 / Z) / 3 + 2 * (Z**2 + Z**(-2))) & pos_on_circle(D[0]) & ~schur(a[0]) & schur(a[6]) & pos_on_circle(D[6]) & coprime(a[0], b[0]), where=_CLOSED, by=[evaluation()],
-      note="After six steps the data are positive real; from there the classical theorem gives convergence. alpha_2 = 2 > 1 places the point in an unbounded region.")
-claim("BLZ94-X8.1b", "|gamma_t| exceeds one exactly twice",
-      (sum_of(k, 0, 12, when(abs(gamma[k][1]) > 1, 1, 0)) == 2) & (abs(gamma[2][1]) > 1) & (abs(gamma[4][1]) > 1) & schur(a[5]) & pos_on_circle(D[5]), where=_CLOSED,
-      by=[evaluation()], note="From step five on the data are positive real, so that |gamma_t| < 1.")
-claim("BLZ94-X8.1c", "after six steps the data are positive real and remain so", schur(a[6]) & pos_on_circle(D[6]) & schur(a[7]) & pos_on_circle(D[7]) & ~pos_on_circle(D[4]),
-      where=_CLOSED, by=[evaluation()], note="Five steps are enough. Positive realness is kept by the algorithm, as the Schur parameters of v_t are later ones of v.")
-
-claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
-      (k2 * (x**2 - 2) + k1 * x + 2 == 0) & (k2 * (y**2 - 2) + k1 * y + 2 == 0), over={k1: scalar(), k2: nonzero(), w: scalar()},
-      where=[let(x, (-k1 + w) / (2 * k2)), let(y, (-k1 - w) / (2 * k2))], given=[given("w is the root", w**2 == k1**2 - 8 * k2 + 8 * k2**2)],
-      by=[steps(prose="2D/d_0 = 2 + kappa_1(z + 1/z) + kappa_2(z^2 + 1/z^2), and z^2 + 1/z^2 = (z + 1/z)^2 - 2; z + 1/z = 2 cos(phi) = 2/beta."),
-          instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
-
-_F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
-claim("BLZ94-X8.2", "the period 144",
-      (X**144 == Identity(14)) & (X**72 != Identity(14)) & (X**72 != -Identity(14)) & (X**48 != Identity(14)),
-      where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0))))], by=[evaluation()],
-      note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
-           "matrix is X. The orbit returns when S^p is the identity; S^p = -I would exchange a and b.")
-
-not_checked("BLZ94-F8.4a", "one bounded and four unbounded regions in Figure 8.4", "a statement read off a picture, about the number of components of a planar set")
-not_checked("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to", "it is Theorem 7.1 for the points of a picture")
-not_checked("BLZ94-F8.5", "the plot of an orbit", "a picture without printed numbers; what the text says of it is in X8.1a, X8.1b and X8.1c")
-not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point", "the initial point and its rounding are not printed")
-not_checked("BLZ94-S66", "the manifold of an interior point is its global stable manifold", "it is Corollary 7.2 with Theorem 7.1 for n = 2; not yet stated as an exact formula")
-not_checked("BLZ94-S71", "three behaviours in the white region", "periodic points and escape are in P8.1 and X8.A2; density on some manifold is not yet stated as an exact formula")
+      given=[standing("p > 2", p > 2)],
+      by=[steps("BLZ94-E8.4", "BLZ94-X.9", "BLZ94-S63", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t",
+                                                              "Kronecker: the multiples of an irrational angle are dense in the circle"],
+                prose="On the curves with angle pi/p every x gives another point. Arbitrarily close to any kappa are those with irrational angle, whose orbits are dense in the "
+                      "unbounded curve."),
+          instances(12, p=(3, 4, 5, 6, 7))],
+      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. alpha_2 = 0 is the case of S63.")

@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import example, first, generic_index, identity, induction, instances, lemma, order, use, within
 from exactkf.language import (
     Identity,
     T,
@@ -51,12 +51,14 @@ from exactkf.language import (
     pd,
     positive_semidefinite,
     prod,
+    psd,
     rank,
     rec,
     rows,
     scalar,
     schur,
     sequence,
+    standing,
     substitute,
     sum_of,
     sym,
@@ -111,38 +113,53 @@ claim("D71-E8.2", "the update step by step",
 
 # --- a Jordan block turned over -----------------------------------------------------------------------------------------
 
-mu, X, choose, a_, b_ = symbols("mu X choose a_ b_")
-PASCAL = function(choose, [a_, b_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(a_ - 1, b_ - 1) + choose(a_ - 1, b_))))
+mu, X, choose, a_, b_, row, column, t_ = symbols("mu X choose a_ b_ row column t")
+Xr, pw, sg = symbols("Xr pw sg")
+#: choose(b, a) is a over b
+PASCAL = function(choose, [b_, a_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(b_ - 1, a_ - 1) + choose(b_, a_ - 1))))
+#: the powers of mu and of -1
+POWERS = [rec(pw, t_, 1, mu*pw[t_]), rec(sg, t_, 1, -sg[t_])]
 ADJOINT = mu*I + T(superdiagonal(n))
 TURNED = jordan_block(1/mu, n)
 
 
 def turning(size, lower):
     """The matrix (8.3) with the lower index of its binomial."""
-    return matrix_of(i, j, size, size, when(j > size - i, to_expr(-1)**(j - 1)*choose(j - 1, lower)*mu**(size + j - i - 1), 0))
+    return matrix_of(i, j, size, size, when(j > size - i, sg[j - 1]*choose(lower, j - 1)*pw[size + j - i - 1], 0))
 
 
-PRINTED_X = [PASCAL, let(X, turning(n, i - n))]
-RIGHT_X = [PASCAL, let(X, turning(n, n - i))]
-TO_6 = range(1, 7)
+PRINTED_X = [PASCAL, *POWERS, let(X, turning(n, i - n))]
+RIGHT_X = [PASCAL, *POWERS, let(X, turning(n, n - i))]
+#: X with its columns in reverse order is lower triangular
+REVERSED = let(Xr, matrix_of(i, j, n, n, X[i, n + 1 - j]))
 MU_ONE = example(n=2, mu=1)
 BINOMIAL = "the lower index of the binomial is n - i; with i - n every row of X but the last vanishes"
+CARRIES = X == ADJOINT*X*TURNED
+DIAGONAL = det(T(Xr)) == prod(k, 1, n, sg[n - k]*pw[n - k + (n - k)])
+ADJOINT_REGULAR = det(T(ADJOINT)) == prod(k, 1, n, mu)
+#: powers one after the other, a over a, and Pascal's rule where column j - 1 and row i meet
+PASCALS_RULE = generic_index(
+    lemma(t_, (pw[t_ + 1] == mu*pw[t_]) & (sg[t_ + 1] == -sg[t_]), direct=True),
+    lemma(t_, choose(t_, t_) == 1, uses=[use(1, t=t_), use(choose, t_ + 1, t_ + 1), use(choose, t_ + 1, t_)]),
+    closed=[choose], triangular=I,
+    uses=[use(1, t=n - column), use(0, t=n + column - row - 1), use(0, t=n + column - row - 2), use(0, t=column - 2),
+          use(choose, n - row + 1, column - 1), use(choose, column - 1, column - 2)])
 
 claim("D71-T8.2", "the inverse of an adjoint Jordan block is similar to a Jordan block",
-      (inv(ADJOINT) == X*TURNED*inv(X)) & (det(X) == mu**(n*(n - 1))),
-      sizes=["n"], over={mu: nonzero()}, where=RIGHT_X,
-      by=[identity(n=TO_6), instances(n=range(1, 5))],
+      CARRIES & DIAGONAL & ADJOINT_REGULAR,
+      sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))],
       note="mu stands for the conjugate of omega and may be complex, as the identities are rational in it; omega is not 0, as the inverse presupposes. "
-           "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right, and the determinant shows that X^{-1} exists.")
+           "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right: X = Omega* X (I/omega* + N) with nonsingular X and Omega*. "
+           "X_r is X with its columns in reverse order, so that det X is det X_r or its negative; pw_k = mu^k and sg_k = (-1)^k.")
 
 claim("D71-E8.3", "the matrix X is nonsingular and carries one block to the other",
-      invertible(X) & (X == ADJOINT*X*TURNED),
+      invertible(X) & CARRIES,
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
-      repair=repair("index", BINOMIAL, (det(X) == mu**(n*(n - 1))) & (X == ADJOINT*X*TURNED),
-                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
-      note="mu stands for the conjugate of omega. A binomial with a negative lower index is 0. The X printed is "
-           "singular for every n > 1; of the corrected one the repair gives the determinant.")
+      repair=repair("index", BINOMIAL, DIAGONAL & CARRIES,
+                    sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))]),
+      note="mu stands for the conjugate of omega, pw_k is mu^k and sg_k is (-1)^k. A binomial with a negative lower index is 0. The X printed is "
+           "singular for every n > 1; of the corrected one, with its columns in reverse order, the repair gives the determinant.")
 
 
 def example_four(two, three):
@@ -154,21 +171,22 @@ FOUR = (mu*Identity(4) + T(superdiagonal(4)))*X*jordan_block(1/mu, 4)
 
 claim("D71-E8.4", "the matrix X for n = 4",
       eq(X, turning(4, 4 - i), FOUR),
-      over={mu: nonzero()}, where=[PASCAL, let(X, example_four(1, 1))],
+      over={mu: nonzero()}, where=[PASCAL, *POWERS, let(X, example_four(1, 1))],
       by=[example(mu=1), instances()],
       repair=repair("factor", "the binomials are missing: 2 mu^3, -3 mu^4 in the third row and -3 mu^5 in the second",
                     eq(X, turning(4, 4 - i), FOUR),
-                    over={mu: nonzero()}, where=[PASCAL, let(X, example_four(2, 3))], by=[identity(), instances()]),
+                    over={mu: nonzero()}, where=[PASCAL, *POWERS, let(X, example_four(2, 3))], by=[identity(), instances()]),
       note="Tested against (8.3) with its binomial put right and against the equation (8.5) that X is for. All the coefficients in the scan of (8.4) are "
            "1 or -1, which fits neither of them, whichever way the index in (8.3) is read.")
 
 claim("D71-E8.5", "the equation that X satisfies",
-      (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
+      CARRIES & (inv(ADJOINT)*X == X*TURNED),
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
-      repair=repair("index", f"{BINOMIAL} and the equation fails", (X == ADJOINT*X*TURNED) & (inv(ADJOINT)*X == X*TURNED),
-                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[identity(n=TO_6), instances(n=range(1, 5))]),
-      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block.")
+      repair=repair("index", f"{BINOMIAL} and the equation fails", CARRIES & ADJOINT_REGULAR,
+                    sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[PASCALS_RULE, instances(n=range(1, 5))]),
+      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block, which exists by its "
+           "determinant, in the repair.")
 
 # --- cyclic subspaces ---------------------------------------------------------------------------------------------------
 
@@ -177,11 +195,16 @@ KRYLOV = function(krylov, [q], matrix_of(i, j, n, q, (A**(j - 1)*x)[i]))
 PHI = let(phi, Z**p - sum_of(k, 1, p, a[k]*Z**(p - k)))
 CYCLIC_SIZES = {"n": range(1, 4), "p": range(1, 4)}
 
+horner, power, tail = symbols("horner power tail")
+
 claim("D71-E8.8", "the minimal annihilating polynomial",
-      substitute(phi, A)*x == A**p*x - sum_of(k, 1, p, a[k]*A**(p - k)*x),
-      sizes=["n", "p"], over={A: matrix(n, n), x: vector(n), a: sequence(1, p)}, where=[PHI],
-      by=[identity(**CYCLIC_SIZES), instances(**CYCLIC_SIZES)],
-      note="A definition; the content checked is that phi(A)x = 0 says the same as (8.8): the two differ by nothing at all.")
+      forall(t_, 0, p, horner[t_]*power[p - t_]*x == power[p]*x - tail[t_]*x),
+      sizes=["n", "p"], over={A: matrix(n, n), x: matrix(n, 1), a: sequence(1, p)},
+      where=[rec(power, t_, I, A*power[t_]), rec(horner, t_, I, A*horner[t_] - a[t_ + 1]*I), rec(tail, t_, Zero(n, n), tail[t_] + a[t_ + 1]*power[p - 1 - t_])],
+      given=[standing("the powers, counted from the end", forall(k, 0, p - 1, power[k + 1] == A*power[k]))],
+      by=[induction(also=[A*horner[t_] == horner[t_]*A]), instances(**CYCLIC_SIZES)],
+      note="A definition; the content checked is that phi(A)x = 0 says the same as (8.8). phi(A) is evaluated by Horner's scheme, horner_p, and the sum on the "
+           "right of (8.8) is tail_p: at t = p the two sides are phi(A)x and A^p x less that sum.")
 
 E, d, c = symbols("E d c")
 CYCLIC = {A: matrix(n, n), x: vector(n), a: vector(p), lam: scalar()}
@@ -203,40 +226,50 @@ EIGENVECTOR = (v != Zero(n, 1)) & (theta*(Z - lam) == phi) & (SHIFTED*substitute
 AT_ZERO = example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0)
 NOT_SMALLEST = example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 0], a=[3, -2], lam=2)
 
+ell, quot, theta_t, r = symbols("ell q theta r")
+LESS_LAST = r - t_
+REMAINDER = (A - lam*I)*theta_t[t_]*x == power[r + 1]*x - quot[t_]*power[r + 1 - t_]*x - tail[t_]*x
+#: the eigenvector theta_{r+1} x from the polynomial of degree p = r + 1
+FROM_POLYNOMIAL = {
+    "says": ((A - lam*I)*theta_t[r + 1]*x == Zero(n, 1)) & (ell*theta_t[r + 1]*x == Identity(1)),
+    "sizes": ["n", "r"],
+    "over": {A: matrix(n, n), x: matrix(n, 1), a: sequence(1, r + 1), lam: scalar(), ell: matrix(1, n)},
+    "where": [rec(power, t_, I, A*power[t_]), rec(quot, t_, 1, lam*quot[t_] - a[t_ + 1]), rec(theta_t, t_, Zero(n, n), theta_t[t_] + quot[t_]*power[LESS_LAST]),
+              rec(tail, t_, Zero(n, n), tail[t_] + a[t_ + 1]*power[LESS_LAST])],
+    "given": [standing("the powers, counted from the end", forall(k, 0, r, power[k + 1] == A*power[k])),
+              given("(8.8)", power[r + 1]*x == tail[r + 1]*x), given("a zero of phi", quot[r + 1] == 0),
+              given("p is the smallest", forall(k, 0, r - 1, ell*power[k]*x == Zero(1, 1)) & (ell*power[r]*x == Identity(1)))],
+    "by": [induction(before=[first(forall(t_, 0, r + 1, REMAINDER)), first(forall(t_, 1, r + 1, ell*theta_t[t_]*x == Identity(1)))]),
+           example(n=1, r=0, A=[[1]], x=[[1]], a=[2], lam=2, ell=[[1]]), example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=2, ell=[[1]]),
+           example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=1, ell=[[0]]),
+           instances(n=range(1, 4), r=range(3), using={E: nonsingular(n), d: vector(n)},
+                     made_by={A: E*(matrix_of(i, j, n, n, when(i == j, d[i], 0)) + superdiagonal(n))*inv(E), x: E*matrix_of(i, j, n, 1, when(i == r + 1, 1, 0)),
+                              a: (k, -coeff(prod(t_, 1, r + 1, Z - d[t_]), r + 1 - k)), lam: d[1], ell: matrix_of(i, j, 1, n, when(j == 1, 1, 0))*inv(E)})]}
+
 claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
       EIGENVECTOR,
       sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, theta*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
       by=[example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 1], a=[3, -2], lam=1), instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       repair=repair(
           "other", "v is theta(A)x, the matrix in place of lambda, as the next display of the proof has it; theta(lambda)x is a multiple of x",
-          EIGENVECTOR,
-          sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, substitute(theta, A)*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-          by=[steps("D71-E8.8", prose="phi = (lambda - lambda_i) theta, so (A - lambda_i I) theta(A)x = phi(A)x; theta(A)x is a combination of x, ..., "
-                                      "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
-              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
-      note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
-           "polynomial in the zero.")
-
-cyclic = sym("cyclic")
-HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
-T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
+          **FROM_POLYNOMIAL),
+      note="The quotient theta is written out by synthetic division: q_0 = 1, q_1, ... are its coefficients, in the repair theta_t the sum of the first t "
+           "of its terms at A, and p = r + 1. The powers are counted from the end. That p is the smallest says that A^r x is no combination of the powers "
+           "before it, and so that some row l has l A^r x = 1 and l A^k x = 0 for k < r; then l v = 1. Real zeros of phi; the equations are polynomial in "
+           "the zero.")
 
 claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
-      HAS_EIGENVECTOR,
-      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-      by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
-                prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
-          AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
-      note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
-           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero. The "
-           "definition calls x arbitrary; that it is not 0, whose subspace {0} has no eigenvector at all, goes without saying.")
+      **FROM_POLYNOMIAL,
+      note="The eigenvector is theta_{r+1} x, a combination of x, ..., A^r x that is not zero, as the row l takes it to 1: see D71-E8.11. x is not 0, as "
+           "the subspace of x = 0 has no vector but zero. Real zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real "
+           "numbers the statement needs such a zero.")
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
 R, G, t, partial, back = symbols("R G t partial back")
 LYAPUNOV = given("A'QA - Q = R", T(A)*Q*A - Q == R)
 OUTSIDE = given("the eigenvalues of A lie outside the unit circle", schur(inv(A)))
-SUMS = [rec(back, t, I, back[t]*inv(A)), rec(partial, t, Zero(n, n), partial[t] + T(back[t]*inv(A))*R*back[t]*inv(A))]
+SUMS = [rec(back, t, I, inv(A)*back[t]), rec(partial, t, Zero(n, n), partial[t] + T(inv(A)*back[t])*R*(inv(A)*back[t]))]
 
 
 def factor(at):
@@ -260,9 +293,7 @@ THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 claim("D71-E8.14", "the solution as a series",
       always(t, Q - partial[t] == T(back[t])*Q*back[t]) & (pd(R) >> pd(Q)),
       sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: symmetric_matrix(n)}, where=SUMS, given=[LYAPUNOV, OUTSIDE],
-      by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
-                                    "A limit of nonnegative definite matrices is nonnegative definite."],
-                prose="Q is the limit of the partial sums, hence nonnegative definite; a null vector of Q would give one of R."),
+      by=[induction(base=(order(), order([T(inv(A))*R*inv(A)], inside=[within(0, stein=T(inv(A)))]))),
           example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
       note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
            "and there is one solution only.")
@@ -316,18 +347,42 @@ claim("D71-E8.16", "a null vector of Q goes to another one",
       note="Real case. The form x'(Q + R)x of a nonnegative definite matrix vanishes exactly if (Q + R)x = 0, and then Qx = Rx = 0. As x is again a "
            "null vector of Q, the step repeats for A^{-1}x, A^{-2}x, ...")
 
-observe = sym("observe")
+x1, x2, n1, n2 = symbols("x1 x2 n1 n2")
+GONE = Zero(n, 1)
+#: the form x*Qx of an eigenvector that R kills, and x*Rx of one that Q kills
+FORM_OF_Q = [T(u)*Q*u, T(w)*Q*w]
+FORM_OF_R = [T(x1)*R*x1, T(x2)*R*x2]
+
+
+def eigenvector(real, imaginary):
+    return (A*real == al*real - be*imaginary) & (A*imaginary == be*real + al*imaginary)
+
+
+X1, X2 = (matrix_of(i, j, n, 1, when(i == k_, 1, 0)) for k_ in (1, 2))
+SPIRAL = {al: 2 + c[1]**2, be: c[2], A: E*matrix_of(i, j, 3, 3, when((i == 3) | (j == 3), when(i == j, 2, 0), when(i == j, al, when(i < j, be, -be))))*inv(E),
+          R: T(inv(E))*matrix_of(i, j, 3, 3, when((i == 3) & (j == 3), 3*c[3]**2, 0))*inv(E),
+          Q: T(inv(E))*matrix_of(i, j, 3, 3, when((i == 3) & (j == 3), c[3]**2, 0))*inv(E)}
+ONE = {"n": 1, "A": [[2]], "Q": [[1]], "R": [[3]], "al": 2, "be": 0, **dict.fromkeys(("u", "w", "x1", "x2", "n1"), [0])}
+TWO = {"n": 2, "A": [[2, 1], [0, 2]], "Q": [["1/3", "-2/9"], ["-2/9", "5/27"]], "R": [[1, 0], [0, 0]], "al": 2, "be": 0,
+       **dict.fromkeys(("u", "w", "x1", "x2", "n1"), [0, 0])}
 
 claim("D71-T8.4", "when the solution is singular",
-      iff(rank(Q) < n, rank(observe) < n),
-      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n)},
-      where=[let(observe, sum_of(k, 0, n - 1, T(A**k)*R*A**k))], given=[LYAPUNOV, OUTSIDE],
-      by=[steps("D71-E8.15", "D71-E8.16", facts=["An invariant subspace other than {0} contains a complex eigenvector."],
-                prose="The null space of the sum is the largest A-invariant subspace inside the null space of R: by Cayley and Hamilton it is invariant, "
-                      "and every eigenvector of A that R kills is in it."),
-          example(n=2, A=[[0, -2], [2, 0]], R=[[1, 0], [0, 0]], Q=[["1/15", 0], [0, "4/15"]]),
-          example(n=2, A=[[2, 1], [0, 2]], R=[[0, 0], [0, 1]], Q=[[0, 0], [0, "1/3"]]),
-          example(n=2, A=[[2, 1], [0, 2]], R=[[1, 0], [0, 0]], Q=[["1/3", "-2/9"], ["-2/9", "5/27"]]),
-          instances(n=range(1, 4), **solved(RANK_ONE)), instances(12, n=range(1, 4), **solved(FULL)), instances(12, n=range(1, 4), **solved(THIN))],
-      note="Real matrices. A real or complex eigenvector of A that is a null vector of R exists exactly if R, RA, ..., RA^{n-1} have a common null "
-           "vector, that is, if the sum of their (A^k)'RA^k is singular.")
+      (Q*u == GONE) & (Q*w == GONE) & (R*x1 == GONE) & (R*x2 == GONE) & (Q*n2 == GONE) & (R*n2 == GONE),
+      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n), al: scalar(), be: scalar(),
+                         **dict.fromkeys((u, w, x1, x2, n1), vector(n))},
+      where=[let(n2, inv(A)*n1)],
+      given=[LYAPUNOV, OUTSIDE, standing("|lambda| > 1, as for all eigenvalues", al**2 + be**2 > 1), given("an eigenvector", eigenvector(u, w)),
+             given("a null vector of R", (R*u == GONE) & (R*w == GONE)), standing("another eigenvector", eigenvector(x1, x2)),
+             given("a null vector of Q", (Q*x1 == GONE) & (Q*x2 == GONE)), given("any null vector of Q", Q*n1 == GONE)],
+      by=[order([T(inv(A))*R*inv(A)], [], [1/MODULUS], [], [Q, R], FORM_OF_Q, FORM_OF_Q, FORM_OF_R, FORM_OF_R, [Q, R], [Q, R],
+                lemmas=[psd(Q), MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0, (T(u)*Q*u + T(w)*Q*w)*Identity(1) == Zero(1, 1),
+                        (T(x1)*R*x1 + T(x2)*R*x2)*Identity(1) == Zero(1, 1), (Q + R)*n2 == GONE],
+                inside=[within(0, stein=T(inv(A)))]),
+          example({**ONE, "u": [1], "R": [[0]]}), example({**ONE, "u": [1]}), example({**ONE, "x1": [1]}), example({**ONE, "n1": [1]}),
+          example({**TWO, "A": [[2, 0], [0, "1/2"]], "Q": [[0, 1], [1, 0]], "R": [[0, 0], [0, 0]], "u": [1, 0]}), example({**TWO, "u": [0, 1]}),
+          instances(8, n=(3,), using={E: nonsingular(3), c: vector(3)}, made_by={**SPIRAL, u: E*X1, w: E*X2, x1: E*X1, x2: E*X2, n1: E*(c[2]*X1 + c[3]*X2)}),
+          instances(8, n=(2, 3), using={E: nonsingular(n), c: vector(n), G: matrix(n, n)},
+                    made_by={al: factor(to_expr(1)), be: to_expr(0), **solved(THIN)["made_by"], u: E*X1, w: 2*E*X1, x1: -E*X1, x2: E*X1, n1: E*X1})],
+      note="Real matrices, an eigenvector u + iw of A at lambda = al + i be. An eigenvector that R kills is killed by Q, so that Q is singular; one that Q "
+           "kills is killed by R. If Q is singular there is one: A^{-1}, from n1 to n2, takes null vectors of Q to null vectors of Q and R, and an "
+           "invariant subspace other than {0} contains a complex eigenvector. The classical fact for Q >= 0 is that the powers of A^{-1} tend to zero.")

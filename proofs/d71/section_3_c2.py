@@ -23,7 +23,7 @@ theorem's (over the complex numbers); the equations here hold for every Gamma an
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.evidence import combination, example, first, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -43,6 +43,7 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     rank,
+    rec,
     rows,
     scalar,
     sym,
@@ -202,49 +203,46 @@ claim("D71-E3.35", "from RT = TJ to the quadratic equation",
 
 # --- Jordan structure ------------------------------------------------------------------------------------------------
 
-U, W1, W2, cJ, cR, FITS = symbols("U W1 W2 cJ cR FITS")
+U, W1 = symbols("U W1")
 
 
-def triangular(diagonal, above, size):
-    """Upper triangular with one number on the diagonal."""
-    return matrix_of(i, j, size, size, when(i == j, diagonal, when(i < j, above[i, j], 0)))
-
+Rt, Jt, r = symbols("Rt Jt r")
+Iq = Identity(q)
+FIRST = matrix_of(i, j, q, m, E[i, j])
+NILPOTENT = superdiagonal(m)
+#: w is an eigenvalue of a Jordan block J, in another basis, and of R with more; the eigenvector ends a chain of length r + 1
+CHAINED = {"using": {E: nonsingular(q), G: nonsingular(m), U: matrix(q, q)},
+           "made_by": {J: G*(w*Im + NILPOTENT)*inv(G), TT: FIRST*inv(G),
+                       R: E*matrix_of(i, j, q, q, when(j <= m, when(i == j, w, when((j == i + 1) & (i <= m), 1, 0)), when(i <= j, U[i, j], 0)))*inv(E),
+                       Y: G*matrix_of(i, j, m, s, when(i == r + j, 1, 0)), X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))}}
 
 claim("D71-T3.7", "the blocks of J fit into those of R",
-      FITS,
-      sizes=["n", "m"], over={w: scalar(), F: matrix(n, m), Gam: nonsingular(m), J: matrix(m, m),
-                              R: matrix(n + m, n + m)},
-      where=[function(cJ, [k], rank((J - w*Im)**(k - 1)) - rank((J - w*Im)**k)),
-             function(cR, [k], rank((R - w*Identity(n + m))**(k - 1)) - rank((R - w*Identity(n + m))**k)),
-             let(FITS, forall(k, 1, m, cJ(k) <= cR(k)))],
-      given=[given("RT = TJ", R*vstack(F, Gam) == vstack(F, Gam)*J)],
-      by=[steps("D71-E3.37", "D71-E3.40", facts=["Jordan's theorem."],
-                prose="With T = EX the columns of X are independent, which the shape of X forbids if some block of J "
-                      "exceeds its partner in R."),
-          instances(n=(1, 2, 3), m=(1, 2, 3), using={U: matrix(n, m), W1: matrix(m, m), W2: matrix(n, n)},
-                    made_by={J: triangular(w, W1, m),
-                             R: block([[F, In], [Gam, Zero(m, n)]])*block([[J, T(U)],
-                                                                           [Zero(n, m), triangular(w, W2, n)]])
-                             * block([[Zero(m, n), inv(Gam)], [In, -F*inv(Gam)]])})],
-      note="cJ(k) and cR(k) count the Jordan blocks of size k or more at the eigenvalue w. That the j-th largest "
-           "block of J is no larger "
-           "than the j-th largest of R, for every j, is the same as cJ(k) <= cR(k) for every k.")
+      (TT*X == Rt[r]*(TT*Y)) & ((R - w*Iq)*(TT*X) == Zero(q, s)) & (rank(TT*X) == s),
+      sizes=["q", "m", "s", "r"], over={w: scalar(), TT: matrix(q, m), J: matrix(m, m), R: matrix(q, q), X: matrix(m, s), Y: matrix(m, s)},
+      where=[rec(Rt, k, Iq, (R - w*Iq)*Rt[k]), rec(Jt, k, Im, (J - w*Im)*Jt[k])],
+      given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m), given("JX = wX", J*X == w*X),
+             given("X has independent columns", rank(X) == s), given("X = (J - w)^r Y", X == Jt[r]*Y)],
+      by=[induction(before=[first(forall(k, 0, r, Rt[k]*TT == TT*Jt[k]))]),
+          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[1]], R=[[2]], X=[[1]], Y=[[1]]),
+          example(q=1, m=1, s=1, r=0, w=1, TT=[[0]], J=[[1]], R=[[2]], X=[[1]], Y=[[1]]),
+          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[2]], R=[[2]], X=[[1]], Y=[[1]]),
+          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[0]], Y=[[0]]),
+          example(q=1, m=1, s=1, r=1, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[1]], Y=[[1]]),
+          instances(q=(2, 3), m=(1, 2), s=(1,), r=(0, 1), **CHAINED), instances(4, q=(3,), m=(3,), s=(1,), r=(2,), **CHAINED)],
+      note="The blocks of size r + 1 or more at w are as many as there are independent eigenvectors in the range of (J - w)^r, which is how elementary "
+           "divisors are counted. Any s of them, the columns of X, go under T to s such vectors of R. So R has at least as many blocks of size r + 1 or "
+           "more as J, for every r: the j-th largest block of J is no larger than that of R. T = [F; Gamma] has independent columns, as Gamma is "
+           "nonsingular.")
 
 leading = matrix_of(i, j, m, m, U[i, j])
 UPPER = matrix_of(i, j, q, q, when(i <= j, U[i, j], 0))
 UPPER_LEADING = matrix_of(i, j, m, m, when(i <= j, U[i, j], 0))
-Iq = Identity(q)
-FIRST = matrix_of(i, j, q, m, E[i, j])
-
-ADJUGATE = det(R - mu*Iq)*inv(R - mu*Iq)
 
 claim("D71-S29", "an eigenvalue of J that R does not have",
-      ((R - mu*Iq)*TT*x == Zero(q, 1)) & (det(R - mu*Iq)*TT*x == Zero(q, 1)),
+      ((R - mu*Iq)*TT*x == Zero(q, 1)) & (invertible(R - mu*Iq) >> (TT*x == Zero(q, 1))),
       sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), mu: scalar(), x: vector(m)},
       given=[given("RT = TJ", R*TT == TT*J), given("Jx = mu x", J*x == mu*x)],
-      by=[combination([[(1, "RT = TJ", x), (TT, "Jx = mu x", 1)],
-                       [(ADJUGATE, "RT = TJ", x), (ADJUGATE*TT, "Jx = mu x", 1)]],
-                      q=(1, 2, 3), m=(1, 2, 3)),
+      by=[order([], [inv(R - mu*Iq)]),
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m),
                                                s: scalar()},
                     made_by={R: E*UPPER*inv(E),
@@ -257,19 +255,16 @@ claim("D71-S29", "an eigenvalue of J that R does not have",
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), s: scalar()},
                     made_by={mu: U[1, 1], R: E*UPPER*inv(E), TT: FIRST*inv(G), J: G*UPPER_LEADING*inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))})],
-      note="If mu is no eigenvalue of R the determinant is not zero and Tx = 0, which independent columns of T "
+      note="If mu is no eigenvalue of R the matrix R - mu I is invertible and Tx = 0, which independent columns of T "
            "forbid; so every eigenvalue of J is one of R.")
 
-nullity = sym("nullity")
-
 claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
-      ((R - w*Iq)*TT*X == Zero(q, s)) & (rank(TT*X) == s) & (s <= nullity),
+      ((R - w*Iq)*TT*X == Zero(q, s)) & (rank(TT*X) == s),
       sizes=["q", "m", "s"],
       over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), w: scalar(), X: matrix(m, s)},
-      where=[let(nullity, q - rank(R - w*Iq))],
       given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m),
              given("JX = wX", J*X == w*X), given("X has independent columns", rank(X) == s)],
-      by=[steps("D71-S29", facts=["A matrix with independent columns maps independent vectors to independent ones."]),
+      by=[order(),
           example(q=2, m=2, s=1, R=[[1, 0], [0, 3]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 2]], X=[1, 0], w=1),
           instances(q=(2, 3), m=(2, 3), s=(1, 2),
                     using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
@@ -278,7 +273,9 @@ claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
                              TT: FIRST*inv(G),
                              J: G*matrix_of(i, j, m, m,
                                             when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(G),
-                             X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))*Y})])
+                             X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))*Y})],
+      note="The columns of X are independent eigenvectors of J, one for each of its blocks at w or of any s of them; TX has as many of R, so that R has at "
+           "least s blocks at w.")
 
 r, pp, c, w1, w2, first_row, last_column = symbols("r pp c w1 w2 first_row last_column")
 Nr, Np = superdiagonal(r), superdiagonal(pp)

@@ -23,22 +23,25 @@ eigenvector at a + ib.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, steps
+from exactkf.evidence import Evidence, example, first, identity, induction, instances, order
 from exactkf.language import (
+    Expr,
     Identity,
     T,
     Zero,
     block,
     bottom,
+    charpoly,
+    coeff,
     cospectral,
     det,
     diag,
+    forall,
     given,
     hstack,
     iff,
     inv,
     invertible,
-    kernel_basis,
     let,
     matrix,
     matrix_of,
@@ -46,11 +49,12 @@ from exactkf.language import (
     nonzero,
     positive_definite,
     positive_semidefinite,
-    rank,
+    psd,
+    rec,
     rows,
     scalar,
+    sequence,
     standing,
-    sum_of,
     sym,
     symbols,
     top,
@@ -135,8 +139,9 @@ claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal"
           example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
           example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
           instances(n=(1, 2), p=(1, 2))],
-      note="So R_p and the inverse of its adjoint are similar. By Jordan's theorem two matrices are so exactly if they have the same Jordan blocks. If omega I + N are the blocks of R_p at omega, those of "
-           "the inverse of its adjoint at 1/omega* are similar to I/omega* + N, by D71-T8.2; that R_p has the same blocks as that inverse is the theorem.")
+      note="So R_p and the inverse of its adjoint are similar. By Jordan's theorem two matrices are so exactly if they have the same Jordan blocks. If "
+           "omega I + N are the blocks of R_p at omega, those of the inverse of its adjoint at 1/omega* are similar to I/omega* + N, by D71-T8.2; that R_p "
+           "has the same blocks as that inverse is the theorem.")
 
 claim("D71-S33", "the eigenvalues are symmetric in the unit circle",
       cospectral(Rp, inv(T(Rp))) & (det(Rp) == 1),
@@ -189,20 +194,60 @@ AUX = {E: nonsingular(n), D1: matrix(q, q), D2: matrix(n - q, n - q), G: matrix(
 NOT_DRIVEN = {Phi: E*CORNERED*inv(E), H: E*block([[Zero(q, q), Zero(q, n - q)], [Zero(n - q, q), y*T(y)]])*T(E)}
 NOT_MEASURED = {Phi: inv(T(E))*T(CORNERED)*T(E), M: hstack(Zero(p, q), y1)*T(E)}
 FIRST = matrix_of(i, j, n, q, when(i == j, 1, 0))
-MODEL_Q = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
-POWERS = [let(Rd, sum_of(k, 0, n - 1, Phi**k*H*T(Phi**k))), let(Pd, sum_of(k, 0, n - 1, T(Phi**k)*T(M)*M*Phi**k)),
-          let(Nd, kernel_basis(Rd)), let(No, kernel_basis(Pd))]
+t, ch, Up, Down, CombU, CombD, Ed, Eo, Gd, Go = symbols("t ch Up Down CombU CombD Ed Eo Gd Go")
+
+
+def powers_vanish(sums: Expr, power: Expr, combined: Expr, turn: Expr, half: Expr, rows_: Expr, null: Expr) -> list:
+    """Up to the n-th power, which is a combination of those before it, each takes the null vectors of the sum to ones of ``half``."""
+    zero, gone = Zero(n, q), Zero(rows_, q)
+
+    def added(at: Expr) -> Expr:
+        return T(power[at])*half*power[at] if half is H else T(power[at])*T(half)*half*power[at]
+
+    def last_terms(at: Expr) -> Evidence:
+        return order([sums[at], added(at)], [sums[at], added(at)])
+
+    return [first(forall(k, 0, n, psd(sums[k])), base=order([Zero(n, n)]), step=order([sums[k], added(k)])),
+            first(forall(k, 0, n - 1, (sums[n - 1 - k]*null == zero) & (half*power[n - 1 - k]*null == gone)),
+                  base=last_terms(n - 1), step=last_terms(n - 2 - k)),
+            first(forall(k, 0, n - 1, (sums[n - 1 - k] == sums[n - 1 - k]) & (half*power[k]*null == gone))),
+            first(forall(k, 0, n, half*combined[k]*null == gone)),
+            first(forall(k, 0, n, half*power[n - k]*null == gone)),
+            first(forall(k, 0, n, (sums[n - k] == sums[n - k]) & (half*power[k]*null == gone))),
+            first(forall(k, 0, n, sums[k]*(turn*null) == zero), also=[power[k]*turn == turn*power[k]]),
+            first(sums[n]*(turn*null) == zero)]
+
+
+UNDRIVEN_SPACE = powers_vanish(Rd, Up, CombU, T(Phi), H, n, Nd)
+UNSEEN_SPACE = powers_vanish(Pd, Down, CombD, Phi, M, p, No)
+FULL = {Gd: inv(Rd[n]), Nd: Zero(n, q), Ed: Zero(q, n)}, {Go: inv(Pd[n]), No: Zero(n, q), Eo: Zero(q, n)}
+BASIS = inv(T(E))*FIRST
+SPANNED = ({Nd: BASIS, Gd: inv(Rd[n] + BASIS*T(BASIS)), Ed: inv(T(BASIS)*BASIS)*T(BASIS)},
+           {No: BASIS, Go: inv(Pd[n] + BASIS*T(BASIS)), Eo: inv(T(BASIS)*BASIS)*T(BASIS)})
+#: one state, driven and observed
+LONELY = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[1]], "M": [[1]], "ch": [2], "Nd": [[0]], "No": [[0]], "Gd": [[1]], "Go": [[1]], "Ed": [[0]], "Eo": [[0]]}
+HAMILTON = {ch: (k, -coeff(charpoly(Phi), k))}
 
 claim("D71-E3.60", "bases of the undriven and of the unobservable subspace",
-      (rank(hstack(Nd, T(Phi)*Nd)) == rank(Nd)) & (rank(vstack(Rd, H)) == rank(Rd))
-      & (rank(hstack(No, Phi*No)) == rank(No)) & (rank(vstack(Pd, M)) == rank(Pd)),
-      sizes=["n", "p", "q"], over=MODEL_Q, where=POWERS,
-      by=[steps(facts=["Theorem of Cayley and Hamilton.", "A null vector of a sum of nonnegative definite matrices is one of each.", "Jordan's theorem."],
-                prose="A null vector v of R_d has H(Phi')^j v = 0 for j < n, hence for every j, so Phi'v is one again; the other half is the same "
-                      "with Phi, M in place of Phi', H. A basis can be chosen for which the matrix of the restriction has Jordan form."),
-          instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_DRIVEN), instances(n=(2, 3), p=(1,), q=(1,), using=AUX, made_by=NOT_MEASURED)],
-      note="That Phi'N_d = N_d Lambda_d* for some matrix says that the column space of N_d is invariant: [N_d, Phi'N_d] has the rank of N_d. That HN_d = 0 "
-           "says that the null space of R_d lies in that of H: H under R_d does not raise the rank. The null space of P_d' is that of P_d P_d'.")
+      (T(Phi)*Nd == Nd*(Ed*T(Phi)*Nd)) & (H*Nd == Zero(n, q)) & (Phi*No == No*(Eo*Phi*No)) & (M*No == Zero(p, q)),
+      sizes=["n", "p", "q"],
+      over={Phi: matrix(n, n), H: positive_semidefinite(n), M: matrix(p, n), ch: sequence(0, n - 1), Nd: matrix(n, q), No: matrix(n, q), Gd: matrix(n, n),
+            Go: matrix(n, n), Ed: matrix(q, n), Eo: matrix(q, n)},
+      where=[rec(Up, t, I, T(Phi)*Up[t]), rec(Down, t, I, Phi*Down[t]), rec(Rd, t, Zero(n, n), Rd[t] + T(Up[t])*H*Up[t]),
+             rec(Pd, t, Zero(n, n), Pd[t] + T(Down[t])*(T(M)*M)*Down[t]), rec(CombU, t, Zero(n, n), CombU[t] + ch[t]*Up[t]),
+             rec(CombD, t, Zero(n, n), CombD[t] + ch[t]*Down[t])],
+      given=[standing("theorem of Cayley and Hamilton", (Up[n] == CombU[n]) & (Down[n] == CombD[n])),
+             standing("the sums, counted from the end",
+                      forall(k, 0, n - 1, (Rd[k + 1] == Rd[k] + T(Up[k])*H*Up[k]) & (Pd[k + 1] == Pd[k] + T(Down[k])*(T(M)*M)*Down[k]))),
+             given("null vectors of R_d", Rd[n]*Nd == Zero(n, q)), given("all of them", I - Gd*Rd[n] == Nd*Ed),
+             given("null vectors of P_d", Pd[n]*No == Zero(n, q)), given("all of those", I - Go*Pd[n] == No*Eo)],
+      by=[induction(before=[*UNDRIVEN_SPACE, *UNSEEN_SPACE]),
+          instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_DRIVEN, **HAMILTON, **SPANNED[0], **FULL[1]}),
+          instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_MEASURED, **HAMILTON, **FULL[0], **SPANNED[1]}),
+          *(example({**LONELY, **change}) for change in ({"Nd": [[1]]}, {"Nd": [[0]], "Gd": [[0]]}, {"No": [[1]]}, {"Go": [[0]]}))],
+      note="The columns of N_d and N_0 span the null spaces of R_d = R_n and P_d' = P_n: I - G R_d, with a generalized inverse G, is N_d times a matrix. "
+           "Then Lambda_d* and Lambda_0 are the brackets. The powers and sums are those of section I.E; the numbers ch come from the theorem of Cayley and "
+           "Hamilton, that the n-th power of Phi is a combination of those before it.")
 
 UNDRIVEN_GIVEN = [given("(3.60)", T(Phi)*N == N*T(Lam)), given("(3.61)", H*N == Zero(n, q))]
 UNOBSERVED_GIVEN = [given("(3.62)", Phi*N == N*Lam), given("(3.63)", M*N == Zero(p, q))]
@@ -360,9 +405,9 @@ claim("D71-T3.12", "eigenvalues of R_p on the unit circle",
           instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), M: Zero(p, 2), **F_SPUN, **G_SPUN, **X_SPUN, **Y_SPUN}),
           instances(8, **SPIN, made_by={**SPUN, M: Zero(p, 2), **F_SPUN, **NO_G, **X_SPUN, **NO_Y}),
           instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), **NO_F, **G_SPUN, **NO_X, **Y_SPUN})],
-      note="Both directions at once, for one omega = a + ib on the circle: every eigenvector [f; gamma] of R_p at omega consists of an unobservable mode f and an "
-           "undriven mode gamma (or zero), and any two such modes [x; y] make an eigenvector of R_p. A mode of modulus one is a random walk mode; Phi' gamma = omega* gamma "
-           "says that it has the eigenvalue omega*, and omega beside it, as Phi is real.")
+      note="Both directions at once, for one omega = a + ib on the circle: every eigenvector [f; gamma] of R_p at omega consists of an unobservable mode f "
+           "and an undriven mode gamma (or zero), and any two such modes [x; y] make an eigenvector of R_p. A mode of modulus one is a random walk mode; "
+           "Phi' gamma = omega* gamma says that it has the eigenvalue omega*, and omega beside it, as Phi is real.")
 
 K = sym("K")
 

@@ -16,7 +16,7 @@ of those matrices as a standing hypothesis; for a real eigenvalue it is no condi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order, steps
+from exactkf.evidence import example, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -335,15 +335,29 @@ claim("D71-E3.103", "an eigenvector of DP - C",
                              g: E*FIRST})],
       note="For a number psi the left side is (psi* psi - 1) gamma*P gamma; the factor gamma after P is lost in the scan. R is the left side of (3.100).")
 
-m2, gp, gr = symbols("m2 gp gr")
+gp, gr = symbols("gp gr")
+
+a_, b_, g1, g2 = symbols("a b g1 g2")
+CLOSED = D*P - C
+FORM_P, FORM_R = (T(g1)*x*g1 + T(g2)*x*g2 for x in (P, Rm))
+FORMS_MADE = {gp: (T(g1)*P*g1 + T(g2)*P*g2)[1, 1], gr: (T(g1)*LEFT*g1 + T(g2)*LEFT*g2)[1, 1]}
 
 claim("D71-E3.104", "both forms positive",
-      (m2 == 1 + gr/gp) & (m2 > 1),
-      over={m2: scalar(), gp: scalar(), gr: scalar()},
-      given=[given("(3.103)", (m2 - 1)*gp == gr), given("gamma*P gamma > 0", gp > 0), given("gamma*R gamma > 0", gr > 0)],
-      by=[steps("D71-E3.103", prose="Divide by gamma*P gamma."), example(m2="1/2", gp=1, gr="-1/2"), example(m2="1/2", gp=-1, gr="1/2"),
-          example(m2=2, gp=1, gr=2), instances(made_by={gr: (m2 - 1)*gp})],
-      note="m2 is psi* psi, gp is gamma*P gamma and gr is gamma*R gamma.")
+      (a_**2 + b_**2 == 1 + gr/gp) & (a_**2 + b_**2 > 1),
+      sizes=["n"], over={C: matrix(n, n), D: matrix(n, n), P: symmetric_matrix(n), g1: vector(n), g2: vector(n), a_: scalar(), b_: scalar(),
+                         gp: scalar(), gr: scalar()},
+      where=[let(Rm, LEFT)],
+      given=[standing("the two forms", (gp == FORM_P) & (gr == FORM_R)), given("eigenvector", (CLOSED*g1 == a_*g1 - b_*g2) & (CLOSED*g2 == b_*g1 + a_*g2)),
+             given("gamma*P gamma > 0", gp > 0), given("gamma*R gamma > 0", gr > 0)],
+      by=[order([], [], [1*(gr/gp)], lemmas=[(a_**2 + b_**2 - 1)*gp == gr]),
+          example(n=1, C=[[-1]], D=[[0]], P=[[1]], g1=[1], g2=[0], a=2, b=0, gp=1, gr=3),
+          example(n=1, C=[["-1/2"]], D=[[0]], P=[[1]], g1=[1], g2=[0], a="1/2", b=0, gp=1, gr="-3/4"),
+          example(n=1, C=[["-1/2"]], D=[[0]], P=[[-1]], g1=[1], g2=[0], a="1/2", b=0, gp=-1, gr="3/4"),
+          instances(n=(1,), made_by={C: D*P - a_*I, b_: 0, **FORMS_MADE}),
+          instances(n=(2,), using={E: nonsingular(2), c: scalar(), d: scalar()},
+                    made_by={P: T(inv(E))*inv(E), C: D*P - E*rows([[a_, b_], [-b_, a_]])*inv(E), g1: E*rows([[c], [-d]]), g2: E*rows([[d], [c]]),
+                              **FORMS_MADE})],
+      note="gamma = g1 + i g2 and psi = a + ib; the forms are gamma*P gamma and gamma*R gamma, and psi* psi = a^2 + b^2.")
 
 R_ZERO = given("gamma*R gamma = 0", T(g)*LEFT*g == Zero(q, q))
 MODEL_P = {**MODEL, P: symmetric_matrix(n), g: matrix(n, q)}
@@ -406,9 +420,7 @@ claim("D71-S37", "Q is nonnegative definite if J is outside the unit circle",
       psd(Q),
       sizes=["q"], over={Q: symmetric_matrix(q), J: matrix(q, q)},
       given=[given("(3.99)", psd(T(J)*Q*J - Q)), given("|eigenvalues of J| > 1", schur(inv(J)))],
-      by=[steps("D71-E8.16", facts=["The powers of a matrix whose eigenvalues lie inside the unit circle tend to zero.",
-                                    "A limit of nonnegative definite matrices is nonnegative definite."],
-                prose="Theorem 8.4: Q is the sum of the nonnegative terms (J^{-i})*(J*QJ - Q)J^{-i}, i >= 1."),
+      by=[order([T(inv(J))*(T(J)*Q*J - Q)*inv(J)], inside=[within(0, stein=T(inv(J)))]),
           example(q=1, Q=[[-1]], J=[["1/2"]]), example(q=1, Q=[[-1]], J=[[2]]),
           instances(q=(1, 2, 3), using={E: nonsingular(q), d: vector(q), X: matrix(q, q)},
                     made_by={J: E*matrix_of(i, j, q, q, when(i == j, 2 + d[i]**2, 0))*inv(E),

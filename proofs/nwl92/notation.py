@@ -24,14 +24,12 @@ from exactkf.language import (
     block,
     given,
     hstack,
-    integer,
     inv,
     invertible,
     kernel_basis,
     let,
     loewner,
     matrix,
-    matrix_of,
     positive_semidefinite,
     rank,
     standing,
@@ -39,17 +37,16 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     vstack,
-    when,
 )
 
 # sizes
-d, g, k, m, n, p, q, r = symbols("d g k m n p q r")
+k, m, n, p, q, r = symbols("k m n p q r")
 # data of a measurement, blocks of a (1)-inverse, free matrices
 R, H, W, U, V, X, Y = symbols("R H W U V X Y")
 Tb = sym("T")  # the block T of a (1)-inverse (the name T is the transpose here)
 x, y, w, x0, w0, lam = symbols("x y w x0 w0 lam")
 Zm, Zd = symbols("Zm Zd")
-B, G = symbols("B G")
+G = sym("G")
 
 
 def two_block(R: Expr, H: Expr, n: Any) -> Expr:
@@ -143,35 +140,6 @@ def excess_term(L: Expr, U: Expr, R: Expr) -> Expr:
 def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
     """(x, w) satisfies y = Hx + Vw with w orthogonal to w0 - w, so that w0'w0 = w'w + |w0 - w|^2."""
     return (y == H * x + V * w) & (T(w) * w0 == T(w) * w)
-
-
-# ------------------------------------------------------------------ coordinates
-S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
-NORMAL_FORM = (
-    "for R >= 0 and H of full column rank n there is an invertible S with SH = [I; 0] and SRS' = diag(P, I, 0), where "
-    "I has size rank [R H] - n; there the kernel of Z is spanned by the unit vectors of the zero block, diag(0, I, 0) in "
-    "place of W, [I; 0] in place of U and -P in place of T are one symmetric (1)-inverse, and the general form of "
-    "NWL92-E2.20 gives the others: W = [0, K'; K, M], U = [I; L], T = -P, where diag(I, 0) annihilates K and L and M is "
-    "a symmetric (1)-inverse of diag(I, 0)")
-
-ROTATED = "; with an orthogonal change of w, a square root V of R becomes S^-1 [0, V1; I, 0; 0, 0]"
-
-
-def ones(nrows: Any, ncols: Any) -> Expr:
-    """[I, 0; 0, 0] with rho ones."""
-    return matrix_of(ii, jj, nrows, ncols, when((ii == jj) & (ii <= rho), 1, 0))
-
-
-def inverse_in_coordinates(names: tuple[Expr, Expr, Expr], free: tuple[Expr, Expr, Expr], n: Any) -> dict:
-    """Blocks of all (1)-inverses, in the coordinates of the normal form; the free matrices stand for K, M, L."""
-    K, M, L = free
-    return {names[0]: T(S) * block([[Zero(n, n), T(E0 * K)], [E0 * K, E1 + E0 * M + T(M) * E0]]) * S,
-            names[1]: T(S) * vstack(Identity(n), E0 * L), names[2]: -P}
-
-
-#: parameters of the normal form
-PARAMETERS = {rho: integer(0, p - n), S: matrix(p, p), P: symmetric_matrix(n), Y: matrix(p - n, p - n),
-              Y3: matrix(p - n, n), Y4: matrix(p - n, n)}
 
 
 # ------------------------------------------------------------------ every size at once

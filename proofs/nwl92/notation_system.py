@@ -188,9 +188,6 @@ def solutions(count: int = 16, *, similar: Expr | None = None, before: dict | No
 
 # ------------------------------------------------------------------ detectable and stabilizable systems
 Le, Lc, Na, Nb, Ma, Mb, Mc, Md, H0 = symbols("Le Lc Na Nb Ma Mb Mc Md H0")
-#: detectability, said as in Lemma 4.1: a left inverse of (E; C) with stable Le A
-DETECTOR = {Le: matrix(n, l), Lc: matrix(n, p)}
-DETECTABLE = given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A))
 #: stabilizability, said in the same way for the transposed matrices
 STABILIZER = {Na: matrix(n, l), Nb: matrix(n, p), Ma: matrix(l, l), Mb: matrix(l, p), Mc: matrix(p, l), Md: matrix(p, p)}
 STABILIZABLE_FORMULA = (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])

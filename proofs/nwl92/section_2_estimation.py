@@ -34,7 +34,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
@@ -42,14 +42,11 @@ from exactkf.language import (
     Zero,
     block,
     column,
-    diag,
     eq,
-    forall,
     function,
     given,
     hstack,
     iff,
-    integer,
     inv,
     invertible,
     kernel_basis,
@@ -72,18 +69,13 @@ from exactkf.language import (
 )
 from proofs.nwl92.notation import (
     BLOCKS,
-    E0,
-    E1,
     FULL_COLUMN_RANK,
     GRAM,
     IMPLIED_GRAM,
     IMPLIED_RANK,
-    NORMAL_FORM,
     ONE_INVERSE,
     OTHER,
     PAIR,
-    PARAMETERS,
-    ROTATED,
     SECOND,
     SECOND_GIVEN,
     SECOND_INVERSE,
@@ -94,15 +86,10 @@ from proofs.nwl92.notation import (
     U2,
     UNBIASED,
     W2,
-    Y3,
-    Y4,
-    Y5,
-    F,
     G,
     H,
     L,
     R,
-    S,
     Tb,
     U,
     V,
@@ -115,12 +102,10 @@ from proofs.nwl92.notation import (
     any_one_inverse,
     any_rank_identities,
     block_identities,
-    blocks_of,
     chained,
     every_size,
     excess,
     excess_term,
-    inverse_in_coordinates,
     inverses,
     lam,
     likeliest,
@@ -128,11 +113,9 @@ from proofs.nwl92.notation import (
     made_inverse,
     n,
     one_inverse,
-    ones,
     p,
     q,
     r,
-    rho,
     root_identities,
     two_block,
     two_inverses,
@@ -146,7 +129,12 @@ from proofs.nwl92.notation import (
 
 half = Fraction(1, 2)
 
-not_checked("NWL92-E2.1", "the measurement y = Hx + v", "a definition: it fixes notation and asserts nothing")
+v, S = symbols("v S")
+claim("NWL92-E2.1", "the measurement y = Hx + v and the error of a linear estimate",
+      L * (H * x + v) - x == (L * H - Identity(n)) * x + L * v, sizes=["p", "n"],
+      over={H: matrix(p, n), L: matrix(n, p), x: vector(n), v: vector(p)}, by=[identity(p=(1, 2), n=(1, 2)), instances(p=(1, 2), n=(1, 2))],
+      note=("A definition; what is checked is what all that follows uses of it: the error of Ly has the mean (LH - I)x and is that plus Lv, so that its covariance "
+            "is LRL' if LH = I."))
 
 # ------------------------------------------------------------------ Bayesian estimation is a special case
 P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
@@ -181,7 +169,7 @@ claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full
       note=("The displayed matrices, read as (2.1): prior mean and measurement are one measurement whose noises m - "
             "x and z - Cx have covariances P and N."))
 
-d, c, K, i, j = symbols("d c K i j")
+d, c, K, i = symbols("d c K i")
 HH = T(H) * H
 claim("NWL92-S3", "all components of x are estimable exactly if H has rank n; in the Bayesian case it has",
       ((L * H == Identity(n)) >> (rank(H) == n)) & ((rank(H) == n) >> (inv(HH) * T(H) * H == Identity(n))) & (rank(vstack(Identity(n), C)) == n),
@@ -299,8 +287,13 @@ claim("NWL92-E2.10", "the matrix Z is symmetric of size p + n",
       symmetric(Zm) & (T(Zm) * Identity(p + n) == Zm), sizes=["p", "n"], over=ANY, where=[TWO_BLOCK],
       by=[order(), instances(p=(1, 2, 3), n=(1, 2, 3))])
 
-not_checked("NWL92-E2.11", "a left null vector of Z", ("the assumption of a proof: it fixes notation and asserts "
-                                                       "nothing"))
+claim("NWL92-E2.11", "a row (x' y') with (x' y')Z = 0 is a null vector of Z, and zero if Z is invertible",
+      (hstack(T(x), T(y)) * Zm == T(Zm * vstack(x, y))) & ((invertible(Zm) & (hstack(T(x), T(y)) * Zm == Zero(1, p + n))) >> ((x == Zero(p, 1)) & (y == Zero(n, 1)))),
+      sizes=["p", "n"], over={R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}, where=[TWO_BLOCK],
+      by=[order(), instances(p=(1, 2), n=(1, 2)), example({"p": 1, "n": 1, R: [[0]], H: [[0]], x: [1], y: [1]}),
+          instances(made_by={"K": kernel_basis(Zm), x: T(upper(p, n)) * sym("K") * T(sym("K")) * h, y: T(lower(p, n)) * sym("K") * T(sym("K")) * h},
+                    using={h: vector(p + n)}, p=(1, 2, 3), n=(1, 2))],
+      note="The assumption of a proof; what is checked is that nothing but zero satisfies it once Z is invertible, so that it is what the proof has to refute.")
 
 NULL = given("(2.11)", hstack(T(x), T(y)) * Zm == Zero(1, p + n))
 NULL_VECTORS = {R: symmetric_matrix(p), H: matrix(p, n), x: vector(p), y: vector(n)}
@@ -440,7 +433,6 @@ claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and it
       note=("Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; "
             "NWL92-E2.21 states it as a minimum of w'w."))
 
-Vb, V1 = symbols("Vb V1")
 XH = let(xh, T(lower(p, n)) * Zd * upper(p, n) * y)
 WH = let(wh, T(V) * T(upper(p, n)) * Zd * upper(p, n) * y)
 claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
@@ -464,7 +456,6 @@ claim("NWL92-E2.22", "the error covariance is minus a block of any symmetric (1)
       by=[every_size(), inverses()],
       note="The error of the estimate U'y is U'v, as U'H = I.")
 
-W3, U3 = symbols("W3 U3")
 claim("NWL92-E2.23", "a matrix in blocks is symmetric exactly if it has the form (2.23)",
       iff(symmetric(block([[W, U], [L, Tb]])), symmetric(W) & symmetric(Tb) & (L == T(U))),
       sizes=["p", "n"], over={W: matrix(p, p), U: matrix(p, n), L: matrix(n, p), Tb: matrix(n, n)},

@@ -25,8 +25,8 @@ probability one.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked
-from exactkf.evidence import combination, example, identity, instances, order, steps
+from exactkf.claims import claim
+from exactkf.evidence import combination, example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -36,8 +36,6 @@ from exactkf.language import (
     eq,
     given,
     hstack,
-    iff,
-    integer,
     inv,
     invertible,
     kernel_basis,
@@ -55,30 +53,19 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92.notation import (
-    E0,
-    E1,
     FULL_COLUMN_RANK,
     GRAM,
-    NORMAL_FORM,
-    Y3,
-    Y4,
-    F,
     H,
-    P,
-    S,
     any_one_inverse,
     any_rank_identities,
     block_identities,
     chained,
     every_size,
-    inverse_in_coordinates,
     lower,
     made_inverse,
     n,
-    ones,
     p,
     q,
-    rho,
     two_block,
     upper,
 )
@@ -111,7 +98,12 @@ def is_inverse(G, Z, of):
 
 
 # ------------------------------------------------------------------ Lemma 2.3
-not_checked("NWL92-E2.28", "measurement a of x", "a definition: it fixes notation and asserts nothing")
+L = sym("L")
+claim("NWL92-E2.28", "an unbiased estimate of x from a is x with an error that does not depend on x",
+      L * (H * x + v) == x + L * v, sizes=["p", "n"], over={H: matrix(p, n), L: matrix(n, p), x: vector(n), v: vector(p)},
+      given=[given("La is unbiased", L * H == Identity(n))],
+      by=[order(), instances(made_by={L: inv(T(H) * H) * T(H) + X * (Identity(p) - H * inv(T(H) * H) * T(H))}, using={X: matrix(n, p)}, p=(1, 2, 3), n=(1, 2))],
+      note="A definition; what is checked is the form in which estimates of x are measurements of x again, as in (2.30).")
 
 claim("NWL92-E2.29", "a and b together are one measurement of x and z",
       vstack(H * x + v, J * x + K * z + w) == block([[H, Zero(p, m)], [J, K]]) * vstack(x, z) + vstack(v, w),
@@ -121,34 +113,14 @@ claim("NWL92-E2.29", "a and b together are one measurement of x and z",
       note="A definition; what is checked is the form (2.1) that the batch system (2.31) is made from.")
 
 MODEL = {V: positive_semidefinite(p), W: positive_semidefinite(q), H: matrix(p, n), J: matrix(q, n), K: matrix(q, m)}
-FIRST = (let(Z1, two_block(V, H, n)), let(a, H * x + V * v))
 HB, RB = block([[H, Zero(p, m)], [J, K]]), diag(V, W)
 HS = block([[Identity(n), Zero(n, m)], [J, K]])
-gain1, gainb, gains = symbols("gain1 gainb gains")
-GAIN_1 = let(gain1, T(lower(p, n)) * G1 * upper(p, n))
-SUMMARY = (let(xh1, gain1 * a), let(P1, gain1 * V * T(gain1)))
-BATCH = (let(Zb, two_block(RB, HB, n + m)), let(gainb, T(lower(p + q, n + m)) * Gb * upper(p + q, n + m)),
-         let(b, J * x + K * z + W * w))
-SEQUENTIAL = (let(Zs, two_block(diag(P1, W), HS, n + m)), let(gains, T(lower(n + q, n + m)) * Gs * upper(n + q, n + m)))
+gains = sym("gains")
 SIZES = {"p": (1, 2, 3), "q": (1, 2), "n": (1, 2), "m": (1, 2)}
-INVERSES = {G1: symmetric_matrix(p + n), Gb: symmetric_matrix(p + q + n + m), Gs: symmetric_matrix(n + q + n + m)}
-TWO_WAYS = {**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), **INVERSES}
 WAYS = [is_inverse(G1, Z1, "x from a"), is_inverse(Gb, Zb, "x and z from a and b"),
         is_inverse(Gs, Zs, "x and z from the estimate and b")]
-Z_ESTIMABLE = rank(vstack(HB, hstack(Zero(m, n), Identity(m)))) == rank(HB)
-MADE = (some_inverse(G1, Z1, Y1, p + n), some_inverse(Gb, Zb, Yb, p + q + n + m),
-        some_inverse(Gs, Zs, Ys, n + q + n + m))
-BATCH_ESTIMATE, SEQUENTIAL_ESTIMATE = gainb * vstack(a, b), gains * vstack(xh1, b)
-BATCH_ERROR, SEQUENTIAL_ERROR = gainb * RB * T(gainb), gains * diag(P1, W) * T(gains)
-PROSE = ("By (2.36), (2.37) and (2.38) a solution of (2.32) and (2.33) gives one of (2.31) with the same estimates, so "
-         "both ways give the same estimates for all data; then the gains agree on the range of the data, and the error "
-         "covariances are equal.")
 
 
-SAME_PROOF = steps(
-    "NWL92-E2.31", "NWL92-E2.33", "NWL92-E2.34", "NWL92-E2.35", "NWL92-E2.36", "NWL92-E2.37", "NWL92-E2.38",
-    facts=["stationary points of (2.6) are minima (NWL92-E2.21)",
-           "the identity (2.32) for the first estimate (NWL92-EA.15)"], prose=PROSE)
 
 
 #: gains of both ways and the multipliers' part beside them, by blocks
@@ -343,8 +315,6 @@ claim("NWL92-E2.38", "lam_a satisfies the third row of the batch system",
 Waa, Wab, Wbb, Vaa, Vab, Vbb = symbols("Waa Wab Wbb Vaa Vab Vbb")
 WB, WS = block([[Waa, Wab], [T(Wab), Wbb]]), block([[Vaa, Vab], [T(Vab), Vbb]])
 ESTIMABLE = block([[Identity(n), Zero(n, m)], [Zero(q, n), K]])
-#: the estimable combinations as multiples of the measurement matrices
-FROM_HB, FROM_HS = block([[H_LEFT, Zero(n, q)], [-(J * H_LEFT), Identity(q)]]), block([[Identity(n), Zero(n, q)], [-J, Identity(q)]])
 WITH_INVERSES = {**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), W1: symmetric_matrix(p), **GAINS_BY_BLOCKS,
                  Waa: symmetric_matrix(p), Wab: matrix(p, q), Wbb: symmetric_matrix(q), Vaa: symmetric_matrix(n), Vab: matrix(n, q), Vbb: symmetric_matrix(q)}
 REST = ESTIMABLE * T(BETWEEN)
@@ -355,6 +325,12 @@ SAME_ESTIMABLE = ([ESTIMABLE * T(UB) * HB == ESTIMABLE, ESTIMABLE * T(UB) * R_BA
                   [[], [], [], [], [], [], [], [REST * R_BATCH * T(REST)]])
 S15_MADE = {**LEMMA_MADE, W1: T(upper(p, n)) * G1 * upper(p, n), **corners(BATCH_G, (Waa, Wab, Wbb), (AT_A, AT_A, AT_B), (AT_A, AT_B, AT_B)),
             **corners(SUMMARY_G, (Vaa, Vab, Vbb), (AT_1, AT_1, AT_2), (AT_1, AT_2, AT_2))}
+#: all sizes one, noises of covariance one; not admissible: what each hypothesis is for
+S15_ONES = {"p": 1, "q": 1, "n": 1, "m": 1, V: [[1]], W: [[1]], H: [[1]], J: [[0]], K: [[1]], x: [1], z: [1], v: [1], w: [1], W1: [[0]], U1: [[1]],
+            T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]], Txz: [[0]], Tzz: [[-1]],
+            Vaa: [[0]], Vab: [[0]], Vbb: [[0]], Sxx: [[1]], Sxz: [[0]], Sbx: [[0]], Sbz: [[1]], Qxx: [[-1]], Qxz: [[0]], Qzz: [[-1]]}
+S15_FOILS = [example({**S15_ONES, **change}) for change in (
+    {U1: [[2]], Qxx: [[-4]]}, {Uax: [[2]]}, {Sxx: [[2]]}, {H: [[0]], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Txx: [[0]]})]
 claim("NWL92-S15", "without estimability of z the lemma holds for the estimable combinations of z",
       (ESTIMABLE * T(UB) * vstack(a, b) == ESTIMABLE * T(US) * vstack(xh1, b))
       & (ESTIMABLE * T(UB) * R_BATCH * UB * T(ESTIMABLE) == ESTIMABLE * T(US) * R_SUMMARY * US * T(ESTIMABLE)),
@@ -365,7 +341,7 @@ claim("NWL92-S15", "without estimability of z the lemma holds for the estimable 
       given=[*WAYS, FULL_COLUMN_RANK],
       by=[chained(block_identities(V, H, W1, U1, T1, n, p), any_rank_identities(R_BATCH, HB, WB, UB, TB, n + m, p + q),
                   any_rank_identities(R_SUMMARY, HS, WS, US, TS, n + m, n + q), SAME_ESTIMABLE),
-          instances(10, made_by=S15_MADE, using=LEMMA_FREE, p=(1, 2), q=(1, 2), n=1, m=(1, 2))],
+          *S15_FOILS, instances(10, made_by=S15_MADE, using=LEMMA_FREE, p=(1, 2), q=(1, 2), n=1, m=(1, 2))],
       note=("K has any rank; as x is estimable, the estimable combinations of z are those of Kz, here stacked below x. The rank of H "
             "enters the proof through the second column of (2.32) alone."))
 
@@ -373,8 +349,11 @@ claim("NWL92-S15", "without estimability of z the lemma holds for the estimable 
 k, g = symbols("k g")
 H1, H2, H3, R, R11, R12, R22 = symbols("H1 H2 H3 R R11 R12 R22")
 Zj, Gj, Yj, y, y1, y2, x1, x2, l2, x0 = symbols("Zj Gj Yj y y1 y2 x1 x2 l2 x0")
-not_checked("NWL92-E2.39", "measurement y1 of x1, and y2 of x1 and x2",
-            "a definition: it fixes notation and asserts nothing")
+claim("NWL92-E2.39", "the two rows of (2.39)",
+      block([[H1, Zero(p, m)], [H2, H3]]) * vstack(x1, x2) + vstack(v, w) == vstack(H1 * x1 + v, H2 * x1 + H3 * x2 + w), sizes=["p", "k", "n", "m"],
+      over={H1: matrix(p, n), H2: matrix(k, n), H3: matrix(k, m), x1: vector(n), x2: vector(m), v: vector(p), w: vector(k)},
+      by=[instances(p=(1, 2), k=(1, 2), n=(1, 2), m=(1, 2))],
+      note="A definition; what is checked is that it is the measurement (2.1), in which x2 enters through H3 alone.")
 
 HJ = block([[H1, Zero(p, m)], [H2, H3]])
 R_JOINT = block([[R11, R12], [T(R12), R22]])
@@ -415,17 +394,27 @@ def dropped(M, rows, *more):
                      R_JOINT * padded == Zero(p + k, rows)], [[], [], [], [], [], [], [], [T(padded) * R_JOINT * padded]]))
 
 
+#: all sizes one; not admissible: what each hypothesis is for
+DROP_ONES = {"p": 1, "k": 1, "n": 1, "m": 1, R11: [[1]], R12: [[0]], R22: [[1]], H1: [[1]], H2: [[0]], H3: [[1]], x1: [1], x2: [1], v: [1], w: [0],
+             W1: [[0]], U1: [[1]], T1: [[-1]], Waa: [[0]], Wab: [[0]], Wbb: [[0]], Uax: [[1]], Uaz: [[0]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]],
+             Txz: [[0]], Tzz: [[-1]]}
+HALF = [["1/2"]]
+DROP_FOILS = [example({**DROP_ONES, **change}) for change in (
+    {U1: [[2]]}, {Uax: [[2]]},
+    {H2: [[1]], H3: [[0]], Waa: HALF, Wab: [["-1/2"]], Wbb: HALF, Uax: HALF, Ubx: HALF, Ubz: [[0]], Txx: [["-1/2"]], Tzz: [[0]]},
+    {H1: [[0]], H2: [[1]], x1: [0], x2: [0], W1: [[1]], T1: [[0]], Waa: [[1]], Uax: [[0]], Ubx: HALF, Ubz: HALF, Txx: [["-1/4"]], Txz: [["-1/4"]],
+     Tzz: [["-1/4"]]})]
 DROP_DRAWN = instances(10, made_by=DROP_MADE, using=DROP_FREE, **DROP_SIZES)
 claim("NWL92-L2.4", "measurements with a variable of their own in every direction do not help",
       FROM_BOTH == FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK, H1_RANK],
-      by=[dropped(Identity(n), n), DROP_DRAWN],
+      by=[dropped(Identity(n), n), *DROP_FOILS, DROP_DRAWN],
       note="The noises of y1 and y2 may be correlated; (y1; y2) lies in the range of [R H], v and w say where.")
 
 claim("NWL92-S16", "the same for estimable combinations if H1 does not have full column rank",
       H1 * FROM_BOTH == H1 * FROM_FIRST,
       sizes=["p", "k", "n", "m"], over=DROPPING, where=DROPPING_LETS, given=[*BOTH_WAYS, FULL_ROW_RANK],
-      by=[dropped(H1, p), DROP_DRAWN],
+      by=[dropped(H1, p), *DROP_FOILS, DROP_DRAWN],
       note="The estimable combinations of x1 are those of H1 x1.")
 
 SYSTEM = block([
@@ -466,8 +455,11 @@ claim("NWL92-E2.41", "what remains are the conditions for x1 from y1 alone",
           instances(made_by=JOINT_MADE, using={h: vector(p + k)}, **DROP_SIZES)])
 
 # ------------------------------------------------------------------ both together
-G, u, Hg, Zg, Gg, Yg, gaing = symbols("G u Hg Zg Gg Yg gaing")
-not_checked("NWL92-E2.42", "measurement a of x1 and x2", "a definition: it fixes notation and asserts nothing")
+G, u, Hg, Zg, Gg, Yg = symbols("G u Hg Zg Gg Yg")
+claim("NWL92-E2.42", "a is one measurement of x1 and x2",
+      H * x1 + G * x2 + v == hstack(H, G) * vstack(x1, x2) + v, sizes=["p", "n", "g"],
+      over={H: matrix(p, n), G: matrix(p, g), x1: vector(n), x2: vector(g), v: vector(p)}, by=[instances(p=(1, 2), n=(1, 2), g=(1, 2))],
+      note="A definition; what is checked is the form (2.1) of the measurement, with [H G] for H.")
 
 claim("NWL92-E2.43", "a and b together are one measurement of x1, x2 and z",
       vstack(H * x1 + G * x2 + v, J * x1 + K * z + w)
@@ -534,8 +526,12 @@ claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
 
 # ------------------------------------------------------------------ Lemma 2.5
 V1, V2, W2, U2, T2, Z2, Y2, P2, G2, B, v1 = symbols("V1 V2 W2 U2 T2 Z2 Y2 P2 G2 B v1")
-not_checked("NWL92-E2.45", "the same measurement with two noises",
-            "a definition: it fixes notation and asserts nothing")
+claim("NWL92-E2.45", "one gain for both measurements has errors that differ by their noises alone",
+      (L * (H * x + V1 * v) - x) - (L * (H * z + V2 * w) - z) == (L * H - Identity(n)) * (x - z) + L * (V1 * v - V2 * w), sizes=["p", "n"],
+      over={V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n), L: matrix(n, p), x: vector(n), z: vector(n), v: vector(p), w: vector(p)},
+      by=[instances(p=(1, 2), n=(1, 2))],
+      note=("A definition; what is checked is what Lemma 2.5 uses of it: if LH = I the errors of Ly1 and Ly2 are L times the noises v1 = V1 v and v2 = V2 w, whatever x "
+            "and z are."))
 
 NOISES = {V1: positive_semidefinite(p), V2: positive_semidefinite(p), H: matrix(p, n),
           W1: symmetric_matrix(p), U1: matrix(p, n), T1: symmetric_matrix(n),

@@ -173,7 +173,7 @@ claim("NWL92-T3.1.1", "full row rank without redundant perfect information makes
       note="The corrected statement says invertible as: a null vector (lam1; lam2; x) is zero.")
 
 # ------------------------------------------------------------------ S = 0 and R > 0
-Sig, Sigj, Mj, Qv = symbols("Sig Sigj M Qv")
+Sig, Sigj, Mj = symbols("Sig Sigj M")
 ROW_A, COLUMN_A = hstack(Zero(l, l), A), vstack(Zero(l, l), T(A))
 INFORMATION = T(C) * inv(R) * C
 CLASSICAL = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: positive_semidefinite(l), R: positive_definite(p)}
@@ -182,7 +182,6 @@ M_J = let(Mj, block([[Sig, E], [T(E), -INFORMATION]]))
 WIDE = block([[R, Zero(p, l), C], [Zero(l, p), Sig, E], [T(C), T(E), Zero(n, n)]])
 WB_SIZES = {"l": (1, 2), "p": (1, 2), "n": (1, 2)}
 WIDE_LAST = vstack(Zero(p, n), Zero(l, n), Identity(n))
-NEXT_P = -(T(WIDE_LAST) * inv(WIDE) * WIDE_LAST)
 
 claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible",
       (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "p", "n"],

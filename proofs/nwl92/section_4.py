@@ -26,8 +26,8 @@ parts: lam = a + ib, v = v1 + iv2.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, steps, within
+from exactkf.claims import claim, repair
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -41,7 +41,6 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
-    matrix_of,
     nonneg,
     nonsingular,
     positive_semidefinite,
@@ -50,14 +49,12 @@ from exactkf.language import (
     scalar,
     schur,
     standing,
-    sum_of,
     sym,
     symbols,
     symmetric_matrix,
     trace,
     vector,
     vstack,
-    when,
 )
 from proofs.nwl92 import notation as two
 from proofs.nwl92.notation_system import (
@@ -215,7 +212,18 @@ S_SIGN = "S must have the sign it has in (4.31)"
 #: E = 2, C = -1, Q = S = R = 1, P = 0: the sum of both equations is free of noise, L = K = 1, LA = A
 NOISELESS = {"l": 1, "p": 1, "n": 1, P: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[2]], C: [[-1]], sym("W1"): [[1]], sym("W2"): [[2]],
              sym("W3"): [[4]], U1: [[1]], U2: [[1]], Tb: [[0]], b: 0, v1: [[1]], v2: [[0]]}
-not_checked("NWL92-E4.40", "a left eigenvector of LA with |lam| >= 1", "the assumption of a proof: it fixes notation and asserts nothing")
+UNIT = sym("Unit")
+UNIT_TERMS = [v * T(v) for v in (v1, v2)] + [(a * a + b * b - 1) * v * UNIT * T(v) for v in (v1, v2)]
+X0 = sym("X0")
+claim("NWL92-E4.40", "a left eigenvector of LA with |lam| >= 1 is there only if LA is not stable",
+      (v1 == Zero(1, n)) & (v2 == Zero(1, n)), sizes=["l", "n"], over={A: matrix(l, n), L: matrix(n, l), **VECTOR},
+      given=[given("LA stable", schur(L * A)), *EIGEN, given("|lam| >= 1", a * a + b * b >= 1)],
+      by=[order(UNIT_TERMS, UNIT_TERMS, inside=[within(number, solutions={UNIT: (L * A, Identity(n))}) for number in (0, 1)]),
+          *[example({"l": 1, "n": 1, A: [[1]], L: [[x]], a: y, b: 0, v1: [[z]], v2: [[1 - z]]}) for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+          example({"l": 1, "n": 1, A: [[0]], L: [[0]], a: 1, b: 0, v1: [[1]], v2: [[0]]}), example({"l": 1, "n": 1, A: [[0]], L: [[0]], a: 1, b: 0, v1: [[0]], v2: [[1]]}),
+          instances(made_by={L: X0 * (1 / (1 + trace(A * T(A)) + trace(X0 * T(X0)))), v1: Zero(1, n), v2: Zero(1, n)}, using={X0: matrix(n, l)}, l=(1, 2), n=(1, 2))],
+      note=("The assumption of a proof. That a matrix which is not stable has such an eigenvector is the definition of stability; what is checked is that a "
+            "stable one has none, so that the assumption says no less than that LA is not stable."))
 
 
 a0, b0, B0 = symbols("a0 b0 B0")
@@ -354,21 +362,21 @@ def stable_gains(*solved_by, unique=None):
     N of (E; C) up to G, so that v(L K) = vN, and vL is an eigenvector of A Na for the same eigenvalue; as A Na is stable, vL = 0. So lam v = vLA = 0.
     """
     identities, needs, inside = [], [], []
-    for P, (W1, W2, W3, U1, U2, T0), *_ in solved_by:
-        more, most = two.block_identities(noise_by_form(P, n), F_BLOCK, block([[W1, W2], [T(W2), W3]]), vstack(U1, U2), T0, n, l + p, GRAM)
+    for solution, (a, b, c, u, w, d), *_ in solved_by:
+        more, most = two.block_identities(noise_by_form(solution, n), F_BLOCK, block([[a, b], [T(b), c]]), vstack(u, w), d, n, l + p, GRAM)
         identities, needs = identities + more, needs + most
-    for number, (P, _, L, K) in enumerate(solved_by, len(identities)):
-        gain = hstack(L, K)
-        noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * P * v for v in (vr, vi)]
-        energy = sum((T(v) * gain * NOISE_G * T(gain) * v for v in (vr, vi)), EXCESS * (T(vr) * P * vr + T(vi) * P * vi))
-        ends = [T(L) * v for v in (vr, vi)]
+    for number, (solution, _, first, second) in enumerate(solved_by, len(identities)):
+        gain = hstack(first, second)
+        noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * solution * v for v in (vr, vi)]
+        energy = sum((T(v) * gain * NOISE_G * T(gain) * v for v in (vr, vi)), EXCESS * (T(vr) * solution * vr + T(vi) * solution * vi))
+        ends = [T(first) * v for v in (vr, vi)]
         inside.append(within(
             number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)),
-            *(T(v) * L == T(v) * Na for v in (vr, vi)), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
+            *(T(v) * first == T(v) * Na for v in (vr, vi)), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
             hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=7))
         needs += [[], noise, noise, [], [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
                   [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
-    stable = [schur(L * A) for _, _, L, _ in solved_by]
+    stable = [schur(first * A) for _, _, first, _ in solved_by]
     return order(*needs, lemmas=[*identities, *stable], inside=[*inside, within(len(identities) + len(stable), unique=unique)])
 
 
@@ -434,7 +442,6 @@ def next_covariance(P):
 
 OPTIMAL = rec(Pt, t, P0, next_covariance(Pt[t]))
 FROM_ZERO = rec(Pz, t, Zero(n, n), next_covariance(Pz[t]))
-CONVERGENCE_MADE = {"l": (1, 2), "p": 1, "n": 1}
 Py = sym("Py")
 LG = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), L: matrix(n, l),
       K: matrix(n, p)}
@@ -485,18 +492,21 @@ claim("NWL92-S40", "the covariance from zero is increasing, below the solution, 
       note=("Pz is the covariance from P_0 = 0, Py the same one step later, Pt that from any P_0; L, K are gains with LE + KC = I, those of the solution "
             "among them. Increasing and bounded by P, Pz converges; its limit is a solution, and P is the only one (NWL92-S39)."))
 
-e, Mx, Pj, Pzj, Wj = symbols("e Mx Pj Pzj Wj")
+e, f, Mx, Mz, Pj, Pzj, Wj = symbols("e f Mx Mz Pj Pzj Wj")
 SANDWICH = [given("P_j^0 <= P_j", loewner(Pj, Pzj)), given("P_j <= W_j", loewner(Wj, Pj)), given("W_j near P", loewner(P + e * Mx, Wj)),
-            given("P_j^0 near P", loewner(Pzj, P - e * Mx))]
+            given("P_j^0 near P", loewner(Pzj, P - f * Mz))]
 claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
-      loewner(P + e * Mx, Pj) & loewner(Pj, P - e * Mx), sizes=["n"],
-      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n), e: nonneg()},
+      loewner(P + e * Mx, Pj) & loewner(Pj, P - f * Mz), sizes=["n"],
+      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n),
+            Mz: positive_semidefinite(n), e: nonneg(), f: nonneg()},
       given=SANDWICH,
-      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - e * Mx)]),
-          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + X0 * 0 + H0 * e0}, using={X0: matrix(n, 1), H0: positive_semidefinite(n),
-                                                                                                  e0: scalar()}, n=(1, 2, 3))],
-      note=("e stands for c rho^j. The paper asks for P_j^0 -> P only; for an exponential rate of P_j the lower bound needs one as well, which this "
-            "statement includes. It has one, as P - P_(j+1)^0 = (LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
+      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
+          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + H0 * (1 / (1 + e0 * e0))},
+                    using={X0: matrix(n, 1), H0: positive_semidefinite(n), e0: scalar()}, n=(1, 2, 3)),
+          instances(made_by={Mx: X0 * T(X0), Mz: X1 * T(X1), Wj: P + e * Mx, Pzj: P - f * Mz, Pj: P}, using={X0: matrix(n, 1), X1: matrix(n, 1)}, n=(1, 2, 3))],
+      note=("At each j: e stands for c rho^j, f for what tends to zero as P_j^0 tends to P. So P_j tends to P, and from above as fast as W_j. From below it "
+            "is as fast as P_j^0, of which the paper says no more than that it tends to P; it does so exponentially, as P - P_(j+1)^0 = "
+            "(LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
 
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
 CLOSED_W = CLOSED * (Wt[t] - Pt[t]) * T(CLOSED)

@@ -28,7 +28,7 @@ is said through a left inverse, full row rank through a right inverse.
 
 from __future__ import annotations
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
@@ -36,6 +36,7 @@ from exactkf.language import (
     Z,
     Zero,
     block,
+    defined,
     det,
     diagonal,
     eq,
@@ -56,12 +57,10 @@ from exactkf.language import (
     rank,
     scalar,
     schur,
-    size_of,
     standing,
     sym,
     symbols,
     symmetric_matrix,
-    to_expr,
     trace,
     vector,
     vstack,
@@ -94,8 +93,6 @@ RIGHT = -(hstack(Zero(n, k), Identity(n)) * inv(Zr) * vstack(Zero(k, n), Identit
 INVERSE = let(Gi, block([[W, U], [T(U), Tb]]))
 FULL_ROW = given("[F G] has full row rank", F * N1 + G * N2 == Identity(k))
 ROW_INVERSE = {N1: matrix(n, k), N2: matrix(k, k)}
-#: a random right inverse of [F G], where there is one
-ROWS_MADE = {N1: one_inverse(T(F) * F) * T(F) * X1, N2: one_inverse(G) * (Identity(k) - F * N1)}
 claim("NWL92-E5.4", "the algebraic Riccati equation in the notation (5.2)",
       iff(P == -(hstack(Zero(n, k), Identity(n)) * Gi * vstack(Zero(k, n), Identity(n))), P == RIGHT),
       sizes=["k", "n"], over={**PENCIL, P: positive_semidefinite(n), W: symmetric_matrix(k), U: matrix(k, n), Tb: symmetric_matrix(n)},
@@ -147,7 +144,6 @@ def real_form(real, imaginary):
 Zz = sym("Mz")
 AT_Z = real_form(block([[F + a * K, -G], [Zero(n, n), T(K) + a * T(F)]]), block([[b * K, Zero(k, k)], [Zero(n, n), b * T(F)]]))
 Le, Lc, s1, s2, t1, t2 = symbols("Le Lc s1 s2 t1 t2")
-FULL_E = vstack(E, C)
 
 
 def pencil_at(below):
@@ -178,13 +174,23 @@ claim("NWL92-S43", "detectability in the notation (5.2), and F + zK has full col
       note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], Mz is F + zK, in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
             "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. " + CERTIFIED))
 
-not_checked("NWL92-E5.6", "a null vector of the pencil at a point of the circle",
-            "the assumption of a proof: it fixes notation and asserts nothing")
-not_checked("NWL92-E5.7", "Gam = zK + F", "a definition: it fixes notation and asserts nothing")
+Gre, Gim = symbols("Gre Gim")
+claim("NWL92-E5.7", "with Gam = zK + F the lower right block of (5.6) is z Gam*",
+      (T(K) + a * T(F) == a * T(Gre) + b * T(Gim)) & (b * T(F) == b * T(Gre) - a * T(Gim)), sizes=["k", "n"],
+      over={F: matrix(k, n), K: matrix(k, n), a: scalar(), b: scalar()}, where=[let(Gre, F + a * K), let(Gim, b * K)], given=[ON_CIRCLE],
+      by=[instances(made_by=POINT, using={t0: scalar()}, **SIZES)],
+      note="A definition; what is checked is what it is made for, by real and imaginary part: z = a + ib, Gam = Gre + i Gim, and z times z* is one.")
 
 u1, u2, v1, v2 = symbols("u1 u2 v1 v2")
 NULL = {u1: vector(n), u2: vector(n), v1: vector(k), v2: vector(k)}
 AT_POINT = {**PENCIL, a: scalar(), b: scalar(), **NULL}
+REAL_ROWS = [F * u1 + a * (K * u1) - b * (K * u2) - G * v1, T(K) * v1 + a * (T(F) * v1) - b * (T(F) * v2)]
+IMAGINARY_ROWS = [F * u2 + a * (K * u2) + b * (K * u1) - G * v2, T(K) * v2 + a * (T(F) * v2) + b * (T(F) * v1)]
+claim("NWL92-E5.6", "the matrix (5.5) times (u; v), by real and imaginary part",
+      AT_Z * vstack(u1, v1, u2, v2) == vstack(*REAL_ROWS, *IMAGINARY_ROWS), sizes=["k", "n"], over=AT_POINT, by=[instances(**SIZES)],
+      note=("The assumption of a proof, that the product is zero for some (u; v) other than zero; what is checked is the real form in which it is assumed from "
+            "(5.8) on, for z = a + ib, u = u1 + iu2, v = v1 + iv2."))
+
 EQUATION = given("(5.6)", AT_Z * vstack(u1, v1, u2, v2) == Zero(2 * (k + n), 1))
 ROW_U = [hstack(Identity(k), Zero(k, n), Zero(k, k + n)), hstack(Zero(k, k + n), Identity(k), Zero(k, n))]
 ROW_V = [hstack(Zero(n, k), Identity(n), Zero(n, k + n)), hstack(Zero(n, k + n), Zero(n, k), Identity(n))]
@@ -225,12 +231,18 @@ GAMMA_MADE = {Vv: hstack(v1, v2), r1: T(v1) * Mr0 + T(v2) * Mi0, r2: T(v1) * Mi0
               G: Mre + T(Mre) - T(V_INVERSE) * T(Vv) * Mre + (Identity(k) - Vv * V_INVERSE) * S0 * (Identity(k) - Vv * V_INVERSE)}
 GAMMA_DRAWN = instances(made_by=GAMMA_MADE, using={Mr0: matrix(k, n), Mi0: matrix(k, n), S0: symmetric_matrix(k)}, **NULL_SIZES)
 ZERO_POINT = {"k": 1, "n": 1, G: [[1]], Gr: [[1]], Gi2: [[0]], u1: [1], u2: [0], v1: [1], v2: [0]}
-claim("NWL92-E5.10", "v*Gv = 0",
-      T(v1) * G * v1 + T(v2) * G * v2 == 0, sizes=["k", "n"], over={**GAMMA, G: symmetric_matrix(k)}, given=[*E58S, *E59S],
-      by=[example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]], v1: [0], v2: [1]}), example(ZERO_POINT),
-          example({**ZERO_POINT, u1: [0], u2: [1], v1: [0], v2: [1]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[1]], u1: [0], u2: [-1]}), GAMMA_DRAWN],
-      note=("The print has vGv*, which has no meaning for the column v of (5.6) unless it has one entry; it is read as v*Gv. v = v1 + iv2; the "
-            "imaginary part of v*Gv is zero for every v."))
+PRINTED_ENERGY = [v1 * G * T(v1) + v2 * G * T(v2), v2 * G * T(v1) - v1 * G * T(v2)]
+NO_FIT = example({"k": 2, "n": 1, G: [[0, 0], [0, 0]], Gr: [[1], [0]], Gi2: [[0], [0]], u1: [0], u2: [0], v1: [0, 1], v2: [0, 0]})
+E510 = {"sizes": ["k", "n"], "over": {**GAMMA, G: symmetric_matrix(k)}, "given": [*E58S, *E59S]}
+claim("NWL92-E5.10", "vGv* = 0 for the column v, as printed",
+      defined(PRINTED_ENERGY[0]) & (PRINTED_ENERGY[0] == Zero(k, k)) & (PRINTED_ENERGY[1] == Zero(k, k)), **E510, by=[NO_FIT, GAMMA_DRAWN],
+      repair=repair("order of factors", ("the factors v and v* are exchanged: v is a column, so that the printed product is not even defined unless v has "
+                                         "one entry"),
+                    T(v1) * G * v1 + T(v2) * G * v2 == 0, **E510,
+                    by=[example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[0]], v1: [0], v2: [1]}), example(ZERO_POINT),
+                        example({**ZERO_POINT, u1: [0], u2: [1], v1: [0], v2: [1]}), example({**ZERO_POINT, Gr: [[0]], Gi2: [[1]], u1: [0], u2: [-1]}),
+                        GAMMA_DRAWN]),
+      note="v = v1 + iv2; in the print by real and imaginary part. The imaginary part of v*Gv is zero for every v.")
 
 Lr, Li, Nr, Ni, Mr, Mi = symbols("Lr Li Nr Ni Mr Mi")
 COLUMN_RANK = given("Gam has full column rank", (Lr * Gr - Li * Gi2 == Identity(n)) & (Lr * Gi2 + Li * Gr == Zero(n, n)))
@@ -290,7 +302,7 @@ invertible_at("NWL92-E5.5", "the matrix (5.5) is invertible at every point of th
 s, t = symbols("s t")
 ANY = {F: matrix(k, n), K: matrix(k, n), G: symmetric_matrix(k)}
 NONZERO = {**ANY, s: nonzero(), t: nonzero()}
-STEPS_2 = steps("NWL92-E5.13", "NWL92-E5.15", facts=["the degree of a determinant in s and t together is its size"],
+STEPS_2 = steps("NWL92-L5.1", "NWL92-E5.13", "NWL92-E5.15", facts=["the degree of a determinant in s and t together is its size"],
                 prose=("By (5.15) eigenmodes other than zero and infinity come in pairs z, 1/z, and there are k - n more at infinity than at zero; "
                        "none is on the circle (Lemma 5.1), and there are n + k in all."))
 claim("NWL92-L5.2", "the pencil has exactly n stable eigenmodes",
@@ -384,7 +396,7 @@ RELATION = given("(5.18)", M_PENCIL * vstack(X, Y) == N_PENCIL * vstack(X, Y) * 
 E25 = given("(5.25)", F * X - G * Y == K * X * J)
 E26 = given("(5.26)", T(K) * Y == T(F) * Y * J)
 FIRST_RELATIONS = [E25, E26]
-B0, V, W0, k1, k2, Nn = symbols("B0 V W0 k1 k2 Nn")
+B0, V, W0, k1, k2 = symbols("B0 V W0 k1 k2")
 #: from a solution P of the Riccati equation in coordinates: F = V[I; 0], N = V diag(P, *)V', K = V[k1; k2]; X = P W0, Y = V'^-1 [W0; 0]
 SPACE_MADE = {k1: B0 * X0 * (1 / (1 + trace(X0 * T(X0)))) * inv(B0), P: B0 * T(B0),
               G: V * block([[P - k1 * P * T(k1), -k1 * P * T(k2)],

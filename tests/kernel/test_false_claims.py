@@ -429,3 +429,34 @@ def test_a_kind_that_is_no_name_is_no_certificate():
 
     with pytest.raises(NotACertificate):
         replay({**seal("X", "orbit", {}, {}), "kind": ["orbit"]})
+
+
+# ---------------------------------------------------------------------- powers inside the unit circle
+Q = ["sym", "Q"]
+OF_TWO = [["A", ["matrix", ["sym", "n"], ["sym", "n"]]], ["Q", ["symmetric", ["sym", "n"]]]]
+LESS = ["-", Q, ["*", A, Q, ["T", A]]]
+INSIDE, NOT_LESS = ["inside", ["schur", A], "standing"], ["less", ["psd", LESS], "standing"]
+#: the sum is the hypothesis itself, so that no multiples are needed
+SUMMED = {"parts": [{"sum": [LESS], "terms": [], "stein": A}]}
+
+
+@pytest.mark.parametrize("given, says, stein, right", [
+    ([INSIDE, NOT_LESS], ["psd", Q], A, True),
+    ([NOT_LESS], ["psd", Q], A, False),  # A = 2, Q = -1
+    ([INSIDE, NOT_LESS], ["psd", Q], ["*", 2, A], False),
+    ([INSIDE, NOT_LESS], ["psd", Q], ["T", A], False),  # another equation
+    ([INSIDE, NOT_LESS], ["pd", Q], A, False),  # Q = 0
+    ([["inside", ["schur", ["inv", A]], "standing"], NOT_LESS], ["psd", Q], A, False),
+    ([["inside", ["schur", ["*", A, A]], "standing"], NOT_LESS], ["psd", Q], A, False),
+])
+def test_a_sum_over_powers(given, says, stein, right):
+    """Q - AQA' >= 0 makes Q >= 0 only where the powers of this A tend to zero."""
+    assert accepted("order", statement(says, OF_TWO, given), {"parts": [{**SUMMED["parts"][0], "stein": stein}]}) is right
+
+
+def test_an_order_of_other_matrices_is_no_sum_over_powers():
+    """The terms are those of Q - AQA', and not of Q."""
+    plain = {"parts": [{"sum": [LESS], "terms": []}]}
+    assert not accepted("order", statement(["psd", Q], OF_TWO, [INSIDE, NOT_LESS]), plain)
+    negative = statement(["psd", Q], OF_TWO, [INSIDE, ["q", ["psd", ["neg", Q]], "standing"]])
+    assert not accepted("order", negative, {"parts": [{"sum": [["neg", Q]], "terms": [], "stein": A}]})

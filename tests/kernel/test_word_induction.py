@@ -10,7 +10,7 @@ import pytest
 
 from exactkf import verify_statement
 from exactkf._errors import BadInput
-from exactkf.evidence import induction, instances, order
+from exactkf.evidence import first, induction, instances, order
 from exactkf.finders.membership import find_induction
 from exactkf.kernel.instances import admissible, read_instance
 from exactkf.kernel.meaning import World
@@ -157,6 +157,54 @@ def test_a_certificate_of_something_else_is_rejected(other):
     _, found = _found("transposed products", TRUE)
     with pytest.raises(Rejected):
         replay(seal("T", "word induction", Statement(**FALSE[other][0]).to_json(), found))
+
+
+#: X_k in the null space of what comes after it: from the end back to every k, and then forwards
+CHAIN = {"sizes": ["d", "n"], "over": {"A": matrix(d, d), "X": sequence_of(matrix(d, d), 0, n)},
+         "given": [standing("chain", forall(k, 0, n - 1, X[k] == A * X[k + 1])), standing("end", X[n] == Zero(d, d))]}
+BACKWARDS = first(forall(k, 0, n, X[n - k] == Zero(d, d)))
+FORWARDS = first(forall(k, 0, n, (X[n - k] == X[n - k]) & (X[k] == Zero(d, d))))
+
+
+def _chain(says, *lemmas):
+    data = Statement(**CHAIN, says=says).to_json()
+    hints = json.loads(json.dumps(dict(induction(before=lemmas).hints), default=dict))
+    return data, find_induction(data, hints)
+
+
+def test_lemmas_with_an_index_of_their_own():
+    """One induction backwards, which the next uses at every index of its range; without it there is no proof."""
+    data, found = _chain(forall(k, 0, n, X[k] == Zero(d, d)), BACKWARDS, FORWARDS)
+    replay(seal("T", "word induction", data, found))
+    assert _chain(forall(k, 0, n, X[k] == Zero(d, d)))[1] is None
+    for keep in (0, 1):
+        with pytest.raises(Rejected):
+            replay(seal("T", "word induction", data, {**found, "before": [found["before"][keep]]}))
+
+
+def test_a_lemma_is_not_used_out_of_its_range():
+    """Shown for k < n, it says nothing about X_n."""
+    part = first(forall(k, 0, n - 1, X[n - 1 - k] == A * X[n - k]))
+    free = {**CHAIN, "given": CHAIN["given"][:1]}
+    hints = json.loads(json.dumps(dict(induction(before=[part]).hints), default=dict))
+    good, bad = (Statement(**free, says=forall(k, 0, n - b, (X[n - b - k] == X[n - b - k]) & (X[n - 1 - k] == A * X[n - k]))).to_json() for b in (1, 0))
+    assert find_induction(good, hints) is not None
+    assert find_induction(bad, hints) is None
+
+
+@pytest.mark.parametrize("lemma", [inv(X[k]) * X[k] == I(d), X[k] == Zero(d, d), A == Zero(d, d)])
+def test_a_lemma_is_shown(lemma):
+    """A false lemma, or one that inverts what need not be invertible, proves nothing."""
+    data, found = _chain(forall(k, 0, n, X[k] == X[k]), BACKWARDS)
+    false = Statement(sizes=["d", "n"], over=CHAIN["over"], says=forall(k, 0, n, A == Zero(d, d))).to_json()
+    replay(seal("T", "word induction", data, found))
+    made = first(forall(k, 0, n, lemma))
+    hints = json.loads(json.dumps(dict(induction(before=[made]).hints), default=dict))
+    assert find_induction(false, hints) is None
+    proofs = [[{"sum": [], "blocks": [[]]}] * 2] * 2
+    parts = [{"parts": part, "lemmas": []} for part in proofs]
+    with pytest.raises(Rejected):
+        replay(seal("T", "word induction", false, {**found, "before": [{"says": hints["before"][0]["says"], "also": [], "proofs": parts}]}))
 
 
 def test_the_engine_tries_it():

@@ -28,6 +28,11 @@ PROVED = {
     "Joseph form": (UPDATE + "assume S invertible\nclaim (I - K*M)*P*(I - K*M)' + K*V*K' == P - K*M*P", {"membership"}),
     "its inverse exists by order": (POSITIVE + "claim (I - K*M)*P*(I - K*M)' + K*V*K' == P - K*M*P", {"membership", "order"}),
     "an order through a claim on the way": (POSITIVE + "claim P - K*M*P == (I - K*M)*P*(I - K*M)' + K*V*K'\nclaim P - K*M*P >= 0", {"membership", "order"}),
+    "an order by the form of its update": (POSITIVE + "claim P - K*M*P >= 0", {"order"}),
+    "the order of an update": (POSITIVE + "claim P >= K*M*P", {"order"}),
+    "an update for noise of covariance I": ("sizes n p\nmatrix P n n psd\nmatrix M p n\nclaim P - P*M'*inv(M*P*M' + I)*M*P >= 0", {"order"}),
+    "an update of a definite matrix": (
+        POSITIVE.replace("P n n psd", "P n n pd") + "let D = K*M*P\nlet Z = P - D\nclaim Z > 0", {"order"}),
     "push-through, the other inverse shown": (
         "sizes n m\nmatrix P n m\nmatrix Q m n\nassume I + P*Q invertible\nclaim inv(I + P*Q)*P == P*inv(I + Q*P)", {"membership", "order"}),
     "Woodbury, its left side shown to exist": (

@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: MIT
+"""Products, determinants, inverses, characteristic polynomials and coefficients at infinity of generic size: what is false is not shown."""
+
+from __future__ import annotations
+
+import pytest
+
+from exactkf.evidence import fact, generic_index, lemma, use
+from exactkf.kernel.opaque import opaque
+from exactkf.kernel.replay import Rejected, replay, seal
+from exactkf.language import (
+    Identity,
+    Statement,
+    T,
+    Z,
+    Zero,
+    always,
+    charpoly,
+    coeff,
+    column,
+    det,
+    eq,
+    forall,
+    function,
+    inv,
+    laurent,
+    let,
+    matrix,
+    matrix_of,
+    prod,
+    rec,
+    scalar,
+    sequence,
+    signal,
+    standing,
+    substitute,
+    sum_of,
+    sym,
+    symbols,
+    vector,
+    when,
+)
+
+n, m, t, k, j, i, s, u, x, y, a, b, c, F, h, g, J, M, p, q = symbols("n m t k j i s u x y a b c F h g J M p q")
+row, z = sym("row"), sym("z")
+SOME = [standing("n >= 1", n >= 1)]
+X = {"sizes": ["n"], "over": {"x": signal(0)}}
+#: a companion matrix with ones above the diagonal and first column -v
+SHIFT = [let(J, matrix_of(i, j, n, n, when(j == i + 1, 1, 0))), let(h, column(i, n, when(i == 1, 1, 0)))]
+COMPANION = {"sizes": ["n"], "over": {"a": vector(n)}, "where": SHIFT}
+POLY = Z**n + sum_of(i, 1, n, a[i] * Z ** (n - i))
+#: unit lower triangular and upper triangular bidiagonal matrices, with the product M
+TRIANGULAR = {"sizes": ["n"], "over": {"x": sequence(1, n), "y": sequence(1, n)}, "given": SOME}
+LOWER = matrix_of(i, j, n, n, when(i == j, 1, when(i == j + 1, x[j], 0)))
+
+
+def accepts(says, evidence, **statement):
+    """Whether a certificate of the statement is accepted."""
+    data = Statement(says, **statement).to_json()
+    try:
+        replay(seal("test", "generic index", data, evidence.hints))
+        return True
+    except Rejected:
+        return False
+
+
+# ---------------------------------------------------------------------- products
+def test_products_telescope():
+    """A factor more, the same factors from behind, and none."""
+    assert accepts(prod(k, 1, n, x[k]) * x[n + 1] == prod(k, 1, n + 1, x[k]), generic_index(), **X)
+    assert accepts(prod(k, 1, n, x[n + 1 - k]) == prod(k, 1, n, x[k]), generic_index(), **X)
+    assert accepts(prod(k, 1, n, 1 - x[k] ** 2) * prod(k, n + 1, 2, 1 - x[k]) == prod(k, 1, n, 1 - x[k] ** 2), generic_index(),
+                   **{**X, "given": [standing("n >= 2", n >= 2)]})
+
+
+@pytest.mark.parametrize("says", [
+    prod(k, 1, n, x[k]) == prod(k, 0, n, x[k]),
+    prod(k, 1, n, x[k]) * x[n] == prod(k, 1, n + 1, x[k]),
+    prod(k, 1, n, x[n - k]) == prod(k, 1, n, x[k]),
+    prod(k, 1, n, x[k]) == prod(k, 1, n, 2 * x[k]),
+    prod(k, 1, n, x[k]) / x[1] == prod(k, 2, n, x[k]),  # for n = 0 the left side is 1/x_1, the right one is one
+    prod(k, 1, n, x[k] + 1) == prod(k, 1, n, x[k]) + 1,
+])
+def test_false_products(says):
+    """Off by one at either end, at n = 0, a factor too many."""
+    assert not accepts(says, generic_index(), **X)
+
+
+def test_the_index_of_a_product_is_its_own():
+    """An index bound outside, used in the factor but not as its index, is no index of the product."""
+    assert accepts(forall(t, 0, n, prod(k, 1, t, x[k]) * x[t + 1] == prod(k, 1, t + 1, x[k])), generic_index(), **X)
+    assert not accepts(forall(t, 0, n, prod(k, 1, t, x[t]) == prod(k, 1, t, x[k])), generic_index(), **X)
+    assert not accepts(forall(t, 1, n, sum_of(j, 1, t, x[j] * prod(k, 1, j, x[k])) == sum_of(j, 1, t, x[j]) * prod(k, 1, t, x[k])), generic_index(), **X)
+
+
+# ---------------------------------------------------------------------- lemmas for all t
+def test_an_index_of_a_lemma_is_not_negative():
+    """Y_t = 0 for t > 0 only; used at t - 1 it says nothing about t = 0."""
+    over = {"sizes": ["n"], "over": {"g": scalar()}, "where": [rec(y, t, g, 0 * y[t])]}
+    later = lemma(k, always(t, y[t + 1] == 0))
+    assert accepts(forall(t, 1, n, y[t] == 0), generic_index(later, uses=[use(0, k=0, t=t - 1)]), **over)
+    assert not accepts(forall(t, 0, n, y[t] == 0), generic_index(later, uses=[use(0, k=0, t=t - 1)]), **over)
+    assert not accepts(always(t, y[t] == 0), generic_index(lemma(k, always(t, y[t] == 0), uses=[use(0, k=k, t=t)])), **over)
+
+
+def test_a_definition_is_used_from_its_start_on():
+    """y_0 = g is no step; y_t = 2 y_(t-1) is, for t > 0."""
+    over = {"sizes": ["n"], "over": {"g": scalar()}, "where": [rec(y, t, g, 2 * y[t])]}
+    assert accepts(forall(t, 1, n, y[t] == 2 * y[t - 1]), generic_index(whole=[y], uses=[use(y, t)]), **over)
+    assert not accepts(forall(t, 0, n, y[t] == 2 * y[t - 1]), generic_index(whole=[y], uses=[use(y, t)]), **over)
+    assert not accepts(forall(t, 1, n, y[t] == 3 * y[t - 1]), generic_index(whole=[y], uses=[use(y, t)]), **over)
+
+
+def test_the_base_does_not_lean_on_the_lemma_itself():
+    """Uses of a base are of what was shown before."""
+    over = {"sizes": ["n"], "over": {"g": scalar()}, "where": [rec(y, t, g, y[t])]}
+    assert not accepts(always(t, y[t] == 0), generic_index(lemma(t, y[t] == 0, base=[use(0, t=0)], uses=[use(0, t=t)]), uses=[use(0, t=t)]), **over)
+
+
+# ---------------------------------------------------------------------- determinants
+def test_a_determinant_by_triangular_factors():
+    """det of a product of a unit lower and an upper triangular matrix."""
+    upper = matrix_of(i, j, n, n, when(i == j, y[i], when(j == i + 1, x[i], 0)))
+    whole = {**TRIANGULAR, "where": [let(M, upper)]}
+    right = fact(t, "det", det(M) == prod(k, 1, n, y[k]), Identity(n))
+    assert accepts(det(M) == prod(k, 1, n - 1, y[k]) * y[n], generic_index(right, uses=[use(0, t=0)]), **whole)
+    for wrong in (fact(t, "det", det(M) == prod(k, 1, n, x[k]), Identity(n)), fact(t, "det", det(M) == prod(k, 1, n - 1, y[k]), Identity(n)),
+                  fact(t, "det", det(M) == prod(k, 0, n, y[k]), Identity(n)), fact(t, "det", det(M) == prod(k, 1, n, 2 * y[k]), 2 * Identity(n)),
+                  fact(t, "det", det(M) == prod(k, 1, n, y[k]), matrix_of(i, j, n, n, when(i == j, 1, when(i == j + 1, 1, 0))))):
+        assert not accepts(det(M) == det(M), generic_index(wrong), **whole)
+
+
+# ---------------------------------------------------------------------- inverses
+def test_an_inverse_is_found_by_its_product():
+    """inv(L) of a unit bidiagonal matrix with equal entries below the diagonal, from LB = 1; a wrong one is not."""
+    whole = {"sizes": ["n"], "over": {"x": scalar()}, "where": [let(M, matrix_of(i, j, n, n, when(i == j, 1, when(i == j + 1, 0 * x, 0))))], "given": SOME}
+    assert accepts(inv(M) == Identity(n), generic_index(fact(t, "solve", inv(M) == Identity(n)), uses=[use(0, t=0, row=row, column=sym("column"))]), **whole)
+    assert not accepts(inv(M) == 2 * Identity(n), generic_index(fact(t, "solve", inv(M) == 2 * Identity(n))), **whole)
+    assert not accepts(inv(M) == Identity(n + 1), generic_index(fact(t, "solve", inv(M) == Identity(n + 1))), **whole)
+
+
+def test_what_an_inverse_says_is_not_used_where_there_is_none():
+    """0 x = 0 and 0 y = 0 are solved by every x and y: that inv(0) 0 is both says nothing about x and y."""
+    whole = {"sizes": ["n"], "over": {"x": vector(n), "y": vector(n)}, "where": [let(M, matrix_of(i, j, n, n, 0))], "given": SOME}
+    both = [fact(t, "solve", inv(M) * Zero(n, 1) == v) for v in (x, y)]
+    uses = [use(v, t=0, row=row) for v in (0, 1)]
+    assert accepts(inv(M) * Zero(n, 1) == x, generic_index(*both, uses=uses), **whole)  # a claim about what has no value is empty
+    assert not accepts(x == y, generic_index(*both, uses=uses), **whole)
+    assert not accepts(eq(x[1], y[1]), generic_index(*both, uses=[use(v, t=0, row=1) for v in (0, 1)]), **whole)
+    through = lemma(t, x[1] == y[1], direct=True, uses=[use(v, t=0, row=1) for v in (0, 1)])
+    assert not accepts(x[1] == y[1], generic_index(*both, through, uses=[use(2, t=0)]), **whole)
+
+
+def test_a_rectangular_matrix_has_no_inverse():
+    """M x = v does not give inv(M) v = x for other shapes."""
+    whole = {"sizes": ["n", "m"], "over": {"x": vector(n)}, "where": [let(M, matrix_of(i, j, m, n, 0))], "given": SOME}
+    assert not accepts(inv(M) * Zero(m, 1) == x, generic_index(fact(t, "solve", inv(M) * Zero(m, 1) == x), uses=[use(0, t=0, row=row)]), **whole)
+
+
+# ---------------------------------------------------------------------- characteristic polynomials
+def test_characteristic_polynomial_of_a_companion_matrix():
+    """The certificate of the right one, and of wrong ones."""
+    matrix_, good = J - a * T(h), (j, Z ** (n - j))
+    says = charpoly(matrix_) == POLY
+    uses = [use(0, t=0, z=z)]
+    assert accepts(says, generic_index(fact(t, "charpoly", says, good), uses=uses), **COMPANION, given=SOME)
+    assert not accepts(says, generic_index(fact(t, "charpoly", says, good), uses=uses), **COMPANION)  # n = 0
+    for wrong, row_ in ((charpoly(J + a * T(h)) == POLY, good), (charpoly(matrix_) == POLY + 1, good), (charpoly(matrix_) == 2 * POLY, (j, 2 * Z ** (n - j))),
+                        (charpoly(2 * J - a * T(h)) == POLY, good), (says, (j, Z ** (n + 1 - j))), (charpoly(J - a * T(h) + T(J) * T(J)) == POLY, good),
+                        (charpoly(T(matrix_)) == POLY, good)):
+        assert not accepts(says, generic_index(fact(t, "charpoly", wrong, row_), uses=uses), **COMPANION, given=SOME)
+
+
+# ---------------------------------------------------------------------- coefficients at infinity
+def test_coefficients_at_infinity():
+    """1/(z - b): b^(k-1); a wrong denominator, degree, range or coefficient is refused."""
+    over = {"sizes": ["n"], "over": {"b": scalar()}, "where": [rec(x, k, 1, b * x[k]), function(c, [k], when(k == 0, 0, x[k - 1]))]}
+    says = forall(k, 0, n, laurent(1 / (Z - b), k) == c(k))
+    right = fact(t, "laurent", says, 1, uses=[use(x, k - 1)])
+    assert accepts(forall(k, 0, n, laurent(1 / (Z - b), k) == c(k)), generic_index(right, uses=[use(0, t=0, k=k)]), **over)
+    assert not accepts(forall(k, 0, n + 1, laurent(1 / (Z - b), k) == c(k)), generic_index(right, uses=[use(0, t=0, k=k)]), **over)
+    for wrong in (fact(t, "laurent", forall(k, 0, n, laurent(1 / (2 * Z - b), k) == c(k)), 1), fact(t, "laurent", says, 2),
+                  fact(t, "laurent", says, 0),
+                  fact(t, "laurent", forall(k, 0, n, laurent(Z / (Z - b), k) == c(k)), 1),
+                  fact(t, "laurent", forall(k, 0, n, laurent(1 / (Z - b), k) == x[k]), 1),
+                  fact(t, "laurent", forall(k, 1, n, laurent(1 / (Z - b), k) == c(k)), 1)):
+        assert not accepts(says, generic_index({**wrong, "uses": right["uses"]}, uses=[use(0, t=0, k=k)]), **over)
+
+
+# ---------------------------------------------------------------------- values of polynomials at a matrix
+def test_a_polynomial_of_a_matrix():
+    """h'p(F)g is the sum of p_k h'F^k g for a polynomial whose degree is known, and for no other."""
+    over = {"sizes": ["n"], "over": {"F": matrix(n, n), "h": vector(n), "g": vector(n), "x": signal(0)}, "given": SOME,
+            "where": [rec(p, t, 1, Z * p[t] + x[t])]}
+    says = forall(t, 0, n, T(h) * substitute(p[t], F) * g == sum_of(k, 0, t, coeff(p[t], k) * (T(h) * F**k * g)))
+    assert accepts(says, generic_index(supported=[p]), **over)
+    assert not accepts(says, generic_index(), **over)
+    for wrong in (forall(t, 0, n, T(h) * substitute(p[t], F) * g == sum_of(k, 0, t, coeff(p[t], k) * (T(h) * F ** (k + 1) * g))),
+                  forall(t, 0, n, T(h) * substitute(p[t], F) * g == sum_of(k, 1, t, coeff(p[t], k) * (T(h) * F**k * g))),
+                  forall(t, 0, n, T(h) * substitute(p[t], F) * g == sum_of(k, 0, t, coeff(p[t], k) * (T(g) * F**k * h)))):
+        assert not accepts(wrong, generic_index(supported=[p]), **over)
+
+
+def test_terms_are_told_apart_by_their_indices():
+    """det(M_t) and det(M_(t+1)) are two numbers; an index bound inside is not that outside."""
+    over = {"sizes": ["n"], "over": {"x": signal(0)}, "where": [function(M, [t], matrix_of(i, j, t, t, x[i + j]))]}
+    assert accepts(forall(t, 0, n, det(M(t)) == det(M(t + 1 - 1))), generic_index(), **over)
+    assert not accepts(forall(t, 0, n, det(M(t)) == det(M(t + 1))), generic_index(), **over)
+    inside = sum_of(i, 0, 3, det(matrix_of(j, k, n, n, x[i]))).tree
+    env = {"i": {"i": 1}, "n": {"n": 1}}
+
+    def index(tree, env):
+        return {"": tree} if isinstance(tree, int) else dict(env[tree[1]])
+
+    _, forms = opaque(_lists(inside), env, index)
+    assert {"i": 1} not in forms and {"n": 1} in forms
+
+
+def _lists(tree):
+    return [_lists(v) for v in tree] if isinstance(tree, tuple) else tree
