@@ -86,7 +86,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         raise NotACertificate("not an exactkf certificate; pass a file that 'exactkf verify --certificates' wrote")
     if certificate.get("version") != VERSION:
         raise NotACertificate(f"version {certificate.get('version')!r} of the certificate format; this checker reads version {VERSION}")
-    if set(certificate) != set(_FIELDS) or certificate["kind"] not in _KINDS:
+    if set(certificate) != set(_FIELDS) or not isinstance(certificate["kind"], str) or certificate["kind"] not in _KINDS:
         raise NotACertificate("fields or kind of the certificate are not those of version 1")
     if digest(certificate) != certificate["digest"]:
         raise Rejected("digest: the certificate was altered after it was written")
