@@ -244,7 +244,7 @@ def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
     D = spectral_polynomial(reduced.Q, reduced.S)
     _need(m == 0 or spectral_sign(D) in ("+", "0+", "-", "-0"), "D changes sign on the circle")
     _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
-    _need(answer["period"] in (None, 1), "an equilibrium has period one")
+    _need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
     _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
     if answer["limit"] is not None:
         _limit(reduced, D, answer["limit"], evidence)

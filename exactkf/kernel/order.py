@@ -74,6 +74,7 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
         if vector:
             case, formula = _through_vector(case, formula, vector == "left")
         for part in formulas:
+            _well_formed(part)
             yield from _leaves({**case, "lemma": True, "said": []}, part)
             case = {**_assume({**case, "lemma": True}, f"inner lemma {len(case['given'])}", part), "lemma": lemma}
         yield {**case, "said": said}, formula  # the inverses of a lemma must exist, those of what a vector has replaced too

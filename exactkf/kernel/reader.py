@@ -91,6 +91,12 @@ class Reader:
         form = self._linear(tree)
         return tuple(sorted((n, c) for n, c in form.items() if c))
 
+    def _size_at(self, tree: Any, local: Mapping[str, Any]) -> Size:
+        """A size inside a function, where a name may stand for an argument."""
+        if local and _counts(tree):
+            raise Unknown("the size of a matrix inside a function")
+        return self.size(tree)
+
     def _linear(self, tree: Any) -> dict[str, int]:
         if isinstance(tree, int):
             return {"": tree}
@@ -239,7 +245,7 @@ class Reader:
             if isinstance(base, Blocks) or list(base.values()) != [1] or any(word for _, word in base):
                 raise Unknown("a power, with a size in the exponent, of what is no product of scalars")
             ((scalars, _),) = base
-            return self._to_size(scalars, self.size(tree[2]))
+            return self._to_size(scalars, self._size_at(tree[2], local))
         base = self._inverse(base) if tree[2] < 0 else base
         if tree[2] == 0:
             raise Unknown("power zero")
@@ -401,11 +407,11 @@ class Reader:
         return {(((f"det({name})", 1),), ()): 1}
 
     def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        size = self.size(tree[1])
+        size = self._size_at(tree[1], local)
         return Blocks((size,), (size,), [[dict(ONE)]])
 
     def _read_zero(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        return Blocks((self.size(tree[1]),), (self.size(tree[2]),), [[{}]])
+        return Blocks((self._size_at(tree[1], local),), (self._size_at(tree[2], local),), [[{}]])
 
     def _split_like(self, x: Blocks, rows: tuple, cols: tuple) -> Blocks:
         """An identity or zero of a total size, opened into blocks."""
@@ -446,6 +452,11 @@ class Reader:
                 parts.append(c)
             grid.extend([sum((c.grid[i] for c in parts), []) for i in range(len(height))])  # type: ignore[arg-type]
         return Blocks(sum(heights, ()), sum(widths, ()), grid)  # type: ignore[arg-type]
+
+
+def _counts(tree: Any) -> bool:
+    """A number of rows or columns occurs in a size."""
+    return isinstance(tree, (list, tuple)) and (tree[0] in ("nrows", "ncols") or any(map(_counts, tree[1:])))
 
 
 def _is_number(x: Any) -> bool:

@@ -30,7 +30,6 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
-    matrix_of,
     positive_semidefinite,
     rank,
     standing,
@@ -38,7 +37,6 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     vstack,
-    when,
 )
 
 # sizes
@@ -142,20 +140,6 @@ def excess_term(L: Expr, U: Expr, R: Expr) -> Expr:
 def likeliest(x: Expr, w: Expr, y: Expr, H: Expr, V: Expr, w0: Expr) -> Expr:
     """(x, w) satisfies y = Hx + Vw with w orthogonal to w0 - w, so that w0'w0 = w'w + |w0 - w|^2."""
     return (y == H * x + V * w) & (T(w) * w0 == T(w) * w)
-
-
-# ------------------------------------------------------------------ coordinates
-S, F, E1, E0, P, Y3, Y4, Y5, Y6, Y7, rho, ii, jj = symbols("S F E1 E0 P Y3 Y4 Y5 Y6 Y7 rho ii jj")
-
-
-
-def ones(nrows: Any, ncols: Any) -> Expr:
-    """[I, 0; 0, 0] with rho ones."""
-    return matrix_of(ii, jj, nrows, ncols, when((ii == jj) & (ii <= rho), 1, 0))
-
-
-
-
 
 
 # ------------------------------------------------------------------ every size at once
