@@ -59,7 +59,10 @@ def test_a_decision_takes_less_than_a_few_hundred_exact_steps():
 
 @pytest.mark.parametrize(("n", "bound"), [(2, 60), (3, 80), (4, 80)])
 def test_a_decision_of_higher_order_takes_less_than_a_few_dozen_exact_steps(n, bound):
-    """The median decision for all t of 200 starts of order 2, 3, 4 takes as long as BOUND exact steps or less."""
+    """The median decision for all t of 200 starts of order 2, 3, 4 takes as long as BOUND exact steps or less.
+
+    Measured: 0.55, 0.42, 0.46 of that, and 20, 10, 14 times one factorization of D into irreducible factors.
+    """
     random = Random(7)
     starts = [start(random, n) for _ in range(200)]
     times: dict[str, list[float]] = {"decided": [], "sealed": [], "stepped": [], "factored": []}
