@@ -62,6 +62,7 @@ class Terms(Indefinite):
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.recursive, self.in_z = _classified(statement, self.definitions)
+        self.with_z: dict[int, tuple[Any, bool]] = {}  # trees asked about
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
@@ -271,7 +272,10 @@ class Terms(Indefinite):
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
 
     def has_z(self, tree: Any) -> bool:
-        return _mentions_z(tree, self.in_z)
+        found = self.with_z.get(id(tree))
+        if found is None:  # the tree is kept, so that its id stays its own
+            found = self.with_z[id(tree)] = tree, _mentions_z(tree, self.in_z)
+        return found[1]
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:

@@ -24,7 +24,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from functools import reduce
 from itertools import islice
+from operator import or_
 from typing import Any
 
 from exactkf.kernel.defined import Witness, ill_founded
@@ -32,7 +34,7 @@ from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
 from exactkf.kernel.indefinite import BOUND
 from exactkf.kernel.numbers import Rejected, Unknown
-from exactkf.kernel.packed import BITS, exponents
+from exactkf.kernel.packed import BITS, exponent, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
 from exactkf.kernel.wellformed import check_formula
@@ -373,7 +375,7 @@ def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
     """Numerator by powers of an atom."""
     out: dict[int, dict[int, int]] = {}
     for monomial, c in x.num.items():
-        e = next((e for k, e in enumerate(exponents(monomial)) if k == place), 0)
+        e = exponent(monomial, place)
         out.setdefault(e, {})[monomial - (e << (BITS * place))] = c
     return out
 
@@ -381,8 +383,8 @@ def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
 def _pivot(terms: Terms, row: Symbolic) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
-    present = {place for monomial in row.num for place, e in enumerate(exponents(monomial)) if e}
-    for place in sorted(present):
+    present = [place for place, e in enumerate(exponents(reduce(or_, row.num, 0))) if e]
+    for place in present:
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
             lead, left = parts[1], 0

@@ -37,7 +37,7 @@ def plus(x: Form, y: Form, factor: int = 1) -> Form:
     out = dict(x)
     for name, c in y.items():
         out[name] = out.get(name, 0) + factor * c
-    return {name: c for name, c in out.items() if c}
+    return {name: c for name, c in out.items() if c} if 0 in out.values() else out
 
 
 def form_key(form: Form) -> tuple:
@@ -63,6 +63,7 @@ class Region:
     def __init__(self, forms: list[Form], solved: Mapping[str, Form] | None = None) -> None:
         self.solved = dict(solved or {})
         self.forms = [self.reduce(f) for f in forms]
+        self.keys = frozenset(map(form_key, self.forms))
         self.answers: dict[tuple, bool | None] = {}
         for form in list(self.forms):
             if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
@@ -87,7 +88,7 @@ class Region:
 
     def _possible(self, extra: Form) -> bool:
         """Some rational point has every form and this one >= 0."""
-        return _possible(frozenset([*map(form_key, self.forms), form_key(extra)]))
+        return _possible(self.keys | {form_key(extra)})
 
     @property
     def empty(self) -> bool:
