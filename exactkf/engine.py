@@ -31,6 +31,7 @@ from flint import fmpq, fmpz
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
+from exactkf.finders.effort import counted
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates, every_size
 from exactkf.kernel.meaning import World
@@ -79,7 +80,7 @@ def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
     started = time.perf_counter()
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
-    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
+    with rationals(fmpq), counted():  # the search; replaying goes back to Fraction by itself
         return _verify(claim, claim.statement, seed, started)
 
 
@@ -271,7 +272,8 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
             terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _over_primes(certificate["evidence"]))
+            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _of_stable(certificate["evidence"])
+                                  + _over_primes(certificate["evidence"]))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
         found.evidence.append(f"{kind}: the terms given do not prove it")
@@ -282,6 +284,12 @@ def _over_primes(evidence: Any) -> str:
     below = {Fraction(c).denominator for c in _coefficients(evidence)}
     primes = sorted({int(p) for d in below for p, _ in fmpz(d).factor()})
     return f", over Z[{', '.join(f'1/{p}' for p in primes)}]" if primes else ""
+
+
+def _of_stable(evidence: Any) -> str:
+    """What a proof makes of stable matrices."""
+    used = {key for part in evidence.get("parts", ()) for key in part} & {"stein", "unique", "solutions"}
+    return ", and Stein equations X = MXM' + Q of stable M, which have one solution, semidefinite for semidefinite Q" if used else ""
 
 
 def _coefficients(tree: Any, listed: bool = False) -> Iterator[str]:

@@ -252,7 +252,8 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         What belongs to the proof of one leaf.
     """
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
-    stable, passed = [], 0
+    stable: list[list] = []
+    passed = 0
     for w in sorted(inside, key=lambda w: w["number"]):
         stable.extend([w["number"] + passed + n, help_] for n, help_ in w["help"])
         passed += len(w["lemmas"])

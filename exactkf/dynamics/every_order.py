@@ -53,6 +53,7 @@ from exactkf.dynamics.wandering import (
     Readings,
     aperiodic_place,
     apparent_orders,
+    common_period,
     escape_seen,
     escapes_before,
     irreducible_at,
@@ -63,7 +64,9 @@ from exactkf.dynamics.wandering import (
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.intervals import does_not_escape
+from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
+from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_wandering import common_order
 from exactkf.kernel.replay import seal
 from exactkf.theory._scalars import Scalar, check_length, unify
@@ -76,7 +79,6 @@ _FEW = 60
 _LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
-_TORUS_OF_A_FIELD = "the relations between roots of a polynomial with irrational coefficients are not sought"
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
 
 
@@ -111,7 +113,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     -------
     Answer
         With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        enclosed in intervals of 50 digits (`limit_digits` gives more), and the dimension of a torus is found up to one.
+        enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------
@@ -390,7 +392,7 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
                           f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
                           + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    dimension, torus, reason = torus_evidence(_fractions(case.D)) if case.rational else (None, {}, _TORUS_OF_A_FIELD)
+    dimension, torus, reason = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
         case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
     else:
@@ -403,6 +405,16 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
 def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
     """Evidence that the orbit never escapes, or None if none was found."""
     before = escapes_before(pair)
+    N = common_period(case.D) if case.rational else None
+    if N is not None:
+        try:
+            check_by_polynomials(_fractions(case.reduced.Q), _fractions(case.reduced.S), _fractions(case.D), N)
+        except Undefined:
+            return None
+        case.facts.append(Fact(f"The zeros of D are roots of unity, some multiple: along t = k, k + {N}, k + {2 * N}, ... the determinants whose zeros are the "
+                               "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
+                               f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
+        return {"order": N}
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:

@@ -10,7 +10,8 @@ Main statements
 The dimension is the largest number of multiplicatively independent zeros of `D` among those of odd multiplicity on the upper
 half circle.  `exactkf.kernel.torus` gives a bound for the exponents of a relation: below it lattice reduction of
 the angles finds a relation, or a basis without short vectors, which shows that there is none.  So the zeros
-are taken one after the other, and the question is always decided, up to the size of the numbers.
+are taken one after the other, and the question is always decided, up to the size of the numbers.  With algebraic data the
+zeros of `D` are zeros of its norm, a rational polynomial.
 
 References
 ----------
@@ -23,12 +24,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, fmpq, fmpq_poly, fmpz_mat, fmpz_poly
+from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz_mat, fmpz_poly
 
 from exactkf._errors import Unsupported
 from exactkf.exact.balls import precision
-from exactkf.exact.polynomials import count_roots, palindromic_to_x
+from exactkf.exact.numberfield import RealNumber
+from exactkf.exact.polynomials import count_real_roots, count_roots, palindromic_to_x
 from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.roots import chebyshev, count_circle, count_real, squarefree
 from exactkf.kernel.torus import CircleNumbers, bound_of_relations, is_relation
 
 __all__ = ["torus_evidence"]
@@ -36,35 +39,89 @@ __all__ = ["torus_evidence"]
 _MOST_BITS = 1 << 14
 
 
-def torus_evidence(D: Sequence[Fraction]) -> tuple[int | None, dict[str, Any], str]:
+def torus_evidence(D: Sequence[Any]) -> tuple[int | None, dict[str, Any], str]:
     """Return the dimension of the torus, evidence for the checker, and a reason if the dimension is not decided.
 
     Parameters
     ----------
-    D : sequence of rationals, length 2m + 1
+    D : sequence of rationals, or of elements of one `RealField`, length 2m + 1
         The coefficients of z^m D.
     """
-    f, k = _wandering(fmpq_poly([fmpq(c.numerator, c.denominator) for c in D]).numer())
-    evidence: dict[str, Any] = {"factor": [str(c) for c in f.coeffs()]}
-    if k <= 1:
-        return k, evidence, ""
     try:
-        zeros = _intervals(palindromic_to_x(f).numer(), k)
+        if isinstance(D[0], RealNumber):
+            f, k, zeros, evidence = _over_a_field(D)
+        else:
+            f, k = _wandering(fmpq_poly([fmpq(c.numerator, c.denominator) for c in D]).numer())
+            evidence = {"factor": [str(c) for c in f.coeffs()]}
+            zeros = _intervals(palindromic_to_x(f).numer()) if k > 1 else []
+        if k <= 1:
+            return k, evidence, ""
         numbers = CircleNumbers.of([Fraction(int(c)) for c in f.coeffs()], zeros)
         free, found = [0], {"of": [0], "bits": 1, "basis": []}
-        relations: list[list] = []
+        relations: list[tuple[int, list[int]]] = []
         for i in range(1, k):
             chosen = [*free, i]
             exponents, more = _relation_or_basis(numbers, chosen)
             if exponents is None:
                 free, found = chosen, more
             else:
-                relations.append((i, exponents))  # type: ignore[arg-type]
+                relations.append((i, exponents))
         # a zero left behind early has its relation with fewer zeros
         padded = [[i, [*e[:-1], *[0] * (len(free) + 1 - len(e)), e[-1]]] for i, e in relations]
     except (Undefined, Unsupported) as error:
-        return None, {}, f"the relations between the {k} wandering roots on the circle are too large ({error}), so it is between 1 and {k}"
+        return None, {}, f"the wandering roots on the circle or the relations between them are too large for what is done here ({error})"
     return len(free), {**evidence, "zeros": zeros, "independent": found, "relations": padded}, ""
+
+
+def _over_a_field(D: Sequence[Any]) -> tuple[fmpz_poly, int, list[list[str]], dict[str, Any]]:
+    """The wandering factor of a rational multiple of D, the number of wandering zeros of D and their intervals, and evidence."""
+    odd = [D[-1] / D[-1]]
+    for factor, multiplicity in squarefree(list(D)):
+        odd = _times(odd, factor) if multiplicity % 2 else odd
+    if len(odd) == 1 or count_circle(odd)[1] == 0:
+        return fmpz_poly([1]), 0, [], {}
+    norm = _norm([x / odd[-1] for x in odd])
+    whole = norm // norm.gcd(norm.derivative())
+    f = fmpz_poly([1])
+    for part, _ in whole.factor()[1]:
+        if not part.is_cyclotomic():
+            f *= part
+    evidence = {"norm": [str(c) for c in whole.coeffs()]}
+    in_x, mine = palindromic_to_x(whole).numer(), chebyshev(odd)
+    wandering = palindromic_to_x(f).numer()
+    zeros = []
+    for lo, hi in _intervals(in_x):
+        ends = fmpq(*map(int, lo.split("/"))), fmpq(*map(int, hi.split("/")))
+        if (wandering(ends[0]) > 0) != (wandering(ends[1]) > 0) and count_real(mine, *ends) == 1:
+            zeros.append([lo, hi])
+    return f, len(zeros), zeros, evidence
+
+
+def _norm(p: Sequence[RealNumber]) -> fmpz_poly:
+    """The norm of a monic polynomial, as a primitive integer polynomial: interpolated from norms of its values."""
+    field = p[0].field
+    size = (len(p) - 1) * field.degree + 1
+    values = []
+    for z in range(size):
+        value = field(0)
+        for c in reversed(p):
+            value = value * z + c
+        rows, power = [], value.poly
+        for _ in range(field.degree):
+            rows.append([power[k] for k in range(field.degree)])
+            power = power * fmpq_poly([0, 1]) % field.minpoly
+        values.append([fmpq_mat(rows).det()])
+    powers = fmpq_mat([[fmpq(z) ** k for k in range(size)] for z in range(size)])
+    found = fmpq_poly([row[0] for row in powers.solve(fmpq_mat(values)).tolist()]).numer()
+    return found // found.content()
+
+
+def _times(p: list, q: list) -> list:
+    out = [0 * p[0]] * (len(p) + len(q) - 1)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            out[i + j] = out[i + j] + x * y
+    return out
 
 
 def _wandering(D: fmpz_poly) -> tuple[fmpz_poly, int]:
@@ -76,8 +133,9 @@ def _wandering(D: fmpz_poly) -> tuple[fmpz_poly, int]:
     return f, k
 
 
-def _intervals(in_x: fmpz_poly, k: int) -> list[list[str]]:
+def _intervals(in_x: fmpz_poly) -> list[list[str]]:
     """Isolating intervals of the zeros between -2 and 2, in increasing order."""
+    k = count_real_roots(in_x, -2, 2)
     bits = 96
     while bits < _MOST_BITS:
         with precision(bits):

@@ -32,7 +32,7 @@ from fractions import Fraction
 from math import isqrt, lcm
 from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, fmpq, fmpz, fmpz_mat, nmod_mat, nmod_poly
+from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, nmod_mat, nmod_poly
 
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -40,7 +40,7 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_sieve import intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
            "no_escape_modulo", "places_without_escape", "primes"]
 
 _LARGE = 10**15
@@ -336,6 +336,17 @@ def aperiodic_place(pair: Readings) -> list[Any] | None:
             if tried == 2:
                 return None
     return None
+
+
+def common_period(D: Sequence[Any]) -> int | None:
+    """Return the least common multiple of the orders of the zeros of rational `D`, if all are roots of unity."""
+    N = 1
+    for factor, _ in fmpq_poly(list(D)).numer().factor()[1]:
+        order = int(factor.is_cyclotomic())  # zero if it is not
+        if not order:
+            return None
+        N = lcm(N, order)
+    return N
 
 
 def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:

@@ -27,12 +27,12 @@ bases for non-commutative polynomial rings.
 from __future__ import annotations
 
 import heapq
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
+from exactkf.finders.effort import clock, spend
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Poly, Relation, times_scalars
 
@@ -40,6 +40,7 @@ __all__ = ["Stuck", "System", "system_of"]
 
 _FIRST_LETTER, _FIRST_SCALAR = 0x100, 0x8000  # characters; those of a scalar and its inverse differ in the last bit
 _MOST_RULES = 600
+_SEARCHED = 5  # steps that it takes to look for a rule
 _ONE_ROW = (("", 1),)
 
 Origin = list[tuple[Any, str, Any, str, str]]  # c, left, rule or name, right, scalars
@@ -95,6 +96,7 @@ class System:
         self.deadline = float("inf")
         self.written: dict[int, dict] = {}
         self.assumed = dict(assumed)
+        self.rows: Any = None  # of the polynomial that is being reduced
         #: relations p q = 1, with p, by the name of q
         self.quotients = {name: (f"quotient {n}", p) for n, (p, name) in enumerate(reader.quotients, 1) if f"quotient {n}" in assumed}
         self.waiting = sorted(assumed.items(), key=lambda item: (max((len(w) for _, w in item[1].poly), default=0), item[0]))
@@ -166,10 +168,10 @@ class System:
         self.deadline = deadline
         rest, used = self._reduce(self.encode(goal))
         while rest:
-            if time.perf_counter() > deadline:
+            if clock() > deadline:
                 return self._stuck("out of time", rest)
             if not self._grow():
-                late = time.perf_counter() > deadline
+                late = clock() > deadline
                 return self._stuck("out of time" if late else "too many rules" if self.queue else "no more overlaps up to this degree", rest)
             rest, more = self._reduce(rest)
             used += more
@@ -225,11 +227,14 @@ class System:
     # ------------------------------------------------------------------ reduction
     def _reduce(self, p: dict[str, Any]) -> tuple[dict[str, Any], Origin]:
         """What no rule applies to, and the multiples of rules that were taken off."""
+        self.rows = next((self._rows(word, 0) for key in p if (word := self._word(key))), None)
         pending, done, used = dict(p), dict[str, Any](), list[Any]()
         heap = [(-len(key), key) for key in pending]
         heapq.heapify(heap)
+        steps = 0
         while heap:
             _, key = heapq.heappop(heap)
+            steps += 1
             c = pending.pop(key, 0)
             if not c:
                 continue
@@ -246,10 +251,15 @@ class System:
                 else:
                     pending[new] -= c * v
             used.append((c, left, rule, right, scalars))
-            if not len(used) & 1023 and time.perf_counter() > self.deadline:
-                for k, v in pending.items():
-                    _bump(done, k, v)
-                break
+            steps += len(rule.tail)
+            if not len(used) & 1023:
+                spend(steps)
+                steps = 0
+                if clock() > self.deadline:
+                    for k, v in pending.items():
+                        _bump(done, k, v)
+                    break
+        spend(steps)
         return done, used
 
     def _match(self, key: str) -> tuple | None:
@@ -257,10 +267,12 @@ class System:
         if key in self.hits:
             return self.hits[key]
         word = self._word(key)
+        spend(_SEARCHED)
         found = self._search(word, key[len(word):])
         if found is None and self.mixed:
             found = self._number_in(word, key[len(word):])
-        self.hits[key] = found
+        if word:  # what applies to an empty word depends on the size
+            self.hits[key] = found
         return found
 
     def _search(self, word: str, scalars: str) -> tuple | None:
@@ -268,15 +280,17 @@ class System:
             for at in range(len(word) - n + 1):
                 for rule in self.rules.get(word[at:at + n], ()):
                     if not rule.scalars:
-                        if not n and word and self._rows(word, at) != self._rows_of(rule):
-                            continue  # I = 0, of one size; that of the empty word is not known here, a replay refuses a wrong one
+                        if not n and self._rows(word, at) not in (None, self._rows_of(rule)):
+                            continue  # I = 0, of one size
                         return rule, word[:at], word[at + n:], scalars
                     if (rest := _quotient(scalars, rule.scalars)) is not None:
                         return rule, word[:at], word[at + n:], rest
         return None
 
     def _rows(self, word: str, at: int) -> Any:
-        """Size between two letters of a word that is not empty."""
+        """Size between two letters of a word; of an empty word, that of the polynomial it stands in, if that is known."""
+        if not word:
+            return self.rows
         return self.reader.sizes[self.names[word[at]]][0] if at < len(word) else self.reader.sizes[self.names[word[-1]]][1]
 
     def _rows_of(self, rule: _Rule) -> Any:
@@ -360,6 +374,7 @@ class System:
         self.rules.setdefault(lead, []).append(rule)
         self.lengths = sorted({len(x) for x in self.rules})
         self.hits.clear()
+        spend(2 * sum(map(len, self.rules.values())))
         for rules in list(self.rules.values()):
             for other in rules:
                 self._pairs(rule, other)
@@ -393,7 +408,7 @@ class System:
             if self._insert(self.encode(relation.poly), [(1, "", name, "", "")]):
                 return True
         while self.queue and sum(map(len, self.rules.values())) < _MOST_RULES:
-            if time.perf_counter() > self.deadline:
+            if clock() > self.deadline:
                 return False
             _, _, length, (first, right, second, left, behind) = heapq.heappop(self.queue)
             whole = _least_common(first.scalars, second.scalars)

@@ -16,13 +16,13 @@ Main definitions
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 from exactkf.finders.completion import Stuck, system_of
+from exactkf.finders.effort import clock
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import Leaf, leaves
 from exactkf.kernel.reader import Reader, relations, residual_blocks
@@ -54,7 +54,7 @@ def search_membership(statement: dict, degree: int = 8, seconds: float = 5.0) ->
     seconds : float
         Time after which to give up.
     """
-    deadline = time.perf_counter() + seconds
+    deadline = clock() + seconds
     try:
         reader = Reader(statement)
         goals = [cell for b in residual_blocks(reader, statement["says"]) for cell in b.cells()]
@@ -281,14 +281,13 @@ def _size_of(case: dict, term: Any) -> Iterator[Any]:
 #: lemmas of the leaf, and what its proof brings in: these are tried before all assumptions are
 _NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
 
-
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
     goal, assumed = leaf.goals[k][0], leaf.assumed(k)
     tries = [assumed]
     if any(name.startswith(("inner lemma", "solution")) for name in assumed):
         tries.insert(0, {name: relation for name, relation in assumed.items() if name.startswith(_NEAREST)})
     for number, some in enumerate(tries, 1):
-        found = system_of(leaf.reader, some, degree).express(goal, time.perf_counter() + (seconds if number == len(tries) else min(seconds, 2.0)))
+        found = system_of(leaf.reader, some, degree).express(goal, clock() + (seconds if number == len(tries) else min(seconds, 2.0)))
         if not isinstance(found, Stuck):
             return found
     return None

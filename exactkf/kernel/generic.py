@@ -50,7 +50,7 @@ class Terms(Indefinite):
     supported : names of recursions X whose value X_t is a polynomial with exponents 0 .. t
     closed : names of functions that are opened at integers alone
     whole : names of recursions that are opened at their initial values alone, and of functions in z whose coefficients are not computed
-    rules : mapping of name to (least index or None for the hypothesis of an induction, index name, term)
+    rules : mapping of name to (least index or None for the hypothesis of an induction, index names, greatest index or None, term)
         X_t = term, shown before.
     """
 
@@ -61,12 +61,13 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z = _classified(statement, self.definitions)
-        self.with_z: dict[int, tuple[Any, bool]] = {}  # trees asked about
+        self.recursive, self.in_z, self.inverting = _classified(statement, self.definitions)
+        self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = 0
+        self.seen: dict[int, tuple[Any, bool]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -261,6 +262,8 @@ class Terms(Indefinite):
         if op in ("sym", "at"):
             args = tuple(self.index(a, env) for a in tree[2:])
             if tree[1] in self.closed:
+                if tree[1] in self.inverting:
+                    self._meet(tree[1], args)
                 return self.atom(("value at 1/z" if flip else "value", tree[1], *map(form_key, args)))
             if tree[1] not in self.recursive and tree[1] in self.definitions:
                 return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
@@ -269,13 +272,21 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
+        if _inverts(tree, self.inverting):
+            self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
 
+    def _meet(self, name: str, forms: Any) -> None:
+        key = (name, *(form_key(self.region.reduce(x)) for x in forms))
+        if any(n.startswith("#") for form in key[1:] for n, _ in form):
+            raise Unknown("an inverse that depends on the index of a sum")
+        self.met.add(key)
+
     def has_z(self, tree: Any) -> bool:
-        found = self.with_z.get(id(tree))
-        if found is None:  # the tree is kept, so that its id stays its own
-            found = self.with_z[id(tree)] = tree, _mentions_z(tree, self.in_z)
-        return found[1]
+        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
+        if id(tree) not in self.seen:
+            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
+        return self.seen[id(tree)][1]
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
@@ -286,8 +297,12 @@ class Terms(Indefinite):
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
         last = args[-1] if args else {}
+        if name in self.inverting:
+            self._meet(name, args)
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
+        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+            return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
                 return found
@@ -320,7 +335,7 @@ class Terms(Indefinite):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive or name in self.unused:
+        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
@@ -346,11 +361,17 @@ class Terms(Indefinite):
                 and c >= (max(1, least + len(d[4])) if d[0] == "rec" else 1))
 
     def _solved(self, name: str, args: tuple[Form, ...], read: Callable) -> Symbolic | None:
-        if name not in self.rules or len(args) != 1:
+        least, names, high, term = self.rules.get(name, (0, (), None, None))
+        if not names or len(args) != len(names) or any(self.region.decide(x) is not True for x in args[:-1]):
             return None
-        least, index, term = self.rules[name]
-        if (args[0] == {INDEX: 1}) if least is None else self.region.decide(plus(args[0], {"": least}, -1)):
-            return read(term, {index: args[0]})
+        if high is not None and self.region.decide(plus(self.index(high, {}), args[-1], -1)) is not True:
+            return None
+        if (args[-1] == {INDEX: 1}) if least is None else self.region.decide(plus(args[-1], {"": least}, -1)):
+            met = set(self.met)
+            found = read(term, dict(zip(names, args, strict=True)))
+            if self.met != met:
+                raise Unknown("a rule with an inverse, which need not exist where the rule is used")
+            return found
         return None
 
     def _outside(self, t: Form, m: Form) -> bool:
@@ -562,14 +583,14 @@ def _names(tree: Any) -> Iterator[str]:
             yield from _names(x)
 
 
-_last: list[Any] = [None, set(), set()]  # a statement with what `_classified` says of it: many are asked for in a row
+_last: list[Any] = [None, set(), set(), set()]  # a statement with what `_classified` says of it: many are asked for in a row
 
 
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str]]:
-    """Recursive definitions, and those whose value depends on z."""
+def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str]]:
+    """Recursive definitions, those whose value depends on z, and those that invert matrices."""
     if _last[0] is not statement:
-        _last[:] = statement, _recursive(definitions), _in_z(definitions)
-    return _last[1], _last[2]
+        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts)
+    return _last[1], _last[2], _last[3]
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:
@@ -600,6 +621,12 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
     return any(_mentions_z(x, in_z) for x in tree[1:])
 
 
+def _inverts(tree: Any, inverting: set[str]) -> bool:
+    if not isinstance(tree, list) or not tree:
+        return False
+    return tree[0] == "inv" or (tree[0] in ("sym", "at") and tree[1] in inverting) or any(_inverts(x, inverting) for x in tree)
+
+
 def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
     """Names that a definition leads to and that lead back to it."""
     calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
@@ -615,12 +642,12 @@ def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
     return {n for n in reached(name) if name in reached(n)}
 
 
-def _in_z(definitions: Mapping[str, Any]) -> set[str]:
-    """Definitions whose value depends on z."""
+def _spread(definitions: Mapping[str, Any], mentions: Callable[[Any, set[str]], bool]) -> set[str]:
+    """Definitions that mention something, or one that does."""
     found: set[str] = set()
     while True:
         more = {name for name, d in definitions.items() if name not in found
-                and any(_mentions_z(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
+                and any(mentions(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
         if not more:
             return found
         found |= more

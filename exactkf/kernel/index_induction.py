@@ -24,17 +24,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
-from functools import reduce
 from itertools import islice
-from operator import or_
 from typing import Any
 
 from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
-from exactkf.kernel.indefinite import BOUND
 from exactkf.kernel.numbers import Rejected, Unknown
-from exactkf.kernel.packed import BITS, exponent, exponents
+from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
 from exactkf.kernel.wellformed import check_formula
@@ -44,6 +41,7 @@ __all__ = ["generic_index"]
 _FIRST = ("opaque", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
+_MASK = (1 << BITS) - 1
 _RESERVED = {INDEX, "z", "row", "column"}
 _ONE: Form = {"": 1}
 Goal = Callable[[Terms], list[Symbolic]]
@@ -91,7 +89,7 @@ class _Proof:
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
         """X_t has exponents 0 .. t; for a function, whatever its other arguments."""
-        d = next(d for d in self.statement["where"] if d[1] == name)
+        d = next((d for d in self.statement["where"] if d[1] == name), ("",))
         if d[0] == "let" and d[2]:
             others = {p: {f"@{p}": 1} for p in d[2][:-1]}
             cases = [(d[3], {**others, d[2][-1]: last}, forms, last) for forms, last in (([], {}), ([{INDEX: 1}], {INDEX: 1, "": 1}))]
@@ -128,9 +126,9 @@ class _Proof:
         self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), lemma.get("base", ()), f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
-        self.rules.update((name, (None, index, term)) for name, term in rules)
+        self.rules.update((name, (None, names, high, term)) for name, names, high, term in rules)
         self._show(says, {index: {INDEX: 1, "": 1}}, generic, lemma.get("uses", ()), f"{place}, step", {index: {INDEX: 1}}, len(self.lemmas) - 1)
-        self.rules.update((name, (first, index, term)) for name, term in rules)
+        self.rules.update((name, (first, names, high, term)) for name, names, high, term in rules)
         self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
@@ -214,6 +212,14 @@ class _Proof:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
         self.close(region, goal, uses, names, place, current, in_values=self.in_values)
 
+    def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[Symbolic]:
+        """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too."""
+        terms.met.clear()
+        for x in self._instances(terms, use, names, current):
+            if terms.met <= granted:
+                yield x
+            terms.met.clear()
+
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
@@ -281,11 +287,11 @@ class _Proof:
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
-            granted = {name for x in wanted for name in _inverses(terms, x)}
-            known = [x for use in uses if "times" not in use for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted]
+            granted = set(terms.met)
+            known = [x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)]
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
-                    for x in islice((x for x in self._instances(terms, use, names, current) if _inverses(terms, x) <= granted), 1):
+                    for x in islice(self._granted(terms, use, names, current, granted), 1):
                         wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
         except Split as split:
             if splits >= _MOST_SPLITS:
@@ -316,29 +322,27 @@ def _is_determinant(part: Any) -> bool:
     return part[0] == "=" and len(part) == 3 and isinstance(part[1], list) and part[1][0] == "det"
 
 
-def _inverses(terms: Terms, x: Symbolic) -> set[tuple]:
-    """Inverses in a value: what is known of them is known where they exist, hence used only where the goal has the same ones."""
-    found: set[tuple] = set()
-    todo = [terms.atoms[place] for p in (x.num, *(x.field.factors[index] for index, _ in x.den)) for monomial in p
-            for place, e in enumerate(exponents(monomial)) if e]
-    while todo:
-        key = todo.pop()
-        if key[0] in BOUND:
-            todo.extend(inner for monomial in ([key[1]] if key[0] == "sum" else [m for m, _ in key[1]]) for inner, _ in monomial)
-        elif key[0] == "opaque" and '"inv"' in key[1]:
-            forms = key[2:-2] if key[1].startswith(('["*", ', '["inv", ')) else key[2:]
-            found.add((key[1], forms) if not any(name.startswith("#") for form in forms for name, _ in form) else (key, x))
-    return found
+def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, list[str], Any, Any]]:
+    """Name, indices, greatest index (or None) and term of each equation X[t] = term, or X(s, t) = term for all s >= 0.
 
-
-def _rules(says: Any, index: str, place: str) -> Iterator[tuple[str, Any]]:
-    """Name and term of each equation X[t] = term; the terms have none of the names."""
+    The greatest is b in ``forall(u, t, b, ..)`` where u occurs no more; the terms have none of the names.
+    """
+    others, high = [], None
+    while says[0] == "always":
+        others.append(says[1])
+        says = says[2]
+    if says[0] == "forall" and says[2] == ["sym", index] and not _mentions(says[4], says[1]):
+        high, says = says[3], says[4]
     parts = says[1:] if says[0] == "and" else [says]
-    if any(p[0] != "=" or len(p) != 3 or p[1][0] != "at" or p[1][2:] != [["sym", index]] for p in parts) or (
+    if any(p[0] != "=" or len(p) != 3 or p[1][0] != "at" or p[1][2:] != [["sym", x] for x in (*others, index)] for p in parts) or (
             {p[1][1] for p in parts} & {name for p in parts for name in _heads(p[2])}):
         raise Rejected(f"{place}: only equations X[t] = term without X are rules")
     for p in parts:
-        yield p[1][1], p[2]
+        yield p[1][1], [*others, index], high, p[2]
+
+
+def _mentions(tree: Any, name: str) -> bool:
+    return tree == name or isinstance(tree, list) and any(_mentions(x, name) for x in tree)
 
 
 def _heads(tree: Any) -> set[str]:
@@ -366,25 +370,37 @@ def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic]) -> Symbolic:
         pivot = _pivot(terms, row)
         if pivot is None:
             continue
-        goal = _eliminated(terms, goal, row, pivot)
-        known = [y for x in known if (y := _eliminated(terms, x, row, pivot)).num]
+        parts = _parts(row, pivot)
+        value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
+        goal = _eliminated(terms, goal, value, pivot)
+        known = [y for x in known if (y := _eliminated(terms, x, value, pivot)).num]
     return goal
 
 
 def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:
     """Numerator by powers of an atom."""
     out: dict[int, dict[int, int]] = {}
+    shift = BITS * place
     for monomial, c in x.num.items():
-        e = exponent(monomial, place)
-        out.setdefault(e, {})[monomial - (e << (BITS * place))] = c
+        e = (monomial >> shift) & _MASK
+        out.setdefault(e, {})[monomial - (e << shift)] = c
     return out
+
+
+def _places(*polys: Mapping[int, int]) -> set[int]:
+    """Atoms that occur in polynomials."""
+    used = 0
+    for p in polys:
+        for monomial in p:
+            used |= monomial
+    return {place for place, e in enumerate(exponents(used)) if e}
 
 
 def _pivot(terms: Terms, row: Symbolic) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
-    present = [place for place, e in enumerate(exponents(reduce(or_, row.num, 0))) if e]
-    for place in present:
+    present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
+    for place in sorted(present):
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
             lead, left = parts[1], 0
@@ -392,20 +408,18 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((left, _FIRST.index(terms.atoms[place][0]), place))
-    return min(found)[2] if found else None
+                found.append((left, place in below, _FIRST.index(terms.atoms[place][0]), place))
+    return min(found)[3] if found else None
 
 
-def _eliminated(terms: Terms, x: Symbolic, row: Symbolic, place: int) -> Symbolic:
-    """x with the value of the atom by the row inserted; the factor of the atom there is a number over denominators met already."""
-    mine, theirs = _parts(x, place), _parts(row, place)
-    if set(mine) <= {0}:
+def _eliminated(terms: Terms, x: Symbolic, value: Symbolic, place: int) -> Symbolic:
+    """x with a value of the atom inserted: the factor of the atom in its row is a number over denominators met already."""
+    mask = _MASK << (BITS * place)
+    if not any(monomial & mask for monomial in x.num):
         return x
-    field = x.field
-    value = -Symbolic(field, theirs.get(0, {}), 1, ()) * Symbolic(field, theirs[1], 1, ()).inverse()
-    out, power = terms.number(0), terms.number(1)
+    mine, out, power = _parts(x, place), terms.number(0), terms.number(1)
     for e in range(max(mine) + 1):
         if e in mine:
-            out = out + Symbolic(field, mine[e], x.q, x.den) * power
+            out = out + Symbolic(x.field, mine[e], x.q, x.den) * power
         power = power * value
     return out

@@ -51,6 +51,7 @@ from typing import Any, NamedTuple
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
 from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
+from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
@@ -243,7 +244,7 @@ def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
     D = spectral_polynomial(reduced.Q, reduced.S)
     _need(m == 0 or spectral_sign(D) in ("+", "0+", "-", "-0"), "D changes sign on the circle")
     _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
-    _need(answer["period"] in (None, 1), "an equilibrium has period one")
+    _need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
     _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
     if answer["limit"] is not None:
         _limit(reduced, D, answer["limit"], evidence)
@@ -325,8 +326,8 @@ def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str
     full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(set(claimed) == {"interval"} and Fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
-              <= Fraction(claimed["interval"][1]), "the limit is not within the interval")
+        _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
+              <= fraction(claimed["interval"][1]), "the limit is not within the interval")
 
 
 def _same(claimed: Any, value: Any) -> bool:
@@ -388,10 +389,12 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     if "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
         check_never_escapes(Q, S, evidence["modulus"])
+    elif "order" in evidence:
+        _need(algebraic is None, "polynomials in the time are for rational data")
+        check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
-        _need(algebraic is None, "the torus is found for rational data")
         check_torus(D, _step_number(answer["torus_dimension"], "torus_dimension"), evidence["torus"])
 
 

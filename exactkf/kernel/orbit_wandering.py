@@ -19,8 +19,9 @@ from functools import cache
 from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.numbers import Undefined, fraction
-from exactkf.kernel.roots import count_circle, divmod_poly, gcd_poly
+from exactkf.kernel.algebraic import Algebraic
+from exactkf.kernel.numbers import Undefined, divide, fraction
+from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
 __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
@@ -113,12 +114,7 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     between which there is no relation prod l_i^{e_i} = 1: as many are shown to have none, and each of the
     others to have one with them (`exactkf.kernel.torus`).
     """
-    f, rest = wandering_factor(D), [Fraction(1)]
-    if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
-        f, rest = [fraction(c) for c in evidence["factor"]], f
-        rest, left = divmod_poly(rest, f)
-        _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
-    k = count_circle(f)[1] // 2 if len(f) > 1 else 0
+    f, k = _over_a_field(D, evidence) if any(isinstance(c, Algebraic) for c in D) else _over_the_rationals(D, evidence)
     if k <= 1:
         _need(d == k, f"the dimension is {k}")
         return
@@ -134,9 +130,46 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
         _need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
 
 
+def _over_the_rationals(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
+    """A polynomial with the l_i among its zeros, and their number."""
+    f, rest = wandering_factor(D), [Fraction(1)]
+    if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
+        f, rest = [fraction(c) for c in evidence["factor"]], f
+        rest, left = divmod_poly(rest, f)
+        _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
+    return f, count_circle(f)[1] // 2 if len(f) > 1 else 0
+
+
+def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
+    """The same for algebraic data, from a rational multiple of the part O of D with zeros of odd multiplicity.
+
+    That is square-free; without the roots of unity it is f.  Each interval holds one zero of O and one of the multiple, hence the same, and it is one of f.
+    """
+    odd: list = [D[-1] / D[-1]]
+    for factor, multiplicity in squarefree(D):
+        odd = _times(odd, factor) if multiplicity % 2 else odd
+    if len(odd) == 1 or count_circle(odd)[1] == 0:
+        return [Fraction(1)], 0
+    whole = [fraction(c) for c in evidence["norm"]]
+    _need(_coprime_modulo(whole, [i * c for i, c in enumerate(whole)][1:]), "the rational multiple is not square-free")
+    _need(not divmod_poly([odd[-1] - odd[-1] + c for c in whole], odd)[1], "the rational polynomial is no multiple of D's factor")
+    f = wandering_factor(whole)
+    of_unity = divmod_poly(whole, f)[0]
+    k = (count_circle(odd)[1] - len(gcd_poly(odd, [odd[-1] - odd[-1] + c for c in of_unity])) + 1) // 2
+    if k > 1:
+        odd = [divide(c, odd[-1]) for c in odd]
+        _need(all(x == y for x, y in zip(odd, odd[::-1], strict=True)) and whole == whole[::-1], "the zeros do not come in pairs")
+        for lo, hi in evidence["zeros"]:
+            one = [count_real(chebyshev(p), fraction(lo), fraction(hi)) for p in (odd, whole)]
+            _need(one == [1, 1], "an interval does not hold one zero of D")
+    return f, k
+
+
 def wandering_factor(D: list) -> list:
     """The zeros of D of odd multiplicity that are no roots of unity, once each."""
     D = [Fraction(c) for c in D]
+    if _coprime_modulo(D, [i * c for i, c in enumerate(D)][1:]):
+        return _without_roots_of_unity([c / D[-1] for c in D])
     odd: list = [Fraction(1)]
     rest, k = D, 1
     derivative = [i * c for i, c in enumerate(D)][1:]
@@ -148,17 +181,29 @@ def wandering_factor(D: list) -> list:
         if k % 2 and len(f) > 1:
             odd = _times(odd, f)
         w, g, k = y, divmod_poly(g, y)[0], k + 1
-    for order in _orders(len(odd) - 1):  # take out roots of unity
-        power = _power_of_z(order, odd)
-        if len(odd) > 1 and len(common := gcd_poly(odd, [power[0] - 1, *power[1:]])) > 1:
+    return _without_roots_of_unity(odd)
+
+
+def _without_roots_of_unity(odd: list) -> list:
+    for order in _orders(len(odd) - 1):
+        power = [Fraction(-1)] + [Fraction(0)] * (order - 1) + [Fraction(1)]
+        if not _coprime_modulo(odd, power) and len(common := gcd_poly(odd, power)) > 1:
             odd = divmod_poly(odd, common)[0]
     return odd
 
 
-def _power_of_z(k: int, modulus: list) -> list:
-    """z^k modulo a polynomial, padded to its degree."""
-    out = divmod_poly([Fraction(0)] * k + [Fraction(1)], modulus)[1]
-    return [*out, *[Fraction(0)] * max(1, len(modulus) - 1 - len(out))]
+def _coprime_modulo(f: list, g: list, p: int = 2**31 - 1) -> bool:
+    """Whether rational polynomials are coprime modulo a prime that does not divide the leading coefficient of the first: then they are coprime."""
+    if any(c.denominator % p == 0 for c in [*f, *g]) or f[-1].numerator % p == 0:
+        return False
+    x, y = modular(f, p), modular(g, p)
+    while y and y[-1] == 0:
+        y.pop()
+    while y:
+        u = pow(y[-1], -1, p)
+        y = [c * u % p for c in y]
+        x, y = y, _modular_rest(x, y, p)
+    return len(x) == 1
 
 
 def _times(p: list, q: list) -> list:

@@ -24,7 +24,7 @@ from operator import or_
 
 from exactkf.kernel.numbers import Unknown
 
-__all__ = ["BITS", "Divisor", "Poly", "add", "content", "exponent", "exponents", "mul"]
+__all__ = ["BITS", "Divisor", "Poly", "add", "content", "exponents", "mul"]
 
 BITS = 12  # bits an exponent takes in a packed monomial
 _MASK = (1 << BITS) - 1
@@ -54,11 +54,6 @@ def _crowded(*polys: Poly) -> bool:
 def exponents(key: int) -> list[int]:
     """Exponents of a monomial, as far as the last that is not zero."""
     return [(key >> s) & _MASK for s in range(0, key.bit_length(), BITS)]
-
-
-def exponent(key: int, place: int) -> int:
-    """Exponent of one variable of a monomial."""
-    return (key >> (BITS * place)) & _MASK
 
 
 def mul(p: Poly, q: Poly) -> Poly:

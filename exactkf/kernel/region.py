@@ -65,6 +65,7 @@ class Region:
         self.forms = [self.reduce(f) for f in forms]
         self.keys = frozenset(map(form_key, self.forms))
         self.answers: dict[tuple, bool | None] = {}
+        self.parts: dict[tuple, Region] = {}
         for form in list(self.forms):
             if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
                 value = {n: -c * form[name] for n, c in form.items() if n != name}
@@ -117,7 +118,11 @@ class Region:
         return self.holds(form) and self.holds({n: -c for n, c in form.items()})
 
     def and_(self, *forms: Form) -> Region:
-        return Region([*self.forms, *forms], self.solved)
+        """The part with these forms >= 0; regions do not change, so that one that is asked for again is the same."""
+        key = tuple(map(form_key, forms))
+        if key not in self.parts:
+            self.parts[key] = Region([*self.forms, *forms], self.solved)
+        return self.parts[key]
 
     def cases(self, form: Form) -> Iterator[Region]:
         for part in (form, plus({n: -c for n, c in form.items()}, {"": 1}, -1)):

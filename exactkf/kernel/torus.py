@@ -37,7 +37,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import generator
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import chebyshev
 
 __all__ = ["CircleNumbers", "angle", "bound_of_relations", "check_independent", "is_relation"]
@@ -59,7 +59,7 @@ class CircleNumbers(NamedTuple):
         integral = [int(c * common) for c in f]
         _need(len(f) % 2 == 1 and integral == integral[::-1], "the zeros do not come in pairs")
         in_x = [int(c) for c in chebyshev(integral)]
-        read = [(Fraction(lo), Fraction(hi)) for lo, hi in zeros]
+        read = [(fraction(lo), fraction(hi)) for lo, hi in zeros]
         for lo, hi in read:
             _need(-2 <= lo < hi <= 2, "an interval is not between -2 and 2")
             AlgebraicField([Fraction(c) for c in in_x], lo, hi)  # refused unless there is exactly one zero in it

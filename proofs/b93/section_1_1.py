@@ -455,8 +455,8 @@ AS_NULL_VECTORS = ("Positive means nonnegative with no null vector but zero, and
                    "zero: so this is the assertion, for the product of the first t matrices. N, W are I - Z xi, I - Y O with generalized inverses "
                    "Z, Y, which every matrix has; the proof uses them to name all null vectors at once.")
 claim("B93-P1.3.1", "a product is in H, and its A*C has the null vectors of the sum",
-      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(_lower(t) * x == Zero(d, 1), O[t] * x == Zero(d, 1))), sizes=["d", "n"],
-      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, ALPHA, OBSERVABILITY],
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(Xi(t) * x == Zero(d, 1), O[t] * x == Zero(d, 1))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, ALPHA, OBSERVABILITY, function(Xi, [k], _lower(k))],
       given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_LOWER))],
       by=[induction(also=[*IN_H_t, psd(O[t]), (alpha[t] - a[t]) * N_[t] == ZERO, O[t] * N_[t] == ZERO, c[t] * W_[t] == ZERO,
                           (alpha[t] - a[t]) * W_[t] == ZERO],
@@ -466,8 +466,8 @@ claim("B93-P1.3.1", "a product is in H, and its A*C has the null vectors of the 
       note=AS_NULL_VECTORS)
 
 claim("B93-P1.3.2", "a product is in H, and its BA* has the null vectors of the sum",
-      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(_upper(t) * x == Zero(d, 1), K_[t] * x == Zero(d, 1))), sizes=["d", "n"],
-      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, CONTROLLABILITY],
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(Xi(t) * x == Zero(d, 1), K_[t] * x == Zero(d, 1))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, CONTROLLABILITY, function(Xi, [k], _upper(k))],
       given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_UPPER))],
       by=[induction(also=[*IN_H_t, psd(K_[t]), K_[t] * N_[t] == ZERO, T(b[t]) * W_[t] == ZERO],
                     base=START, step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,

@@ -86,9 +86,9 @@ claim("B93-X2.1.1", "periodic parameters",
       by=[induction(before=[first(forall(t, 0, p, shifted[t] == here[t] + f_[t] - f_[0]))]),
           example(p=1, f=[1, 2], g=[0, 0]), example(p=2, f=[0, 0, 0], g=[0, 1, 0]),
           instances(p=(1, 2, 3, 4), made_by={f_: (k, when(k == p, y[0], y[k])), g_: (k, m)}, using={m: scalar(), y: sequence(0, p)})],
-      note="That the parameters are stationary and ergodic: the sum of a function over the residues is that of its shift, so that the uniform law is invariant, "
-           "and an invariant function is constant, so that the shift is ergodic. The noises live on the other factor of the product space and are independent "
-           "of the parameters. The display writes B_n for the F_n of (1).")
+      note="That the parameters are stationary and ergodic: the sum of a function over the residues is that of its shift, so that the uniform law is "
+           "invariant, and an invariant function is constant, so that the shift is ergodic. The noises live on the other factor of the product space and "
+           "are independent of the parameters. The display writes B_n for the F_n of (1).")
 not_checked("B93-X2.1.2", "random sampling", "an announcement: the assertions are the numbered lines that follow")
 not_checked("B93-E18", "the time-invariant system and the sampling times", "a definition: it fixes notation and asserts nothing")
 
@@ -301,7 +301,8 @@ claim("B93-S82", "the ergodic theorem for the rates",
       where=[SCALAR_PHI, let(x1, Phi(p0)), let(tau1, 1 - (x1 * c0**2 * x1 + (1 - x1 * c0**2)**2 * f0**2) / x1)],
       given=[given("pbar is the limit of the P_n", pbar == Phi(pbar))],
       by=[example({"a": 1, "f": "3/2", "c": 1, "p0": "1/100", "pbar": "3/4"}), instances(made_by={p0: pbar})],
-      repair=repair("missing hypothesis", "The rates tau_n are a stationary sequence only for the stationary solution; for another one tau_1 depends on P_0 and the limit does not.",
+      repair=repair("missing hypothesis", "The rates tau_n are a stationary sequence only for the stationary solution; for another one tau_1 depends on P_0 "
+                                          "and the limit does not.",
                     always(t, loewner(rate[t] * Pbar, Pi_[t] * Pbar * T(Pi_[t]))), sizes=["d"],
                     over={B: matrix(d, d), Pbar: positive_semidefinite(d), X: symmetric_matrix(d), la: nonneg(), si: positive()},
                     where=[rec(Pi_, t, I, B * Pi_[t]), rec(rate, t, 1, (1 - la / si) * rate[t])],
@@ -316,9 +317,9 @@ claim("B93-S82", "the ergodic theorem for the rates",
                         instances(d=(1, 2), made_by={B: c * I, Pbar: I, X: (1 - c**2) * I, si: 1, la: 1 - c**2}, using={c: scalar()}, horizon=3),
                         instances(d=(2,), using={E: nonsingular(2)}, horizon=3,
                                   made_by={Pbar: E * T(E), B: E * QUARTER * inv(E), X: Pbar - B * Pbar * T(B), la: 0, si: Pbar[1, 1] + Pbar[2, 2]})]),
-      note="For constant parameters in one dimension, where P_n tends to the fixed point pbar, so that the left side is the logarithm of the square of "
-           "a - pbar c^2 a, and tau_1 is a number. The stationary solution is the constant one. In the repair P_n is that solution, constant parameters of any size: "
-           "B^t Pbar B*^t is at most tau^t Pbar, so that the rate is at most log tau.")
+      note="For constant parameters in one dimension, where P_n tends to the fixed point pbar, so that the left side is the logarithm of the square of a - "
+           "pbar c^2 a, and tau_1 is a number. The stationary solution is the constant one. In the repair P_n is that solution, constant parameters of any "
+           "size: B^t Pbar B*^t is at most tau^t Pbar, so that the rate is at most log tau.")
 
 claim("B93-S83", "a negative mean rate",
       (la <= si) & (1 - la / si < 1) & (1 - mu / si <= 1), sizes=["d"],

@@ -18,7 +18,7 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, instances, lemma, use
+from exactkf.evidence import combination, example, fact, generic_index, identity, instances, lemma, use
 from exactkf.language import (
     T,
     Z,
@@ -46,6 +46,8 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
+from proofs.blz94.lemmas import column as col
+from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, OPENED, SCHUR_0, SCHUR_LEMMAS, alpha1, schur
 from proofs.blz94.lemmas_orbit import (
     ALONG,
     COORDINATES,
@@ -69,7 +71,6 @@ from proofs.blz94.notation import (
     RHO,
     RHO_T,
     SHIFTED,
-    STEP,
     VECTORS,
     A,
     D,
@@ -89,6 +90,7 @@ from proofs.blz94.notation import (
     i,
     j,
     k,
+    m,
     n,
     phi,
     phis,
@@ -142,24 +144,29 @@ claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + 
 claim("BLZ94-EA.3", "the last coordinate alpha_n", always(t, alpha[t][n] == a[t][n] + g[t][n]), **_ALONG, given=_SOME,
       by=[generic_index(*ONE_STEP, LOWEST_PI, ALONG, **FOUR_ALPHA, uses=[use(9, t=t, i=n), *LOWEST()]), instances(n=(2, 3, 4), horizon=3)])
 
-_ALPHA1 = column(i, n, alpha(1, i))
-_A0 = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
-                                                gamma0[n - i + 1] * gamma0[n - j + 1]
-                                                / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
+_FOUND = {"sizes": ["n"], "over": VECTOR_POINT, "given": _SOME}
+_FROM_POINT = (*_ALONG["where"], *COORDINATES_1)
+_ROW_OF_A = lemma(m, forall(s, 1, n - m, sum_of(k, s, s + m, A[0][s, k] * gamma0[n - k + 1]) == gamma0[n - s + 1] / prod(k, s, s + m, 1 - gamma0[n - k + 1] ** 2)),
+                  uses=[use(21, m=m, s=s, times=1)])
+_ROW_OF_B = lemma(m, forall(s, 1, n - m, sum_of(j, s, s + m, gamma0[n - j + 1] * alpha1(j)) == sum_of(j, s, s + m, gamma0[n - j + 1] * alpha[1][j])),
+                  uses=[use(23, m=m, s=s, times=1), use(20, k=s + m + 1, u=n)], base=[use(20, k=s, u=n)])
 claim("BLZ94-EA.5", "the inverse of A(gamma), and alpha = A(gamma)^-1 alpha(1)",
-      (inv(A) == B) & (alpha0 == B * _ALPHA1), sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(A, _A0), let(B, matrix_of(i, j, n, n,
-                                                  when(i > j, 0,
-                                                       when(i == j, 1, 0) - gamma0[n - i + 1] * gamma0[n - j + 1])))],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a).")
+      (inv(A[0]) == B) & (alpha0 == B * column(i, n, alpha1(i))), **_FOUND,
+      where=[*_FROM_POINT, let(B, matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1, 0) - gamma0[n - i + 1] * gamma0[n - j + 1])))],
+      by=[generic_index(*INVERSE_LEMMAS, _ROW_OF_A, fact(t, "solve", inv(A[0]) == B, uses=[use(21, m=col - row, s=row, times=-gamma0[n - col + 1])]),
+                        _ROW_OF_B, **OPENED, uses=[use(22, t=0, row=row, column=col), use(23, m=n - row, s=row), use(20, k=row, u=n),
+                                                   use(1, k=n - row, t=0, u=n - 1)]),
+          instances(n=(2, 3, 4))],
+      note="alpha(1), here alpha1, is found from (a(1), g(1)) by (3.11), (3.6) and (3.12a); A_0 is A(gamma).")
 
 claim("BLZ94-EA.6", "alpha_j in terms of alpha_1(1), ..., alpha_j(1)",
-      forall(j, 1, n, alpha0[j] == gamma(0, n - j) * gamma(0, n)
-             + sum_of(i, 1, j - 1, gamma(0, n - j) * gamma(0, n - i) * alpha(1, i))
-             + alpha(1, j)),
-      sizes=["n"], over=VECTOR_POINT, where=[*STEP], by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="gamma(0, k) are the Schur parameters of v, so gamma(0, n) is gamma_n; alpha(1) is found from (a(1), g(1)).")
+      forall(j, 1, n, alpha0[j] == schur(n - j) * schur(n) + sum_of(i, 1, j - 1, schur(n - j) * schur(n - i) * alpha1(i)) + alpha1(j)), **_FOUND,
+      where=[*_FROM_POINT, *SCHUR_0],
+      by=[generic_index(*SCHUR_LEMMAS, supported=OPENED["supported"], whole=OPENED["whole"], closed=[*OPENED["closed"], schur], uses=[
+          use(24, k=n - j, u=n - 1), use(schur, n), use(25, t=0), use(26, k=j - 1, u=n), use(20, k=j, u=n), use(1, k=n - j, t=0, u=n - 1)]),
+          instances(n=(2, 3, 4))],
+      note="schur(k) are the Schur parameters of v, found from (a(0), g(0)) by (3.11) and (3.6), so schur(n) is gamma_n; alpha(1), here alpha1, is found "
+           "from (a(1), g(1)) in the same way.")
 
 _SEVEN = {"sizes": ["n"], "over": VECTOR_POINT, "where": [*ORBIT, *VECTORS, *RHO_T, *PI_T]}
 

@@ -58,6 +58,7 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
+from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
 from proofs.blz94.notation import (
     FAST,
@@ -73,12 +74,10 @@ from proofs.blz94.notation import (
     PSI,
     RHO_T,
     RICCATI,
-    STEP,
     VECTORS,
     A,
     D,
     F,
-    G,
     P,
     Toeplitz,
     a,
@@ -114,7 +113,7 @@ from proofs.blz94.notation import (
     u,
 )
 
-v, w, ws, x, y, q, d, l, eta, xi = symbols("v w ws x y q d l eta xi")
+v, w, ws, x, y, q, d, l, eta, xi, G1 = symbols("v w ws x y q d l eta xi G1")
 Phi, Psi, Pi, T_line = symbols("Phi Psi Pi T_line")
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
@@ -197,11 +196,12 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
 
 # ---------------------------------------------------------------------- the algorithm in the new coordinates
 claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",
-      gamma(1, m) == gamma(0, m + 1), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
+      always(t, gamma(t + 1, m) == gamma(t, m + 1)), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
       where=[*FAST, *INVERSE[:-1]],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
       note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
-           "gamma_{t+1}, ... is the same as one deletion at each step, from an arbitrary point (a, g), which is that of any t. m runs to 3.")
+           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3. For every n and t, Theorem 4.3 shows the "
+           "deletion for gamma(t) of the orbit (4.4), and the lemmas of (A-6) that gamma_n is the last entry of gamma(1).")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
@@ -209,23 +209,23 @@ claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
                                     "1/z, that is g_1(t). Lemma 4.2, with m to 3, reaches t = 4."),
           instances(n=(1, 2, 3, 4))])
 
-_A = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - gamma0[n - i + 1] ** 2),
-                                               gamma0[n - i + 1] * gamma0[n - j + 1]
-                                               / prod(k, i, j, 1 - gamma0[n - k + 1] ** 2))))
-_ALPHA1 = column(i, n, alpha(1, i))
-claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", _ALPHA1 == A * alpha0, sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(A, _A)],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1) is found from (a(1), g(1)) by (3.11), (3.6) "
-           "and (3.12a). The algorithm does not depend on t otherwise.")
+_START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
+_FOUND = {"sizes": ["n"], "over": VECTOR_POINT, "given": [standing("n >= 1", n >= 1)]}
+_FROM_POINT = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST, *COORDINATES_1)
+claim("BLZ94-T4.3.1", "alpha(t + 1) = A(gamma(t)) alpha(t)", column(i, n, alpha1(i)) == A[0] * alpha0, **_FOUND,
+      where=[*_FROM_POINT],
+      by=[generic_index(*INVERSE_LEMMAS, **OPENED, uses=[use(20, k=row, u=n), use(alpha, 1, row=row)]), instances(n=(2, 3, 4))],
+      note="For an arbitrary point (alpha, gamma) of the orbit: alpha(1), here alpha1, is found from (a(1), g(1)) by (3.11), (3.6) "
+           "and (3.12a). The algorithm does not depend on t otherwise. The orbit (4.4) and the sums after it serve the proof alone, but for A_0 = A(gamma).")
 
 claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
-      column(i, n, gamma(1, i - 1)) == G * gamma0, sizes=["n"], over=VECTOR_POINT,
-      where=[*STEP, let(G, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -alpha(1, n - j + 1))))],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
-      note="For an arbitrary point of the orbit; gamma(1) is found from (a(1), g(1)) by (3.11) and (3.6).")
+      column(i, n, gamma1(i - 1)) == G1 * gamma0, **_FOUND,
+      where=[*_FROM_POINT, let(G1, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -alpha1(n - j + 1))))],
+      by=[generic_index(*INVERSE_LEMMAS, ON_THE_LAST, **OPENED, uses=[
+          use(17, s=row - 1, m=row - 1, u=n - 1), use(cor, 1, row), use(6, k=row - 1, t=1), use(21, k=n, u=n), use(20, k=n, u=n)]),
+          instances(n=(2, 3, 4))],
+      note="For an arbitrary point of the orbit; gamma(1), here gamma1, and alpha(1) are found from (a(1), g(1)) as before; G1 is G(alpha(1)).")
 
-_START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
 claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the gamma_k(t) are shifted",
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
              & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),

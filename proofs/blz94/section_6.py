@@ -24,9 +24,11 @@ from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
+    Z,
     Zero,
     block,
     charpoly,
+    coeff,
     column,
     eq,
     forall,
@@ -39,12 +41,15 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     rec,
+    recip,
     scalar,
     sequence,
     standing,
+    sum_of,
     symbols,
     symmetric_matrix,
     symplectic,
+    to_expr,
     vector,
     vstack,
     when,
@@ -68,12 +73,13 @@ from proofs.blz94.notation import (
     monic_of,
     n,
     s,
+    symmetric_part,
     t,
     u,
 )
 
 A, B, S, S11, S12, S21, S22, sigma, X, Y, R, U, V, K, L, N, Q, W = symbols("A B S S11 S12 S21 S22 sigma X Y R U V K L N Q W")
-c, d, f, l, o, p, q, v, w, x, y, z, Lambda, Gamma, M, E = symbols("c d f l o p q v w x y z Lambda Gamma M E")
+c, d, e, f, l, o, p, q, v, w, x, y, z, Lambda, Gamma, M, E = symbols("c d e f l o p q v w x y z Lambda Gamma M E")
 
 #: A of Proposition 6.4 and the blocks (6.14) of S
 CLOSED = (let(A, F - g * T(h)),)
@@ -243,3 +249,20 @@ claim("BLZ94-E8.8", "a solution of (6.1) factors D",
                              x: -c * T(inv(J - z * Identity(n))) * h, y: -l * T(inv(J - w * Identity(n))) * h})],
       note="x' is the row (z^(n-1), ..., 1), y' the same at w = 1/z, c = z^n and l = w^n; with J of (2.10) they are as the hypotheses say. c + x'v is v(z) for "
            "v = a, b, alpha, and the right side is D(z, 1/z). r = 1 - h'Ph is the limit of r_t. That the roots are the eigenvalues of S is (6.18).")
+
+
+def factored(shift, first):
+    """Data a0, g0 and the solution P of (6.1), with q = 1/(1 - h'Ph), for a given a and a factor of D.
+
+    ``shift`` and ``first`` are J and h of (2.10). b and r with D = r l(z)l(1/z) solve n + 1 linear equations; (6.2) gives o = Ph, and
+    then (6.1) is an equation for P - JPJ', whose solution is a finite sum.
+    """
+    have, want = monic_of(a0), monic_of(l)
+    solved = (inv(matrix_of(i, j, n + 1, n + 1, when(j <= n, coeff(symmetric_part(have, Z ** (n - j)), i - 1), -coeff(want * recip(want), i - 1))))
+              * column(i, n + 1, -coeff(symmetric_part(have, Z**n), i - 1)))
+    gain = g0 - (shift - a0 * T(first)) * o
+    known = -a0 * T(o) * T(shift) - shift * o * T(a0) + a0 * T(first) * o * T(a0) + gain * T(gain) / c[n + 1]
+    return {"using": {e: vector(n), l: vector(n), c: vector(n + 1), o: vector(n)},
+            "made_by": {l: column(i, n, e[i] / to_expr(3) ** i), c: solved, g0: column(i, n, HALF * (c[i] - a0[i])),
+                        o: column(i, n, when(i == 1, 1 - c[n + 1], a0[i - 1] + g0[i - 1] - c[n + 1] * l[i - 1])),
+                        P: sum_of(k, 0, n - 1, shift**k * known * T(shift) ** k), q: 1 / c[n + 1]}}

@@ -47,7 +47,7 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.notation import OBSERVER, F, a0, g, g0, h, i, j, k, m, monic_of, n, strict_of, symmetric_part
-from proofs.blz94.section_6 import PAIR_A, PAIR_G, PAIR_H, PAIR_P, PAIR_USING, S11, S12, S21, S22, A, S
+from proofs.blz94.section_6 import PAIR_A, PAIR_G, PAIR_H, PAIR_P, PAIR_USING, S11, S12, S21, S22, A, P, S, factored
 
 X, Y, R, U, V, K, L, N, Q, W, M, E, B = symbols("X Y R U V K L N Q W M E B")
 p, q, s, u, v, w, x, y, z, c, l, T_ = symbols("p q s u v w x y z c l Theta")
@@ -63,6 +63,12 @@ _SOLUTION = {
     "made_by": {A: PAIR_A, g: PAIR_G, h: PAIR_H, X: inv(T(E)) * B, Y: PAIR_P * inv(T(E)) * B,
                 R: inv(B) * T(E) * (inv(T(A)) - inv(T(A)) * h * T(h) * PAIR_P) * inv(T(E)) * B},
 }
+#: any a and factor of D, in the coordinates of (2.10)
+_J, _H1 = matrix_of(i, j, n, n, when(j == i + 1, 1, 0)), column(i, n, when(i == 1, 1, 0))
+_COMPANION = factored(_J, _H1)
+_FACTORED = {"using": {**_COMPANION["using"], a0: vector(n), g0: vector(n), P: matrix(n, n), q: scalar(), B: nonsingular(n)},
+             "made_by": {**_COMPANION["made_by"], h: _H1, g: g0, A: _J - (a0 + g0) * T(h), X: B, Y: P * X,
+                         R: inv(X) * (inv(T(A)) - inv(T(A)) * h * T(h) * P) * X}}
 #: the equilibrium g = 0, U = Im(I; 0)
 _AT_REST = {"using": {B: nonsingular(n)}, "made_by": {g: 0 * h, X: B, Y: 0 * B, R: inv(B) * inv(T(A)) * B}}
 
@@ -141,7 +147,7 @@ claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I)
                 prose="By (A-23) one of g'A'^(-1)Xz, g'Xz vanishes for all z with Yz = 0. In the first case (A-22) gives YRz = 0, in "
                       "the second (A-25) gives YR^(-1)z = 0; the two are equivalent. For Im(0; I): if Xz = 0, the first block of SU = UR is "
                       "-A'^(-1)h(h'Yz) = XRz, and z'Y'XRz = 0 makes (h'A^(-1)Yz)(h'Yz) vanish."),
-          _PAIR, instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST),
+          _PAIR, instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_FACTORED), instances(8, n=(1, 2), **_AT_REST),
           example(n=2, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], X=[[0, 1], [0, 0]], Y=[[1, 0], [0, 0]], R=[["3/2", "1/2"], ["-1/2", "1/2"]]),
           example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]])],
       note="alpha_n not zero is det A not zero. By (A-20) the intersection is invariant under S exactly if the null space of Y is "
@@ -165,7 +171,7 @@ claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian invariant subspace Im
           example(n=1, A=[[2]], g=[0], h=[0], X=[[0]], Y=[[1]], R=[[2]]),
           example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]),
           example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[1]], R=[[2]]),
-          instances(n=(2,), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)],
+          instances(n=(2,), **_SOLUTION), instances(12, n=(1, 2), **_FACTORED), instances(8, n=(1, 2), **_AT_REST)],
       note="The subspaces of (6.19) are the S-invariant ones, as the sentence before it says and the proof uses. (h, A) is observable since (h, F) is.")
 
 # ---------------------------------------------------------------------- Lemma 6.12
@@ -202,7 +208,7 @@ claim("BLZ94-S52", "U meets Im(I; 0) in zero if and only if (A, g) is reachable"
                     by=[steps("BLZ94-EA.22", "BLZ94-EA.25", facts=["reachability is not changed by feedback"],
                               prose="W = Im(U; 0) is invariant by Lemma 6.8, and (6.34) makes U'(g, Ag, ...) vanish."),
                         example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
-                        instances(n=(1, 2), **_SOLUTION), instances(n=(1, 2), **_AT_REST)]))
+                        instances(12, n=(1, 2), **_FACTORED), instances(n=(1, 2), **_SOLUTION), instances(n=(1, 2), **_AT_REST)]))
 
 claim("BLZ94-L6.12", "for coprime a and b no Lagrangian invariant subspace meets Im(I; 0)",
       _W_ZERO, sizes=["n"], over=_BASIS, where=[S_OF_LOOP, let(F, A + g * T(h))],
@@ -212,7 +218,7 @@ claim("BLZ94-L6.12", "for coprime a and b no Lagrangian invariant subspace meets
                                                                            "coprime, so W = 0 by (6.34)."),
           example(n=1, A=[[2]], g=[1], h=[1], X=[[0]], Y=[[0]], R=[[2]]), example(n=1, A=[[2]], g=[1], h=[1], X=[[1]], Y=[[0]], R=[[2]]),
           example(n=1, A=[[2]], g=[0], h=[1], X=[[1]], Y=[[0]], R=[["1/2"]]),
-          instances(n=(1, 2), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)],
+          instances(12, n=(1, 2), **_FACTORED), instances(n=(1, 2), **_SOLUTION), instances(8, n=(1, 2), **_AT_REST)],
       note="a(z) and b(z) are the characteristic polynomials of F and of F - 2gh'; in the coordinates of (2.10), J - ah' and J - bh'. The "
            "intersection of U = Im(X; Y) with Im(I; 0) is zero exactly if Y is nonsingular.")
 

@@ -49,7 +49,6 @@ from exactkf.language import (
 )
 from proofs.blz94.notation import (
             FAST,
-            HALF,
             ORBIT,
             SCALE,
             VECTORS,
@@ -78,7 +77,7 @@ from proofs.blz94.notation import (
             symmetric_part,
             t,
 )
-from proofs.blz94.section_6 import B
+from proofs.blz94.section_6 import B, factored
 
 N, Gamma, Phi, c, e, f, l, o, p, q, r, s, u, v, w, x, y = symbols("N Gamma Phi c e f l o p q r s u v w x y")
 
@@ -130,17 +129,7 @@ not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those am
             "a statement about Lebesgue measure and closure, for which there is no formula here. Its exact part: for each t escape is one equation 1 - gamma_t^2 = 0, which is not an "
             "identity as equilibria never escape (BLZ94-X.4)")
 
-#: b, and r with D = r l(z)l(1/z), for given a and l: n + 1 linear equations
-_A0, _L0 = monic_of(a0), monic_of(l)
-_SOLVED = (inv(matrix_of(i, j, n + 1, n + 1, when(j <= n, coeff(symmetric_part(_A0, Z ** (n - j)), i - 1), -coeff(_L0 * recip(_L0), i - 1))))
-           * column(i, n + 1, -coeff(symmetric_part(_A0, Z**n), i - 1)))
-#: Ph from (6.2), and then P from (6.1): P - JPJ' is known
-_PH = column(i, n, when(i == 1, 1 - c[n + 1], a0[i - 1] + g0[i - 1] - c[n + 1] * l[i - 1]))
-_GAIN = g0 - (J - a0 * T(h)) * o
-_KNOWN = -a0 * T(o) * T(J) - J * o * T(a0) + a0 * T(h) * o * T(a0) + _GAIN * T(_GAIN) / c[n + 1]
-FACTORED = {"using": {e: vector(n), l: vector(n), c: vector(n + 1), o: vector(n)},
-            "made_by": {l: column(i, n, e[i] / to_expr(3) ** i), c: _SOLVED, g0: column(i, n, HALF * (c[i] - a0[i])), o: _PH,
-                        P: sum_of(k, 0, n - 1, J**k * _KNOWN * T(J) ** k), q: 1 / c[n + 1]}}
+FACTORED = factored(J, h)
 _LIMIT = q * (g0 - F * P * h) + a0
 claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc, times the common factor of a and b",
       forall(t, 0, m, (u[t] + v[t] == (monic_of(a[t]) + strict_of(g[t])) * x)

@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, order, steps, use, within
+from exactkf.evidence import example, first, generic_index, identity, induction, instances, lemma, order, use, within
 from exactkf.language import (
     Identity,
     T,
@@ -185,8 +185,8 @@ claim("D71-E8.5", "the equation that X satisfies",
       by=[MU_ONE, instances(n=range(1, 5))],
       repair=repair("index", f"{BINOMIAL} and the equation fails", CARRIES & ADJOINT_REGULAR,
                     sizes=["n"], over={mu: nonzero()}, where=RIGHT_X, by=[PASCALS_RULE, instances(n=range(1, 5))]),
-      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block, which exists by its determinant, "
-           "in the repair.")
+      note="X is the matrix (8.3) as printed. The second equation is the first multiplied by the inverse of the adjoint block, which exists by its "
+           "determinant, in the repair.")
 
 # --- cyclic subspaces ---------------------------------------------------------------------------------------------------
 
@@ -226,33 +226,43 @@ EIGENVECTOR = (v != Zero(n, 1)) & (theta*(Z - lam) == phi) & (SHIFTED*substitute
 AT_ZERO = example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0)
 NOT_SMALLEST = example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 0], a=[3, -2], lam=2)
 
+ell, quot, theta_t, r = symbols("ell q theta r")
+LESS_LAST = r - t_
+REMAINDER = (A - lam*I)*theta_t[t_]*x == power[r + 1]*x - quot[t_]*power[r + 1 - t_]*x - tail[t_]*x
+#: the eigenvector theta_{r+1} x from the polynomial of degree p = r + 1
+FROM_POLYNOMIAL = {
+    "says": ((A - lam*I)*theta_t[r + 1]*x == Zero(n, 1)) & (ell*theta_t[r + 1]*x == Identity(1)),
+    "sizes": ["n", "r"],
+    "over": {A: matrix(n, n), x: matrix(n, 1), a: sequence(1, r + 1), lam: scalar(), ell: matrix(1, n)},
+    "where": [rec(power, t_, I, A*power[t_]), rec(quot, t_, 1, lam*quot[t_] - a[t_ + 1]), rec(theta_t, t_, Zero(n, n), theta_t[t_] + quot[t_]*power[LESS_LAST]),
+              rec(tail, t_, Zero(n, n), tail[t_] + a[t_ + 1]*power[LESS_LAST])],
+    "given": [standing("the powers, counted from the end", forall(k, 0, r, power[k + 1] == A*power[k])),
+              given("(8.8)", power[r + 1]*x == tail[r + 1]*x), given("a zero of phi", quot[r + 1] == 0),
+              given("p is the smallest", forall(k, 0, r - 1, ell*power[k]*x == Zero(1, 1)) & (ell*power[r]*x == Identity(1)))],
+    "by": [induction(before=[first(forall(t_, 0, r + 1, REMAINDER)), first(forall(t_, 1, r + 1, ell*theta_t[t_]*x == Identity(1)))]),
+           example(n=1, r=0, A=[[1]], x=[[1]], a=[2], lam=2, ell=[[1]]), example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=2, ell=[[1]]),
+           example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=1, ell=[[0]]),
+           instances(n=range(1, 4), r=range(3), using={E: nonsingular(n), d: vector(n)},
+                     made_by={A: E*(matrix_of(i, j, n, n, when(i == j, d[i], 0)) + superdiagonal(n))*inv(E), x: E*matrix_of(i, j, n, 1, when(i == r + 1, 1, 0)),
+                              a: (k, -coeff(prod(t_, 1, r + 1, Z - d[t_]), r + 1 - k)), lam: d[1], ell: matrix_of(i, j, 1, n, when(j == 1, 1, 0))*inv(E)})]}
+
 claim("D71-E8.11", "an eigenvector from the annihilating polynomial",
       EIGENVECTOR,
       sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, theta*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
       by=[example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 1], a=[3, -2], lam=1), instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
       repair=repair(
           "other", "v is theta(A)x, the matrix in place of lambda, as the next display of the proof has it; theta(lambda)x is a multiple of x",
-          EIGENVECTOR,
-          sizes=["n", "p"], over=CYCLIC, where=[KRYLOV, *CYCLIC_WHERE, let(v, substitute(theta, A)*x)], given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-          by=[steps("D71-E8.8", prose="phi = (lambda - lambda_i) theta, so (A - lambda_i I) theta(A)x = phi(A)x; theta(A)x is a combination of x, ..., "
-                                      "A^{p-1}x in which the last has the coefficient one, and these vectors are independent."),
-              AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)]),
-      note="The quotient theta is written out by synthetic division. The instances have real zeros of phi, simple and repeated; the equations are "
-           "polynomial in the zero.")
-
-cyclic = sym("cyclic")
-HAS_EIGENVECTOR = rank(SHIFTED*cyclic) < rank(cyclic)
-T83_WHERE = [KRYLOV, PHI, let(cyclic, krylov(p))]
+          **FROM_POLYNOMIAL),
+      note="The quotient theta is written out by synthetic division: q_0 = 1, q_1, ... are its coefficients, in the repair theta_t the sum of the first t "
+           "of its terms at A, and p = r + 1. The powers are counted from the end. That p is the smallest says that A^r x is no combination of the powers "
+           "before it, and so that some row l has l A^r x = 1 and l A^k x = 0 for k < r; then l v = 1. Real zeros of phi; the equations are polynomial in "
+           "the zero.")
 
 claim("D71-T8.3", "a cyclic subspace contains an eigenvector",
-      HAS_EIGENVECTOR,
-      sizes=["n", "p"], over=CYCLIC, where=T83_WHERE, given=[EIGHT, SMALLEST, ZERO, NOT_ZERO],
-      by=[steps("D71-E8.8", facts=["A polynomial of positive degree has a complex zero."],
-                prose="theta(A)x with theta = phi/(lambda - lambda_i) is not zero, is in the subspace and is killed by A - lambda_i I."),
-          AT_ZERO, NOT_SMALLEST, instances(**CYCLIC_SIZES, **CYCLIC_MADE)],
-      note="The subspace is the column space of [x, Ax, ..., A^{p-1}x]; A - lambda I takes a nonzero vector of it to 0 exactly if the rank falls. Real "
-           "zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real numbers the statement needs such a zero. The "
-           "definition calls x arbitrary; that it is not 0, whose subspace {0} has no eigenvector at all, goes without saying.")
+      **FROM_POLYNOMIAL,
+      note="The eigenvector is theta_{r+1} x, a combination of x, ..., A^r x that is not zero, as the row l takes it to 1: see D71-E8.11. x is not 0, as "
+           "the subspace of x = 0 has no vector but zero. Real zeros of phi: a rotation of the plane has complex eigenvectors only, so over the real "
+           "numbers the statement needs such a zero.")
 
 # --- the equation A'QA - Q = R ------------------------------------------------------------------------------------------
 
@@ -358,7 +368,8 @@ TWO = {"n": 2, "A": [[2, 1], [0, 2]], "Q": [["1/3", "-2/9"], ["-2/9", "5/27"]], 
 
 claim("D71-T8.4", "when the solution is singular",
       (Q*u == GONE) & (Q*w == GONE) & (R*x1 == GONE) & (R*x2 == GONE) & (Q*n2 == GONE) & (R*n2 == GONE),
-      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n), al: scalar(), be: scalar(), **dict.fromkeys((u, w, x1, x2, n1), vector(n))},
+      sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: positive_semidefinite(n), al: scalar(), be: scalar(),
+                         **dict.fromkeys((u, w, x1, x2, n1), vector(n))},
       where=[let(n2, inv(A)*n1)],
       given=[LYAPUNOV, OUTSIDE, standing("|lambda| > 1, as for all eigenvalues", al**2 + be**2 > 1), given("an eigenvector", eigenvector(u, w)),
              given("a null vector of R", (R*u == GONE) & (R*w == GONE)), standing("another eigenvector", eigenvector(x1, x2)),
@@ -372,6 +383,6 @@ claim("D71-T8.4", "when the solution is singular",
           instances(8, n=(3,), using={E: nonsingular(3), c: vector(3)}, made_by={**SPIRAL, u: E*X1, w: E*X2, x1: E*X1, x2: E*X2, n1: E*(c[2]*X1 + c[3]*X2)}),
           instances(8, n=(2, 3), using={E: nonsingular(n), c: vector(n), G: matrix(n, n)},
                     made_by={al: factor(to_expr(1)), be: to_expr(0), **solved(THIN)["made_by"], u: E*X1, w: 2*E*X1, x1: -E*X1, x2: E*X1, n1: E*X1})],
-      note="Real matrices, an eigenvector u + iw of A at lambda = al + i be. An eigenvector that R kills is killed by Q, so that Q is singular; one that Q kills "
-           "is killed by R. If Q is singular there is one: A^{-1}, from n1 to n2, takes null vectors of Q to null vectors of Q and R, and an invariant subspace other than {0} "
-           "contains a complex eigenvector. The classical fact for Q >= 0 is that the powers of A^{-1} tend to zero.")
+      note="Real matrices, an eigenvector u + iw of A at lambda = al + i be. An eigenvector that R kills is killed by Q, so that Q is singular; one that Q "
+           "kills is killed by R. If Q is singular there is one: A^{-1}, from n1 to n2, takes null vectors of Q to null vectors of Q and R, and an "
+           "invariant subspace other than {0} contains a complex eigenvector. The classical fact for Q >= 0 is that the powers of A^{-1} tend to zero.")

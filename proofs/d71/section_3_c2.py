@@ -229,9 +229,10 @@ claim("D71-T3.7", "the blocks of J fit into those of R",
           example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[0]], Y=[[0]]),
           example(q=1, m=1, s=1, r=1, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[1]], Y=[[1]]),
           instances(q=(2, 3), m=(1, 2), s=(1,), r=(0, 1), **CHAINED), instances(4, q=(3,), m=(3,), s=(1,), r=(2,), **CHAINED)],
-      note="The blocks of size r + 1 or more at w are as many as there are independent eigenvectors in the range of (J - w)^r, which is how elementary divisors "
-           "are counted. Any s of them, the columns of X, go under T to s such vectors of R. So R has at least as many blocks of size r + 1 or more as J, for every "
-           "r: the j-th largest block of J is no larger than that of R. T = [F; Gamma] has independent columns, as Gamma is nonsingular.")
+      note="The blocks of size r + 1 or more at w are as many as there are independent eigenvectors in the range of (J - w)^r, which is how elementary "
+           "divisors are counted. Any s of them, the columns of X, go under T to s such vectors of R. So R has at least as many blocks of size r + 1 or "
+           "more as J, for every r: the j-th largest block of J is no larger than that of R. T = [F; Gamma] has independent columns, as Gamma is "
+           "nonsingular.")
 
 leading = matrix_of(i, j, m, m, U[i, j])
 UPPER = matrix_of(i, j, q, q, when(i <= j, U[i, j], 0))

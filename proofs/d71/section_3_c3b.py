@@ -139,8 +139,9 @@ claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal"
           example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
           example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
           instances(n=(1, 2), p=(1, 2))],
-      note="So R_p and the inverse of its adjoint are similar. By Jordan's theorem two matrices are so exactly if they have the same Jordan blocks. If omega I + N are the blocks of R_p at omega, those of "
-           "the inverse of its adjoint at 1/omega* are similar to I/omega* + N, by D71-T8.2; that R_p has the same blocks as that inverse is the theorem.")
+      note="So R_p and the inverse of its adjoint are similar. By Jordan's theorem two matrices are so exactly if they have the same Jordan blocks. If "
+           "omega I + N are the blocks of R_p at omega, those of the inverse of its adjoint at 1/omega* are similar to I/omega* + N, by D71-T8.2; that R_p "
+           "has the same blocks as that inverse is the theorem.")
 
 claim("D71-S33", "the eigenvalues are symmetric in the unit circle",
       cospectral(Rp, inv(T(Rp))) & (det(Rp) == 1),
@@ -207,7 +208,8 @@ def powers_vanish(sums: Expr, power: Expr, combined: Expr, turn: Expr, half: Exp
         return order([sums[at], added(at)], [sums[at], added(at)])
 
     return [first(forall(k, 0, n, psd(sums[k])), base=order([Zero(n, n)]), step=order([sums[k], added(k)])),
-            first(forall(k, 0, n - 1, (sums[n - 1 - k]*null == zero) & (half*power[n - 1 - k]*null == gone)), base=last_terms(n - 1), step=last_terms(n - 2 - k)),
+            first(forall(k, 0, n - 1, (sums[n - 1 - k]*null == zero) & (half*power[n - 1 - k]*null == gone)),
+                  base=last_terms(n - 1), step=last_terms(n - 2 - k)),
             first(forall(k, 0, n - 1, (sums[n - 1 - k] == sums[n - 1 - k]) & (half*power[k]*null == gone))),
             first(forall(k, 0, n, half*combined[k]*null == gone)),
             first(forall(k, 0, n, half*power[n - k]*null == gone)),
@@ -235,7 +237,8 @@ claim("D71-E3.60", "bases of the undriven and of the unobservable subspace",
              rec(Pd, t, Zero(n, n), Pd[t] + T(Down[t])*(T(M)*M)*Down[t]), rec(CombU, t, Zero(n, n), CombU[t] + ch[t]*Up[t]),
              rec(CombD, t, Zero(n, n), CombD[t] + ch[t]*Down[t])],
       given=[standing("theorem of Cayley and Hamilton", (Up[n] == CombU[n]) & (Down[n] == CombD[n])),
-             standing("the sums, counted from the end", forall(k, 0, n - 1, (Rd[k + 1] == Rd[k] + T(Up[k])*H*Up[k]) & (Pd[k + 1] == Pd[k] + T(Down[k])*(T(M)*M)*Down[k]))),
+             standing("the sums, counted from the end",
+                      forall(k, 0, n - 1, (Rd[k + 1] == Rd[k] + T(Up[k])*H*Up[k]) & (Pd[k + 1] == Pd[k] + T(Down[k])*(T(M)*M)*Down[k]))),
              given("null vectors of R_d", Rd[n]*Nd == Zero(n, q)), given("all of them", I - Gd*Rd[n] == Nd*Ed),
              given("null vectors of P_d", Pd[n]*No == Zero(n, q)), given("all of those", I - Go*Pd[n] == No*Eo)],
       by=[induction(before=[*UNDRIVEN_SPACE, *UNSEEN_SPACE]),
@@ -402,9 +405,9 @@ claim("D71-T3.12", "eigenvalues of R_p on the unit circle",
           instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), M: Zero(p, 2), **F_SPUN, **G_SPUN, **X_SPUN, **Y_SPUN}),
           instances(8, **SPIN, made_by={**SPUN, M: Zero(p, 2), **F_SPUN, **NO_G, **X_SPUN, **NO_Y}),
           instances(8, **SPIN, made_by={**SPUN, H: Zero(2, 2), **NO_F, **G_SPUN, **NO_X, **Y_SPUN})],
-      note="Both directions at once, for one omega = a + ib on the circle: every eigenvector [f; gamma] of R_p at omega consists of an unobservable mode f and an "
-           "undriven mode gamma (or zero), and any two such modes [x; y] make an eigenvector of R_p. A mode of modulus one is a random walk mode; Phi' gamma = omega* gamma "
-           "says that it has the eigenvalue omega*, and omega beside it, as Phi is real.")
+      note="Both directions at once, for one omega = a + ib on the circle: every eigenvector [f; gamma] of R_p at omega consists of an unobservable mode f "
+           "and an undriven mode gamma (or zero), and any two such modes [x; y] make an eigenvector of R_p. A mode of modulus one is a random walk mode; "
+           "Phi' gamma = omega* gamma says that it has the eigenvalue omega*, and omega beside it, as Phi is real.")
 
 K = sym("K")
 

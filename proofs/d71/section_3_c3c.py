@@ -344,7 +344,8 @@ FORMS_MADE = {gp: (T(g1)*P*g1 + T(g2)*P*g2)[1, 1], gr: (T(g1)*LEFT*g1 + T(g2)*LE
 
 claim("D71-E3.104", "both forms positive",
       (a_**2 + b_**2 == 1 + gr/gp) & (a_**2 + b_**2 > 1),
-      sizes=["n"], over={C: matrix(n, n), D: matrix(n, n), P: symmetric_matrix(n), g1: vector(n), g2: vector(n), a_: scalar(), b_: scalar(), gp: scalar(), gr: scalar()},
+      sizes=["n"], over={C: matrix(n, n), D: matrix(n, n), P: symmetric_matrix(n), g1: vector(n), g2: vector(n), a_: scalar(), b_: scalar(),
+                         gp: scalar(), gr: scalar()},
       where=[let(Rm, LEFT)],
       given=[standing("the two forms", (gp == FORM_P) & (gr == FORM_R)), given("eigenvector", (CLOSED*g1 == a_*g1 - b_*g2) & (CLOSED*g2 == b_*g1 + a_*g2)),
              given("gamma*P gamma > 0", gp > 0), given("gamma*R gamma > 0", gr > 0)],
@@ -354,7 +355,8 @@ claim("D71-E3.104", "both forms positive",
           example(n=1, C=[["-1/2"]], D=[[0]], P=[[-1]], g1=[1], g2=[0], a="1/2", b=0, gp=-1, gr="3/4"),
           instances(n=(1,), made_by={C: D*P - a_*I, b_: 0, **FORMS_MADE}),
           instances(n=(2,), using={E: nonsingular(2), c: scalar(), d: scalar()},
-                    made_by={P: T(inv(E))*inv(E), C: D*P - E*rows([[a_, b_], [-b_, a_]])*inv(E), g1: E*rows([[c], [-d]]), g2: E*rows([[d], [c]]), **FORMS_MADE})],
+                    made_by={P: T(inv(E))*inv(E), C: D*P - E*rows([[a_, b_], [-b_, a_]])*inv(E), g1: E*rows([[c], [-d]]), g2: E*rows([[d], [c]]),
+                              **FORMS_MADE})],
       note="gamma = g1 + i g2 and psi = a + ib; the forms are gamma*P gamma and gamma*R gamma, and psi* psi = a^2 + b^2.")
 
 R_ZERO = given("gamma*R gamma = 0", T(g)*LEFT*g == Zero(q, q))

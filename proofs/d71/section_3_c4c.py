@@ -89,8 +89,8 @@ al, be, g1, g2, y1, y2 = symbols("alpha beta g1 g2 y1 y2")
 NOISE = Phi*K*Va*T(K)*T(Phi) + Ha
 PAIR = rows([[al, be], [-be, al]])
 #: eigenvectors g of DP - C = inv(Phi')(SP + I), and the terms of (1 - |psi|^2) g*Pg + g*Rg = 0
-ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "Ha": [[0]], "Va": [[0]], "Pa0": [[1]], "Pae": [[0]], "alpha": 1, "beta": 0,
-       "g1": [1], "g2": [0], "y1": [1], "y2": [0]}
+ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "Ha": [[0]], "Va": [[0]], "Pa0": [[1]], "Pae": [[0]],
+       "alpha": 1, "beta": 0, "g1": [1], "g2": [0], "y1": [1], "y2": [0]}
 CLOSED = D*P + PhiT
 PSI_G = {y1: al*g1 - be*g2, y2: be*g1 + al*g2}
 REST = 1 - (al**2 + be**2)
@@ -111,12 +111,15 @@ claim("D71-E3.246", "the actual error covariance has a limit",
       over={**SYSTEM, **ACTUAL, H: positive_semidefinite(n), P: positive_semidefinite(n), Pa0: positive_semidefinite(n), Pae: symmetric_matrix(n),
             al: scalar(), be: scalar(), g1: vector(n), g2: vector(n), y1: vector(n), y2: vector(n)},
       where=[*AT_EQUILIBRIUM, let(Acl, B - P*D), rec(Pi, t, I, Acl*Pi[t]), rec(Pa, t, Pa0, Acl*Pa[t]*T(Acl) + NOISE)],
-      given=[EQUILIBRIUM, standing("psi g", (y1 == al*g1 - be*g2) & (y2 == be*g1 + al*g2)), given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE), given("eigenvector of DP - C", (CLOSED*g1 == y1) & (CLOSED*g2 == y2)),
+      given=[EQUILIBRIUM, standing("psi g", (y1 == al*g1 - be*g2) & (y2 == be*g1 + al*g2)), given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE),
+             given("eigenvector of DP - C", (CLOSED*g1 == y1) & (CLOSED*g2 == y2)),
              given("|psi| <= 1", al**2 + be**2 <= 1)],
       by=[induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
           # a driven mode, and one that is stable
-          example({**ONE, "H": [["1/2"]], "P": [[1]], "alpha": 2, "y1": [2]}), example({**ONE, "Phi": [["1/2"]], "alpha": 2, "y1": [2], "Ha": [["3/4"]], "Pae": [[1]]}),
-          example({**ONE, "alpha": "1/2", "y1": ["1/2"]}), example({**ONE, "H": [["1/2"]]}), example({**ONE, "Phi": [[2]], "Pae": [[1]], "alpha": "1/2", "y1": ["1/2"]}),
+          example({**ONE, "H": [["1/2"]], "P": [[1]], "alpha": 2, "y1": [2]}),
+          example({**ONE, "Phi": [["1/2"]], "alpha": 2, "y1": [2], "Ha": [["3/4"]], "Pae": [[1]]}),
+          example({**ONE, "alpha": "1/2", "y1": ["1/2"]}), example({**ONE, "H": [["1/2"]]}),
+          example({**ONE, "Phi": [[2]], "Pae": [[1]], "alpha": "1/2", "y1": ["1/2"]}),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={e: vector(2), E: nonsingular(2)},
                     made_by={al: e[1]/(1 + T(e)*e), be: e[2]/(1 + T(e)*e), Phi: inv(T(E*PAIR*inv(E))), P: Zn, H: Zn, Ha: Zn, Pae: Zn,
                              g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]]), **PSI_G}),

@@ -157,4 +157,5 @@ claim("NWL92-EB.9", "difference of two solutions through the gains",
       sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[example(NOT_NORMAL), two_solutions(l=2, n=2, p=2)],
       repair=repair("other", "the transpose is that of the product L1 A, as in (4.45)",
                     DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A),
-                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, *TWO_DRAWN]))
+                    sizes=["l", "n", "p"], over=TWO_OVER, where=TWO, given=TWO_GIVEN, by=[BOTH, *TWO_FOILS, *TWO_DRAWN]),
+      note="As scanned the T stands on A, inside the bracket, where the sizes do not even fit unless l = n; outside of it this is (4.45).")

@@ -90,7 +90,6 @@ from proofs.nwl92.notation import (
     H,
     L,
     R,
-    S,
     Tb,
     U,
     V,
@@ -130,7 +129,7 @@ from proofs.nwl92.notation import (
 
 half = Fraction(1, 2)
 
-v = sym("v")
+v, S = symbols("v S")
 claim("NWL92-E2.1", "the measurement y = Hx + v and the error of a linear estimate",
       L * (H * x + v) - x == (L * H - Identity(n)) * x + L * v, sizes=["p", "n"],
       over={H: matrix(p, n), L: matrix(n, p), x: vector(n), v: vector(p)}, by=[identity(p=(1, 2), n=(1, 2)), instances(p=(1, 2), n=(1, 2))],

@@ -302,7 +302,7 @@ invertible_at("NWL92-E5.5", "the matrix (5.5) is invertible at every point of th
 s, t = symbols("s t")
 ANY = {F: matrix(k, n), K: matrix(k, n), G: symmetric_matrix(k)}
 NONZERO = {**ANY, s: nonzero(), t: nonzero()}
-STEPS_2 = steps("NWL92-E5.13", "NWL92-E5.15", facts=["the degree of a determinant in s and t together is its size"],
+STEPS_2 = steps("NWL92-L5.1", "NWL92-E5.13", "NWL92-E5.15", facts=["the degree of a determinant in s and t together is its size"],
                 prose=("By (5.15) eigenmodes other than zero and infinity come in pairs z, 1/z, and there are k - n more at infinity than at zero; "
                        "none is on the circle (Lemma 5.1), and there are n + k in all."))
 claim("NWL92-L5.2", "the pencil has exactly n stable eigenmodes",

@@ -4,19 +4,26 @@
 from __future__ import annotations
 
 import random
+from fractions import Fraction
 
 import pytest
 from flint import arb, fmpq
 
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide, limit_digits
+from exactkf.dynamics.exact_json import field_json
+from exactkf.dynamics.torus import torus_evidence
 from exactkf.exact import RealField, cyclotomic_real, sqrt_field
 from exactkf.exact.balls import precision
+from exactkf.kernel.algebraic import AlgebraicField
+from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.orbit_wandering import check_torus
 from exactkf.kernel.replay import Rejected, replay
 from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag
 from tests.dynamics.test_every_order import edited, start, stepped, times
 
-FIELDS = [sqrt_field(2), sqrt_field(5), RealField([-2, 0, 0, 1], (1, 2), "r"), RealField([1, 0, -10, 0, 1], (3, 4), "w"), cyclotomic_real(7), cyclotomic_real(16)]
+FIELDS = [sqrt_field(2), sqrt_field(5), cyclotomic_real(7), cyclotomic_real(16),
+          RealField([-2, 0, 0, 1], (1, 2), "r"), RealField([1, 0, -10, 0, 1], (3, 4), "w")]
 
 
 def algebraic_start(rng, n):
@@ -239,3 +246,49 @@ def test_times_is_the_same_over_fields():
     field = FIELDS[0]
     p, q = [fmpq(1), fmpq(2), fmpq(-3)], [fmpq(4), fmpq(5)]
     assert [x.rational_value() for x in times_in([field(x) for x in p], [field(x) for x in q])] == times(p, q)
+
+
+# ---------------------------------------------------------------------- tori
+def quadratic(x):
+    """z^2 - xz + 1."""
+    return [x.field(1), -x, x.field(1)]
+
+
+def in_checker(p):
+    """The polynomial in the numbers of the checker."""
+    field = p[0].field
+    modulus, lo, hi = field_json(field)
+    own = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    return [own.element([Fraction(int(c.p), int(c.q)) for c in x.poly.coeffs()]) for x in p]
+
+
+X, Y = 1 + ROOT / 3, ROOT / 5
+
+
+@pytest.mark.parametrize(("factors", "dimension"), [
+    ([X], 1), ([X, X * X - 2], 1), ([X, -X], 1), ([X, Y], 2), ([X, Y, Y * Y - 2], 2), ([X, 2 - ROOT / 3], 2), ([X, ROOT * 2], 1), ([ROOT.field(1), ROOT], 0),
+    ([X, ROOT, ROOT.field(fmpq(6, 5))], 2), ([X, X, X, Y], 2), ([X, X, Y], 1),
+])
+def test_tori_over_a_field(factors, dimension):
+    """Zeros and their squares or opposites are related, others not; roots of unity, real zeros and even multiplicities do not count."""
+    D = [ROOT.field(1)]
+    for x in factors:
+        D = times_in(D, quadratic(x))
+    found, evidence, reason = torus_evidence(D)
+    assert (found, reason) == (dimension, "")
+    check_torus(in_checker(D), dimension, evidence)
+    for other in {dimension + 1, dimension - 1} - {-1}:
+        with pytest.raises(Undefined):
+            check_torus(in_checker(D), other, evidence)
+
+
+def test_the_rational_multiple_is_checked():
+    """One that D's factor does not divide, one with a double zero, an interval of a conjugate, and an interval left out are rejected."""
+    D = times_in(quadratic(X), quadratic(Y))
+    found, evidence, _ = torus_evidence(D)
+    norm = [fmpq(*map(int, c.split("/"))) for c in evidence["norm"]]
+    opposite = torus_evidence(times_in(quadratic(2 - ROOT / 3), quadratic(-Y)))[1]
+    for change in ({"norm": ["1", "1"]}, {"norm": [str(c) for c in times(norm, norm)]}, {"zeros": evidence["zeros"][:1]}, {"zeros": opposite["zeros"]},
+                   {"norm": [str(c) for c in times(norm, [fmpq(1), fmpq(1)])]}):
+        with pytest.raises(Undefined):
+            check_torus(in_checker(D), found, {**evidence, **change})

@@ -399,6 +399,14 @@ def test_broken_evidence_is_rejected(answer: Answer, path, value):
         replay(edited(answer.certificate, ("evidence", *path), value))
 
 
+@pytest.mark.parametrize("preperiod", [0, False, 1])
+def test_what_comes_back_to_its_start_is_not_eventually_periodic(preperiod):
+    """A step to which an orbit first comes back goes with the behaviour that has one, and is after the start."""
+    changed = edited(PERIODIC.certificate, ("statement", "answer", "behaviour"), "eventually periodic")
+    with pytest.raises(Rejected):
+        replay(edited(changed, ("statement", "answer", "preperiod"), preperiod))
+
+
 def test_the_unstable_spectral_factor_is_rejected():
     """The factor of D with its zero outside the circle is no limit, though its product with its reversal is right."""
     starts = (with_spectrum(random.Random(seed), self_product([fmpq(1), fmpq(1, 2)])) for seed in range(50))
