@@ -131,7 +131,8 @@ FACTORS = ["prod", "k", 1, n, ["+", 1, at("w", k)]]
 def test_an_inverse_behind_a_name_need_not_exist(where, left, right, how, says):
     """What is shown where an inverse behind a name exists, w = 0 among it, is not used where it does not."""
     place = {"s": 0, "row": ["sym", "row"] if "fact" in how else 1, "column": 1}
-    lemmas = [CANCELLED, *({"index": "s", "says": ["=", left, x], "uses": uses, **how} for x, uses in zip(right, ([], [{"lemma": 0, "at": place}]), strict=True))]
+    uses = [], [{"lemma": 0, "at": place}]
+    lemmas = [CANCELLED, *({"index": "s", "says": ["=", left, x], "uses": used, **how} for x, used in zip(right, uses, strict=True))]
     made = statement(says, COLUMN, SOME, where)
     assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [{"lemma": m, "at": {"s": n}} for m in (1, 2)]})
     assert accepted("generic index", {**made, "says": ["=", c, c], "over": [*COLUMN, ["c", ["scalar"]]]}, {"lemmas": lemmas})
@@ -142,3 +143,27 @@ def test_a_rule_brings_no_inverse_in():
     made = statement(["always", "t", ["=", at("x", t), at("w", 1)]], COLUMN, SOME, [["rec", "x", "k", 0, [0], 0]])
     rule = {"index": "s", "rule": True, "says": ["=", at("x", ["sym", "s"]), NUMBER]}
     assert not accepted("generic index", made, {"lemmas": [CANCELLED, rule], "uses": FIRST})
+
+
+# ---------------------------------------------------------------------- earlier conjuncts
+D, X = ["sym", "d"], ["sym", "x"]
+LEFT = [["1", [], "inverse 1/left/0/0", []]]
+
+
+@pytest.mark.parametrize("until, then, true", [
+    (n, ["forall", "t", 0, n], True), (["-", n, 1], ["forall", "t", 0, n], False), (n, ["forall", "t", 0, ["+", n, 1]], False),
+    (0, ["forall", "t", 0, n], False), (n, ["always", "t"], False),
+])
+def test_an_earlier_conjunct_is_known_in_its_range(until, then, true):
+    """inv(A_k) A_k = I for k up to a bound grants the inverses up to there, also where the range is empty."""
+    first = ["forall", "k", 0, until, ["=", ["*", ["inv", at("A", k)], at("A", k)], ["I", D]]]
+    second = ["=>", ["=", ["*", at("A", t), X], 0], ["=", X, 0]]
+    made = statement(["and", first, [*then, second]], [["A", ["signal_of", 0, ["matrix", D, D]]], ["x", ["matrix", D, 1]]], sizes=["d", "n"])
+
+    def cancel(index, premise, inverse):
+        terms = [["-1", [], f"inverse {inverse}/left/0/0", ["x"]], ["1", [f"inv(A[{index}])"], f"assumed {premise}/0/0/0", []]]
+        return {"parts": [{"sum": [], "terms": terms}]}
+
+    shown = [{"parts": [{"sum": [], "terms": LEFT}]}] * 2
+    proofs = [[cancel("0", i, 1), cancel("t+1", j, m)] for i in range(4) for j in range(4) for m in (1, 2)]
+    assert any(accepted("word induction", made, {"conjuncts": [shown, proof]}) for proof in proofs) == true
