@@ -167,3 +167,29 @@ def test_an_earlier_conjunct_is_known_in_its_range(until, then, true):
     shown = [{"parts": [{"sum": [], "terms": LEFT}]}] * 2
     proofs = [[cancel("0", i, 1), cancel("t+1", j, m)] for i in range(4) for j in range(4) for m in (1, 2)]
     assert any(accepted("word induction", made, {"conjuncts": [shown, proof]}) for proof in proofs) == true
+
+
+# ---------------------------------------------------------------------- names
+C, Q = ["sym", "C"], ["sym", "Q"]
+MATRICES = [["B", ["matrix", D, D]], ["C", ["matrix", D, D]], ["P", ["psd", D]]]
+
+
+@pytest.mark.parametrize("body, kind", [(["sum", "k", 1, 1, ["sym", "B"]], "needed"), (["if", ["=", 1, 1], ["sym", "B"], P], "standing")])
+def test_a_definition_that_cannot_be_read_keeps_its_name(body, kind):
+    """A hypothesis Q = C about what the statement calls Q says nothing about a root that a proof would call Q."""
+    made = statement(["always", "t", ["=", P, ["*", C, C]]], MATRICES, [["h", ["=", Q, C], kind]], [["let", "Q", [], body]], ["d"])
+    terms = [["-1", [], "root Q", []], ["1", ["Q"], "h/0/0/0", []], ["1", [], "h/0/0/0", ["C"]]]
+    proof = {"parts": [{"sum": [], "roots": [["Q", P]], "terms": terms}]}
+    assert not accepted("word induction", made, {"conjuncts": [[proof, proof]]})
+    told = {**made, "where": [], "over": [*MATRICES, ["Q", ["symmetric", D]]], "given": [*made["given"], ["r", ["=", ["*", Q, Q], P], "standing"]]}
+    proof = {"parts": [{"sum": [], "terms": [["-1", [], "r/0/0/0", []], *terms[1:]]}]}
+    assert accepted("word induction", told, {"conjuncts": [[proof, proof]]})
+
+
+def test_the_size_of_a_parameter_is_its_own():
+    """f(X) = det(c I) with as many rows as its X is not that of the variable X."""
+    over = [["A", ["matrix", n, n]], ["X", ["matrix", D, D]], ["c", ["scalar"]]]
+    where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", X]]]]]]
+    for kind, evidence in (("order", {"parts": [NOTHING]}), ("membership", {"terms": [[]]})):
+        assert not accepted(kind, statement(["=", at("f", A), ["^", c, D]], over, (), where, ["d", "n"]), evidence)
+        assert accepted(kind, statement(["=", at("f", A), ["^", c, n]], over, (), where, ["d", "n"]), evidence)
