@@ -189,7 +189,7 @@ def test_a_definition_that_cannot_be_read_keeps_its_name(body, kind):
 def test_the_size_of_a_parameter_is_its_own():
     """f(X) = det(c I) with as many rows as its X is not that of the variable X."""
     over = [["A", ["matrix", n, n]], ["X", ["matrix", D, D]], ["c", ["scalar"]]]
-    where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", X]]]]]]
+    where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", ["sym", "X"]]]]]]]
     for kind, evidence in (("order", {"parts": [NOTHING]}), ("membership", {"terms": [[]]})):
         assert not accepted(kind, statement(["=", at("f", A), ["^", c, D]], over, (), where, ["d", "n"]), evidence)
         assert accepted(kind, statement(["=", at("f", A), ["^", c, n]], over, (), where, ["d", "n"]), evidence)
