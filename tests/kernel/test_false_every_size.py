@@ -192,4 +192,4 @@ def test_the_size_of_a_parameter_is_its_own():
     where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", ["sym", "X"]]]]]]]
     for kind, evidence in (("order", {"parts": [NOTHING]}), ("membership", {"terms": [[]]})):
         assert not accepted(kind, statement(["=", at("f", A), ["^", c, D]], over, (), where, ["d", "n"]), evidence)
-        assert accepted(kind, statement(["=", at("f", A), ["^", c, n]], over, (), where, ["d", "n"]), evidence)
+        assert accepted(kind, statement(["=", where[0][3], ["^", c, D]], over, (), (), ["d", "n"]), evidence)
