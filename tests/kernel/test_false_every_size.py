@@ -192,4 +192,14 @@ def test_the_size_of_a_parameter_is_its_own():
     where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", ["sym", "X"]]]]]]]
     for kind, evidence in (("order", {"parts": [NOTHING]}), ("membership", {"terms": [[]]})):
         assert not accepted(kind, statement(["=", at("f", A), ["^", c, D]], over, (), where, ["d", "n"]), evidence)
-        assert accepted(kind, statement(["=", at("f", A), ["^", c, n]], over, (), where, ["d", "n"]), evidence)
+        assert accepted(kind, statement(["=", where[0][3], ["^", c, D]], over, (), (), ["d", "n"]), evidence)
+
+
+def test_the_values_of_a_recursion_have_one_shape():
+    """A column to which every step adds an entry is not the column it starts with."""
+    start, place = ["col", "i", n, 5], {"t": t, "row": ["sym", "row"], "column": ["sym", "column"]}
+    uses = [{"lemma": 0, "at": place}]
+    says = ["=", at("x", t), start]
+    for step, true in ((["block", [at("x", t)], [["col", "i", 1, 0]]], False), (["+", at("x", t), ["O", n, 1]], True)):
+        made = statement(["always", "t", says], [], (), [["rec", "x", "t", 0, [start], step]])
+        assert accepted("generic index", made, {"lemmas": [{"index": "t", "says": says, "uses": uses}], "uses": uses}) == true
