@@ -170,13 +170,14 @@ class World:
 
     def call(self, name: str, args: tuple) -> Any:
         """Value of a definition, remembered when its arguments are integers."""
-        key: tuple | None = (name, args)
+        asked = name, args
+        key: tuple | None = asked
         for a in args:
             if not isinstance(a, int):
                 key = None
                 break
         else:
-            found = self.memory.get(key, self)
+            found = self.memory.get(asked, self)
             if found is not self:
                 if isinstance(found, Undefined):
                     raise found
