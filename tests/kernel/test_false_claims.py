@@ -381,7 +381,8 @@ def test_a_recursion_that_divides_by_zero_says_nothing():
     at = ["at", "F", ["+", T, 1]]
     quotient = ["rec", "F", "t", 0, [0], ["/", ["*", ["at", "s", T], ["at", "R", T]], ["-", ["at", "X", T], 1]]]
     before = ["at", "s", ["-", K, 1]]
-    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient])
+    where = [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient]
+    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), where)
     lemmas = [IS_ONE, lemma(["=", ["at", "R", T], 0], uses=[use(1, T)])]
     lemmas += [lemma(["=", at, ["*", c, ["at", "s", T]]], direct=True, uses=[use(0, T), use(1, T)]) for c in (1, 2)]
     assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [use(k, ["-", K, 1]) for k in (2, 3)]})
