@@ -139,9 +139,8 @@ class Answer:
         Facts and certificate are made by functions that all answers may share: `start` is what they need to know of this one.
         """
         made = object.__new__(cls)
-        made.__dict__.update(_DEFAULTS, order=order)
-        made.__dict__.update(entries)
-        made.__dict__.update(_later=later, _start=start)
+        made.__dict__.update(entries, order=order, _later=later, _start=start)  # other defaults are those of the class
+        made.__dict__.setdefault("limit", None)
         return made
 
     def __getattr__(self, name: str) -> Any:
@@ -173,6 +172,3 @@ class Answer:
         """Return the derivation as a LaTeX list."""
         items = [f.latex for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else [])
         return "\n".join(["\\begin{itemize}", *(f"  \\item {item}" for item in items), "\\end{itemize}"])
-
-
-_DEFAULTS: dict[str, Any] = {k: v for k, v in Answer(1, "undecided").__dict__.items() if k not in ("facts", "certificate", "_later")}

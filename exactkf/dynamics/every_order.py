@@ -67,7 +67,6 @@ from exactkf.kernel.intervals import does_not_escape
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
-from exactkf.kernel.orbit_wandering import common_order
 from exactkf.kernel.replay import seal
 from exactkf.theory._scalars import Scalar, check_length, unify
 from exactkf.theory.orbits import first_escape, integer_orbit
@@ -336,9 +335,7 @@ def _quotient(p: list, q: list) -> list:
 def _period(case: _Case) -> int | None:
     """Return the least p with z^p = 1 modulo D, if there is one."""
     if case.rational:
-        D = _fractions(case.D)
-        order = common_order(len(D) - 1)
-        return _least(order, D) if power_of_z(order, D) == [1] else None
+        return common_period(case.D) if _is_simple(case.D) else None
     guess = _guess_order(case.D)
     return _least(guess, case.D) if guess and power_of_z(guess, case.D) == [1] else None
 
@@ -408,7 +405,7 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
     N = common_period(case.D) if case.rational else None
     if N is not None:
         try:
-            check_by_polynomials(_fractions(case.reduced.Q), _fractions(case.reduced.S), _fractions(case.D), N)
+            check_by_polynomials(case.reduced.Q, case.reduced.S, case.D, N)
         except Undefined:
             return None
         case.facts.append(Fact(f"The zeros of D are roots of unity, some multiple: along t = k, k + {N}, k + {2 * N}, ... the determinants whose zeros are the "

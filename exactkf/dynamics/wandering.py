@@ -29,10 +29,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from functools import cache
 from math import isqrt, lcm
 from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, nmod_mat, nmod_poly
+from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
 
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -45,13 +46,21 @@ __all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "e
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
-_LONGEST, _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 5000, 12, 10_000, 200_000, 10_000
+_MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 12, 10_000, 200_000, 10_000
 _Taken = tuple[int, int | None, int, set[int]]
+
+
+@cache
+def _small_primes() -> tuple[int, ...]:
+    return tuple(p for p in range(2, _PRIME_BOUND + 100) if fmpz(p).is_prime())
 
 
 def primes(start: int = 2) -> Iterator[int]:
     """Yield the primes from `start` on."""
     p = start
+    if p <= _SMALL:
+        yield from (q for q in _small_primes() if q >= p)
+        p = _small_primes()[-1] + 1
     while True:
         if fmpz(p).is_prime():
             yield p
@@ -68,17 +77,21 @@ class Readings(NamedTuple):
     D : sequence of the same
         The coefficients of z^m D.
     field : RealField or None
+    integral : fmpz_poly or None
+        A multiple of rational `D`.
     """
 
     q: Sequence[Any]
     g: Sequence[Any]
     D: Sequence[Any]
     field: RealField | None
+    integral: fmpz_poly | None
 
     @classmethod
     def of(cls, Q: Sequence[Any], S: Sequence[Any], D: Sequence[Any]) -> Readings:
         """From the polynomials of a reduced pair."""
-        return cls(Q[-2::-1], S[-2::-1], D, next((x.field for x in Q if isinstance(x, RealNumber)), None))
+        field = next((x.field for x in Q if isinstance(x, RealNumber)), None)
+        return cls(Q[-2::-1], S[-2::-1], D, field, fmpq_poly(list(D)).numer() if field is None else None)
 
     def roots(self, p: int) -> Sequence[int | None]:
         """The residues of the generator modulo `p`: simple zeros; one None for rational data."""
@@ -213,10 +226,16 @@ def _left(taken: list[_Taken]) -> bool:
 
 def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
     """The order of z modulo `D` at a place, if it divides p - 1 or p + 1, or is small."""
-    d = pair.read(pair.D, p, root)
-    if d is None or d[-1] == 0:
+    if pair.integral is not None:
+        f = nmod_poly(pair.integral, p)
+    else:
+        d = pair.read(pair.D, p, root)
+        if d is None:
+            return None
+        f = nmod_poly(d, p)
+    if f.degree() < len(pair.D) - 1:
         return None
-    f, z = nmod_poly(d, p), nmod_poly([0, 1], p)
+    z = nmod_poly([0, 1], p)
     power = z.pow_mod(p - 1, f)
     if power == 1:
         return _least(z, f, p - 1)
@@ -230,7 +249,7 @@ def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
         if z.pow_mod(exponent, f) != 1:
             return None
     order = _least(z, f, exponent)
-    return order if order <= _LONGEST else None
+    return order if order <= _MOST_ZEROS * p // 2 else None  # about one in p of the determinants vanishes
 
 
 def _least(z: nmod_poly, f: nmod_poly, order: int) -> int:

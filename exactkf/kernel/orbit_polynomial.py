@@ -30,7 +30,8 @@ def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
     parts = squarefree(D)
     size = (len(Q) - 1) * (max(k for _, k in parts) - 1) + 1
     _need(type(N) is int and 0 < N * size <= _LONGEST, "an order is a positive integer, not too large")
-    unity = [Fraction(-1)] + [Fraction(0)] * (N - 1) + [Fraction(1)]
+    one = D[-1] / D[-1]
+    unity = [-one, *[one - one] * (N - 1), one]
     _need(all(not divmod_poly(unity, f)[1] for f, _ in parts), f"a zero of D is no root of unity of order {N}")
     values = _determinants(Q, S, N * size)
     for k in range(N):
@@ -40,12 +41,13 @@ def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
 
 def _determinants(Q: list, S: list, count: int) -> list[Fraction]:
     """det X_t for t = 0, -1, -2, ..."""
-    q, g = Q[-2::-1], S[-2::-1]
-    X: list = [[Fraction(i == j) for j in range(len(q))] for i in range(len(q))]
-    Y: list = [[Fraction(0)] * len(q) for _ in q]
+    q, g, zero = Q[-2::-1], S[-2::-1], Q[-1] - Q[-1]
+    X: list = [[zero + int(i == j) for j in range(len(q))] for i in range(len(q))]
+    Y: list = [[zero] * len(q) for _ in q]
     out = []
     for _ in range(count):
-        out.append(char_coefficients(Matrix(X))[0] * (-1) ** len(q))
+        value = char_coefficients(Matrix(X))[0] * (-1) ** len(q)
+        out.append(Fraction(int(value.numerator), int(value.denominator)))  # from here on as fractions, also in a search with a faster type
         X, Y = backward(X, Y, q, g)
     return out
 

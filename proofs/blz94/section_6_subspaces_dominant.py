@@ -150,9 +150,10 @@ claim("BLZ94-S49", "the first vectors span invariant subspaces",
       (M * E == E * matrix_of(i, j, k + l, k + l, when(i == j, when(i <= k, u, v), when((j == i + 1) & (i != k), 1, 0)))), sizes=["p", "q", "k", "l"],
       over={u: scalar(), v: scalar()}, where=[_BLOCKS, _FIRST],
       given=[standing("k <= p, l <= q", (k <= p) & (l <= q))],
-      by=[identity(p=(1, 2, 3), q=(1, 2), k=(0, 1), l=(0, 1)), instances(p=(2, 3), q=(2, 3), k=(1, 2), l=(1, 2))],
-      note="Two Jordan blocks, of sizes p and q. The exponents p - 2j + 1 fall along a block, so the first vectors of the list are the first k of one block and the first l "
-           "of the other; the eigenvalues that they leave are later in the list, hence not larger in modulus.")
+      by=[steps(prose="The exponents p - 2j + 1 fall along a block, so that v_1, ..., v_k of the list are first vectors of each block. What is left comes later in the list, so its eigenvalues "
+                      "are not larger in modulus. More than two blocks are no different."),
+          instances(24, p=(1, 2, 3), q=(1, 2, 3), k=(0, 1, 2), l=(0, 1, 2))],
+      note="Two Jordan blocks, of sizes p and q; the first vectors of the list are the first k of one block and the first l of the other. The print is over the complex numbers.")
 
 _CHI = charpoly(S)
 claim("BLZ94-S50", "eigenvalues of S in pairs; exponents for an eigenvalue of even multiplicity",

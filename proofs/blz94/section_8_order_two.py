@@ -202,12 +202,13 @@ claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
 
 _F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
 claim("BLZ94-X8.2", "the period 144",
-      (X**144 == Identity(14)) & (p == 1),
+      (w * w == Identity(14)) & (p < 1),
       where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
-                 let(p, sum_of(k, 1, 144, when((X**k == Identity(14)) | (X**k == -Identity(14)), 1, 0)))],
+                 let(u, X**24), let(v, u**2), let(w, u**3),
+                 let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0))],
       by=[steps("BLZ94-E6.16", "BLZ94-P6.6", prose="By (6.16) the orbit is back at time t if S^t is the identity. The eigenvalues of S are among those of X, and S^72 has 1 and -1 for eigenvalues."), instances()],
       note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
-           "matrix is X; p counts the powers up to the 144th that are the identity or its negative. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
+           "matrix is X; p counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
 
 
 # ---------------------------------------------------------------------- Figures 8.4 to 8.6, sign indefinite D

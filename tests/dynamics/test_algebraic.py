@@ -241,6 +241,16 @@ def test_an_orbit_that_becomes_periodic():
         replay(changed)
 
 
+def test_a_periodic_orbit_is_not_eventually_periodic():
+    """An orbit that comes back to its start may not be said to come back to step zero only in the end."""
+    rng = random.Random(0)
+    answer = next(x for _ in range(500) if (x := decide(*start(rng, 2), max_steps=50)).behaviour == "periodic")
+    replay(answer.certificate)
+    changed = edited(edited(answer.certificate, ("statement", "answer", "preperiod"), 0), ("statement", "answer", "behaviour"), "eventually periodic")
+    with pytest.raises(Rejected):
+        replay(changed)
+
+
 def test_times_is_the_same_over_fields():
     """The helper agrees with the rational one."""
     field = FIELDS[0]

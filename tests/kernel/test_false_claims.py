@@ -383,6 +383,10 @@ def test_a_recursion_that_divides_by_zero_says_nothing():
     before = ["at", "s", ["-", K, 1]]
     where = [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient]
     made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), where)
+
+
+    zero = ["rec", "R", "t", 0, [0], ["at", "R", T]]
+    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, zero, quotient])
     lemmas = [IS_ONE, lemma(["=", ["at", "R", T], 0], uses=[use(1, T)])]
     lemmas += [lemma(["=", at, ["*", c, ["at", "s", T]]], direct=True, uses=[use(0, T), use(1, T)]) for c in (1, 2)]
     assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [use(k, ["-", K, 1]) for k in (2, 3)]})
