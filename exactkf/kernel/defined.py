@@ -67,7 +67,7 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
         if terms.is_matrix(tree):
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
             terms.region = region.and_(*inside)
-            found = terms.entry(tree, *(terms.region.reduce({n: 1}) for n in ("row", "column")), env)
+            found = terms.entry(tree, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
         else:
             found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if name in terms.in_z else terms.value(tree, env)
     except Split as split:
@@ -137,16 +137,16 @@ class Witness:
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
         try:
-            values = {place: self.value(terms.atoms[place]) for place in atoms}
+            values = {place: x for place in atoms if (x := self.value(terms.atoms[place])) is not None}
         except (Unknown, Undefined):
+            return False
+        if len(values) < len(atoms):
             return False
         total = Fraction(0)
         for monomial, c in p.items():
             term = Fraction(c)
             for place, e in enumerate(exponents(monomial)):
-                if e and (x := values[place]) is None:
-                    return False
-                term *= x**e if e else 1
+                term *= values[place]**e if e else 1
             total += term
         return total != 0
 

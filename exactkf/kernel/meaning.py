@@ -61,8 +61,9 @@ class Generic(int):
     def __add__(self, k: Any) -> Generic: return self._moved(k, 1)
     def __sub__(self, k: Any) -> Generic: return self._moved(k, -1)
     def __mul__(self, k: Any) -> Any: raise Unknown("a multiple of a generic index")
+    def __neg__(self) -> Any: raise Unknown("a generic index with a sign")
     __radd__ = __add__
-    __rsub__ = __rmul__ = __neg__ = __mul__
+    __rsub__ = __rmul__ = __mul__
 
 
 class Listed(dict):

@@ -381,6 +381,10 @@ def test_a_recursion_that_divides_by_zero_says_nothing():
     at = ["at", "F", ["+", T, 1]]
     quotient = ["rec", "F", "t", 0, [0], ["/", ["*", ["at", "s", T], ["at", "R", T]], ["-", ["at", "X", T], 1]]]
     before = ["at", "s", ["-", K, 1]]
+    where = [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient]
+    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), where)
+
+
     zero = ["rec", "R", "t", 0, [0], ["at", "R", T]]
     made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, zero, quotient])
     lemmas = [IS_ONE, lemma(["=", ["at", "R", T], 0], uses=[use(1, T)])]
