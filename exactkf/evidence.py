@@ -48,7 +48,7 @@ def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
 
 
 def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", using: Mapping[Expr | str, tuple] | None = None,
-             fact: str = "", **sizes: Iterable[int] | int) -> Evidence:
+             where: Sequence[Any] = (), fact: str = "", **sizes: Iterable[int] | int) -> Evidence:
     """The conclusion is an identity of rational functions for each of the sizes.
 
     Parameters
@@ -57,12 +57,16 @@ def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: st
         A parametrisation of the variables that hypotheses tie together; the terms may use
         the other variables. It must reach every instance of the hypotheses, which is what
         the claim named in ``covered_by`` says.
+    using : mapping of name to type
+        Variables that the parametrisation uses and the statement does not have.
+    where : sequence of definitions
+        Those that the parametrisation uses and the statement does not have, under names of their own.
     **sizes
         Values of each size (and of each integer variable): ``n=range(1, 7)``.
     """
     aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
     return Evidence("identity", {"sizes": _ranges(sizes), "given_by": _named(given_by), "covered_by": covered_by,
-                                 "parameters": aux, "fact": fact})
+                                 "parameters": aux, "where": tuple(where), "fact": fact})
 
 
 def combination(terms: Sequence[Any], **sizes: Iterable[int] | int) -> Evidence:
@@ -248,7 +252,8 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         What belongs to the proof of one leaf.
     """
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
-    stable, passed = [], 0
+    stable: list[list] = []
+    passed = 0
     for w in sorted(inside, key=lambda w: w["number"]):
         stable.extend([w["number"] + passed + n, help_] for n, help_ in w["help"])
         passed += len(w["lemmas"])

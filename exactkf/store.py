@@ -28,6 +28,7 @@ from pathlib import Path
 from typing import Any
 
 import exactkf
+from exactkf._errors import BadInput
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
 from exactkf.files import check_folder, dump_json, write_text
@@ -127,6 +128,12 @@ class Store:
 
     def put(self, key: str, result: Mapping[str, Any]) -> dict[str, Any]:
         """Keep a result; its certificates become files, named in the result that is returned."""
+        try:
+            return self._put(key, result)
+        except OSError as error:
+            raise BadInput(f"argument --state = {str(self.folder)!r} cannot be written ({error.strerror or error}); choose another folder") from error
+
+    def _put(self, key: str, result: Mapping[str, Any]) -> dict[str, Any]:
         names = []
         for number, certificate in enumerate(result["certificates"], 1):
             stem = f"{file_stem(result['id'])}-{number}-{certificate.get('kind', 'certificate')}"

@@ -17,6 +17,7 @@ Main definitions
 
 from __future__ import annotations
 
+import gc
 import importlib
 import multiprocessing
 import os
@@ -189,6 +190,8 @@ def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
     """Import everything first, so that a task's time is its own."""
     _claims(package)
     importlib.import_module(engine)
+    gc.collect()
+    gc.freeze()  # what was imported stays: the collector need not look at it again
     if memory_limit:
         try:
             import resource

@@ -275,7 +275,7 @@ def _exact(floats: Floats, **named: Iterable[Any]) -> tuple[list[Vector], RealFi
 def _rows(name: str, value: Any) -> list[list[Any]]:
     """A matrix as a list of rows."""
     value = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(value, (str, bytes)) or not isinstance(value, Iterable):
+    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
         raise bad(name, "is no matrix", value, "pass a list of rows")
     rows = [list(row) if isinstance(row, Iterable) and not isinstance(row, (str, bytes)) else [row] for row in value]
     if not rows or not all(rows):
@@ -286,7 +286,7 @@ def _rows(name: str, value: Any) -> list[list[Any]]:
 def _vector(name: str, value: Any) -> list[Any]:
     """A vector from a sequence, or from a matrix of one row or one column."""
     value = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(value, (str, bytes)) or not isinstance(value, Iterable):
+    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
         raise bad(name, "is no vector", value, "pass a list of numbers")
     values = list(value)
     nested = [isinstance(v, (list, tuple)) for v in values]

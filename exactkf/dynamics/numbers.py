@@ -30,7 +30,7 @@ import ast
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from flint import fmpq, fmpq_poly
+from flint import fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.exact._messages import bad, shown
@@ -48,6 +48,7 @@ _LONGEST = 2000  # characters of one expression
 _LARGEST_POWER = 1000
 _LARGEST_ANGLE = 2000  # denominator of an angle
 _MOST_BITS = 1 << 20  # of a power
+_LARGEST_DEGREE = 48  # of one number; deciding an orbit over larger fields takes minutes
 
 
 def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> Number:
@@ -205,6 +206,7 @@ class _Reader:
     def _cosine(self, turn: fmpq) -> Number:
         """cos(turn * pi) = cos(2 pi p / (2 q)) for turn = p/q."""
         half = turn / 2
+        self._small(int(fmpz(half.q).euler_phi()) // 2)
         return number(cyclotomic_real(int(half.q)).two_cos(int(half.p)) / 2)
 
     def _root(self, node: ast.Call) -> Number:
@@ -215,9 +217,15 @@ class _Reader:
         if isinstance(lo, RealNumber) or isinstance(hi, RealNumber):
             raise bad(self.name, "has an interval whose ends are not rational", self.text, "pass rational ends")
         try:
-            return number(RealField(p, (lo, hi)).gen())
+            field = RealField(p, (lo, hi))
         except BadInput as error:
             raise BadInput(f"argument '{self.name}': in {shown(self._source(node).replace('**', '^'))}: {error}") from None
+        self._small(field.degree)
+        return number(field.gen())
+
+    def _small(self, degree: int) -> None:
+        if degree > _LARGEST_DEGREE:
+            raise bad(self.name, f"is of degree {degree}", self.text, f"use numbers of degree up to {_LARGEST_DEGREE}")
 
     def _polynomial(self, node: ast.expr, letter: str) -> fmpq_poly:
         """A polynomial with rational coefficients in the letter."""

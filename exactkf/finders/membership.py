@@ -281,7 +281,6 @@ def _size_of(case: dict, term: Any) -> Iterator[Any]:
 #: lemmas of the leaf, and what its proof brings in: these are tried before all assumptions are
 _NEAREST = ("inner lemma", "solution", "eigenv", "null ", "root", "inverse", "quotient")
 
-
 def _terms_for(leaf: Leaf, k: int, degree: int, seconds: float) -> list | None:
     goal, assumed = leaf.goals[k][0], leaf.assumed(k)
     tries = [assumed]

@@ -31,6 +31,8 @@ def candidates(id: str, statement: Mapping[str, Any], evidence: Evidence) -> Ite
             made = {"cases": cases, "given_by": hints["given_by"], "covered_by": hints["covered_by"] or hints.get("fact", "")}
             if hints.get("parameters"):
                 made["parameters"] = [[name, kind] for name, kind in hints["parameters"].items()]
+            if hints.get("where"):
+                made["where"] = hints["where"]
             yield seal(id, "identity", statement, made)
         case "combination":
             yield seal(id, "combination", statement, {"cases": cases, "terms": _per_equation(evidence.hints["terms"])})

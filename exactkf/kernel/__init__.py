@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The checker: what statements mean, and how certificates replay.
 
-Nothing here imports anything outside the standard library. Read in this
-order: `numbers`, `symbolic`, `algebraic` (scalars and polynomials in z),
-`linear` (matrices), `roots` (root location), `meaning` (the value of a
-statement), `instances` (instances read, tested, or made of symbols), `words`,
-`order` and `stable` (matrices of every size), `rotation`, `orbit`, `intervals`, `torus`,
-`orbit_wandering`, `orbit_sieve`, `orbit_polynomial` and `orbit_n` (answers about orbits), `replay` (kinds of certificates).
+Nothing here imports anything outside the standard library. Read in this order:
+
+- scalars and polynomials in z: `numbers`, `packed`, `trials`, `symbolic`, `algebraic`, `cosines`; matrices: `linear`; root location: `roots`;
+- statements: `wellformed`, `meaning` (the value of one), `instances` (read, tested, or made of symbols);
+- matrices of every size: `words`, `reader`, `definite`, `stable`, `order`, `recursion`, `every_size`;
+- coefficients, entries, sums and products at a generic index: `region`, `opaque`, `indefinite`, `generic`, `defined`, `generic_facts`, `index_induction`;
+- answers about orbits: `rotation`, `intervals`, `torus`, `orbit`, `orbit_wandering`, `orbit_sieve`, `orbit_polynomial`, `orbit_n`;
+- kinds of certificates: `replay`.
 """

@@ -29,7 +29,7 @@ class AlgebraicField:
     def __init__(self, modulus: list[Fraction], lo: Fraction, hi: Fraction, *, irreducible: bool = False) -> None:
         if not irreducible and (len(modulus) < 2 or modulus[-1] == 0 or len(gcd_poly(modulus, [k * c for k, c in enumerate(modulus)][1:])) > 1):
             raise Undefined("the polynomial of a number field must be square-free of positive degree")
-        if not lo < hi or _eval(modulus, lo) * _eval(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
+        if not lo < hi or _sign_at(modulus, lo) * _sign_at(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
         self.modulus, self.lo, self.hi, self.irreducible = _whole(modulus) if irreducible else modulus, lo, hi, irreducible
 
@@ -43,11 +43,11 @@ class AlgebraicField:
     def refine(self) -> None:
         """Halve the isolating interval."""
         mid = (self.lo + self.hi) / 2
-        value = _eval(self.modulus, mid)
+        value = _sign_at(self.modulus, mid)
         if value == 0:
             width = (self.hi - self.lo) / 8
             self.lo, self.hi = mid - width, mid + width
-        elif (value > 0) == (_eval(self.modulus, self.hi) > 0):
+        elif value == _sign_at(self.modulus, self.hi):
             self.hi = mid
         else:
             self.lo = mid
@@ -63,11 +63,10 @@ def _exact(p: list) -> list[Fraction]:
     return [Fraction(c) for c in p]
 
 
-def _eval(p: list, x: Any) -> Any:
-    acc = Fraction(0)
-    for c in reversed(p):
-        acc = acc * x + c
-    return acc
+def _sign_at(p: list, x: Fraction) -> int:
+    """Sign of p(x), in integers."""
+    low, _, _ = _enclose(p, x, x)
+    return (low > 0) - (low < 0)
 
 
 def _remainder(p: list, m: list) -> list:
@@ -160,7 +159,7 @@ class Algebraic(FieldElement):
         if not self.c:
             return 0
         common = [] if self.field.irreducible else gcd_poly(_exact(self.c), _exact(self.field.modulus))
-        if len(common) > 1 and _eval(common, self.field.lo) * _eval(common, self.field.hi) < 0:
+        if len(common) > 1 and _sign_at(common, self.field.lo) * _sign_at(common, self.field.hi) < 0:
             return 0
         while True:
             low, high, _ = _enclose(self.c, self.field.lo, self.field.hi)

@@ -21,42 +21,57 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
-from math import gcd
+from math import ceil, floor, gcd
 from typing import Any
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.numbers import Undefined, Unknown, rational
-from exactkf.kernel.roots import chebyshev, divmod_poly
+from exactkf.kernel.roots import chebyshev
 
 __all__ = ["cosine", "minimal_polynomial"]
 
 _PI = (Fraction(31415926535, 10**10), Fraction(31415926536, 10**10))
 _LARGEST = 1000
 _TERMS = 5  # pairs of terms of the cosine series
+_GRID = 1 << 40
 
 
-@lru_cache(maxsize=256)
-def _cyclotomic(n: int) -> tuple[Fraction, ...]:
+@lru_cache(maxsize=1024)
+def _cyclotomic(n: int) -> tuple[int, ...]:
     """Phi_n: z^n - 1 without the factors Phi_d, d a proper divisor of n."""
-    p = [Fraction(-1)] + [Fraction(0)] * (n - 1) + [Fraction(1)]
+    p = [-1, *[0] * (n - 1), 1]
     for d in range(1, n):
         if n % d == 0:
-            p = divmod_poly(p, list(_cyclotomic(d)))[0]
+            p = _over_monic(p, _cyclotomic(d))
     return tuple(p)
+
+
+def _over_monic(p: list[int], q: tuple[int, ...]) -> list[int]:
+    """p / q for a monic q that divides p."""
+    rest, k = list(p), len(q) - 1
+    for i in range(len(p) - 1, k - 1, -1):
+        for j, c in enumerate(q[:-1], i - k):
+            rest[j] -= rest[i] * c
+    return rest[k:]
+
+
+@lru_cache(maxsize=1024)
+def _minimal(n: int) -> tuple[int, ...]:
+    return tuple(chebyshev(list(_cyclotomic(n))))
 
 
 def minimal_polynomial(n: int) -> list[Fraction]:
     """Minimal polynomial of 2 cos(2 pi/n), n >= 3, coefficients from x^0 up."""
-    return [Fraction(c) for c in chebyshev(list(_cyclotomic(n)))]
+    return [Fraction(c) for c in _minimal(n)]
 
 
 def _series(x: Fraction, terms: int) -> Fraction:
     """Sum of (-1)^k x^(2k)/(2k)! for k < terms: above cos x for odd terms, below for even, when 0 <= x < 2."""
-    total, term = Fraction(0), Fraction(1)
-    for k in range(terms):
-        total += term
-        term = -term * x * x / ((2 * k + 1) * (2 * k + 2))
-    return total
+    a, b = x.numerator**2, x.denominator**2
+    top, below = 1, 1  # 1 - x^2/(1 2) (1 - x^2/(3 4) (1 - ..)), from inside
+    for k in range(terms - 1, 0, -1):
+        top, below = (2 * k - 1) * (2 * k) * b * below - a * top, (2 * k - 1) * (2 * k) * b * below
+    return Fraction(top, below)
 
 
 def _enclosure(q: int, p: int) -> tuple[Fraction, Fraction]:
@@ -71,7 +86,7 @@ def _generator(q: int, p: int) -> Any:
     n = 2 * p if q % 2 else p
     lo, hi = _enclosure(q, p)
     width = Fraction(1, 4 * n * n)
-    lo, hi = lo - width, hi + width
+    lo, hi = (Fraction(round_(x * _GRID), _GRID) for round_, x in ((floor, lo - width), (ceil, hi + width)))  # short numbers from here on
     if hi - lo >= Fraction(16, n * n):
         raise Undefined(f"cos(pi {q}/{p}): the denominator is too large for the enclosure of pi in use")
     field = AlgebraicField(minimal_polynomial(n), lo, hi, irreducible=True)

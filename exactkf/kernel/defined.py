@@ -133,7 +133,7 @@ class Witness:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
-            if key[0] == "prod":  # no factor is zero, and so the product is not
+            if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
         try:

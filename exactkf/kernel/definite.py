@@ -62,6 +62,7 @@ def _brings_nothing(reader: Reader, tree: Any) -> bool:
 def apart(reader: Reader) -> Reader:
     """A reader that reads on by itself."""
     probe = copy(reader)
+    probe.noted, probe.turned = {}, {}
     probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
     probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
     probe.kernels = list(reader.kernels)

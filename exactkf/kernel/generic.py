@@ -29,7 +29,7 @@ from exactkf.kernel.indefinite import BOUND, Indefinite
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
-from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
+from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["Terms", "connected"]
@@ -61,7 +61,7 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z, self.inverting = _classified(statement, self.definitions)
+        self.recursive, self.in_z, self.inverting, self.kept = _classified(statement, self.definitions)
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
@@ -297,6 +297,8 @@ class Terms(Indefinite):
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
         last = args[-1] if args else {}
+        if d[0] == "rec":
+            self._need_one_shape(d)
         if name in self.inverting:
             self._meet(name, args)
         if m is not None and name in self.whole:
@@ -437,6 +439,7 @@ class Terms(Indefinite):
                 return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
+                self._need_one_shape(d)
                 return self.shape(d[4][0], {})
             return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
         if op in ("/", "^"):
@@ -452,6 +455,24 @@ class Terms(Indefinite):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _need_one_shape(self, d: Any) -> None:
+        """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""
+        name, region = d[1], self.region
+        if name not in self.kept:
+            self.kept[name], self.region = True, Region([])
+            try:
+                first, *others = (self.shape(tree, env) for tree, env in [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})])
+                keeps = all(shape == first for shape in others)
+            except (Unknown, Undefined, Split, KeyError):
+                keeps = False
+            finally:
+                self.region = region
+            if not keeps:  # what has been seen of others may rest on it
+                self.kept.clear()
+                self.kept[name] = False
+        if not self.kept[name]:
+            raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
@@ -583,14 +604,14 @@ def _names(tree: Any) -> Iterator[str]:
             yield from _names(x)
 
 
-_last: list[Any] = [None, set(), set(), set()]  # a statement with what `_classified` says of it: many are asked for in a row
+_last: list[Any] = [None, set(), set(), set(), {}]  # a statement with what `_classified` says of it: many are asked for in a row
 
 
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str]]:
-    """Recursive definitions, those whose value depends on z, and those that invert matrices."""
+def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool]]:
+    """Recursive definitions, those whose value depends on z, those that invert matrices, and what is known of shapes."""
     if _last[0] is not statement:
-        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts)
-    return _last[1], _last[2], _last[3]
+        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}
+    return _last[1], _last[2], _last[3], _last[4]
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:

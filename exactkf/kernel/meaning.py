@@ -30,6 +30,8 @@ from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Generic", "Listed", "Signal", "World", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
 
+_LARGEST_POWER = 10**5  # an exponent, times the size of an integer
+_LARGEST_SIZE = 10**4
 _DEEPEST = 100  # levels of recursion a definition may take
 
 
@@ -382,6 +384,8 @@ def _need_near(indices: tuple) -> None:
 def _count(n: int) -> int:
     if n < 0:
         raise Undefined("negative size")
+    if n > _LARGEST_SIZE:
+        raise Unknown("too large a matrix")
     return n
 
 
@@ -424,6 +428,8 @@ def _over(x: Any, y: Any) -> Any:
 def _power(x: Any, k: Any) -> Any:
     if not isinstance(k, int):
         raise Undefined("exponent is not an integer")
+    if abs(k) * (x.bit_length() if isinstance(x, int) else 1) > _LARGEST_POWER:
+        raise Unknown("too large a power")
     if isinstance(x, Matrix):
         return x.power(k)
     out: Any = 1

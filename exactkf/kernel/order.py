@@ -46,7 +46,7 @@ from exactkf.kernel.definite import apart, are_transposed, definiteness, exists,
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.stable import is_stable, no_eigenvector
-from exactkf.kernel.wellformed import check_arguments
+from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
 __all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
@@ -74,7 +74,7 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
         if vector:
             case, formula = _through_vector(case, formula, vector == "left")
         for part in formulas:
-            _well_formed(part)
+            check_formula(case, part)
             yield from _leaves({**case, "lemma": True, "said": []}, part)
             case = {**_assume({**case, "lemma": True}, f"inner lemma {len(case['given'])}", part), "lemma": lemma}
         yield {**case, "said": said}, formula  # the inverses of a lemma must exist, those of what a vector has replaced too
@@ -84,18 +84,10 @@ def _outer_leaves(statement: Mapping[str, Any], lemmas: Any) -> Iterator[tuple[d
     own = [statement["says"]]
     for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
-            _well_formed(lemma)
+            check_formula(case, lemma)
             yield from _leaves({**case, "lemma": True}, lemma)
             case = {**_assume({**case, "lemma": True}, f"lemma {len(case['given'])}", lemma), "lemma": False}
         yield from _leaves(case, statement["says"])
-
-
-def _well_formed(lemma: Any) -> None:
-    """What is shown is what is used afterwards: as many arguments as the operation takes; its terms are seen to where they are read."""
-    check_arguments(lemma)
-    if lemma[0] in ("and", "=>", "<=>"):
-        for part in lemma[1:]:
-            _well_formed(part)
 
 
 def _cases(statement: dict, rest: list) -> Iterator[dict]:

@@ -67,6 +67,8 @@ class Reader:
         self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
+        self.turned: dict[Word, Word] = {}  # words and their transposes
+        self.noted: dict[int, dict[str, Relation]] = {}  # what hypotheses say, by their number, see `relations`
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
@@ -86,18 +88,12 @@ class Reader:
         self.transposed[name], self.transposed[other] = other, name
         self.sizes[other] = (cols, rows)
 
-    def size(self, tree: Any) -> Size:
+    def size(self, tree: Any, local: Mapping[str, Any] | None = None) -> Size:
         """A size as a linear form in the named sizes."""
-        form = self._linear(tree)
+        form = self._linear(tree, local or {})
         return tuple(sorted((n, c) for n, c in form.items() if c))
 
-    def _size_at(self, tree: Any, local: Mapping[str, Any]) -> Size:
-        """A size inside a function, where a name may stand for an argument."""
-        if local and _counts(tree):
-            raise Unknown("the size of a matrix inside a function")
-        return self.size(tree)
-
-    def _linear(self, tree: Any) -> dict[str, int]:
+    def _linear(self, tree: Any, local: Mapping[str, Any]) -> dict[str, int]:
         if isinstance(tree, int):
             return {"": tree}
         op = tree[0]
@@ -106,14 +102,14 @@ class Reader:
         if op in ("+", "-", "neg"):
             out: dict[str, int] = {}
             for k, part in enumerate(tree[1:]):
-                for n, c in self._linear(part).items():
+                for n, c in self._linear(part, local).items():
                     out[n] = out.get(n, 0) + (-c if op == "neg" or (op == "-" and k) else c)
             return out
         if op == "*" and len(tree) == 3 and isinstance(tree[1], int):
-            return {n: tree[1] * c for n, c in self._linear(tree[2]).items()}
+            return {n: tree[1] * c for n, c in self._linear(tree[2], local).items()}
         if op == "sym" and tree[1].startswith(_NULLITY):
             return {tree[1]: 1}
-        if op in ("nrows", "ncols") and isinstance(x := self.read(tree[1]), Blocks):
+        if op in ("nrows", "ncols") and isinstance(x := self.read(tree[1], local), Blocks):
             return dict(self.total(x.rows if op == "nrows" else x.cols))
         raise Unknown(f"size {tree!r} is not linear in the named sizes")
 
@@ -245,7 +241,7 @@ class Reader:
             if isinstance(base, Blocks) or list(base.values()) != [1] or any(word for _, word in base):
                 raise Unknown("a power, with a size in the exponent, of what is no product of scalars")
             ((scalars, _),) = base
-            return self._to_size(scalars, self._size_at(tree[2], local))
+            return self._to_size(scalars, self.size(tree[2], local))
         base = self._inverse(base) if tree[2] < 0 else base
         if tree[2] == 0:
             raise Unknown("power zero")
@@ -284,7 +280,9 @@ class Reader:
         return {(s, self._transpose_word(w)): c for (s, w), c in p.items()}
 
     def _transpose_word(self, word: Word) -> Word:
-        return tuple(self.transposed[a] for a in reversed(word))
+        if word not in self.turned:
+            self.turned[word] = tuple([self.transposed[a] for a in reversed(word)])
+        return self.turned[word]
 
     def _read_inverse(self, tree: Any, local: Mapping[str, Any]) -> Any:
         return self._inverse(self.read(tree[1], local))
@@ -338,17 +336,18 @@ class Reader:
                 return basis
         name = f"{shape(x)}: {'; '.join(', '.join(text(p, '1') for p in row) for row in x.grid)}"  # of this matrix alone
         nullity: Size = ((f"{_NULLITY}[{name}]", 1),)
-        made = []
+        made: list[Blocks] = []
         for kind, rows, cols in (("ker", x.cols, (nullity,)), ("coker", (nullity,), x.cols), ("part", x.cols, x.rows)):
-            grid = []
+            grid: list[list[Poly]] = []
             for i, height in enumerate(rows):
                 names = [self._fresh(f"{kind}[{name}].{i}.{j}") for j in range(len(cols))]
                 for letter, width in zip(names, cols, strict=True):
                     self._letter(letter, height, width, False)
                 grid.append([{((), (letter,)): 1} for letter in names])
             made.append(Blocks(rows, cols, grid))
-        self.kernels.append((x, *made))
-        return made[0]
+        basis, left, part = made
+        self.kernels.append((x, basis, left, part))
+        return basis
 
     def _fresh(self, name: str) -> str:
         if name in self.sizes or name in self.kinds:
@@ -407,11 +406,11 @@ class Reader:
         return {(((f"det({name})", 1),), ()): 1}
 
     def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        size = self._size_at(tree[1], local)
+        size = self.size(tree[1], local)
         return Blocks((size,), (size,), [[dict(ONE)]])
 
     def _read_zero(self, tree: Any, local: Mapping[str, Any]) -> Any:
-        return Blocks((self._size_at(tree[1], local),), (self._size_at(tree[2], local),), [[{}]])
+        return Blocks((self.size(tree[1], local),), (self.size(tree[2], local),), [[{}]])
 
     def _split_like(self, x: Blocks, rows: tuple, cols: tuple) -> Blocks:
         """An identity or zero of a total size, opened into blocks."""
@@ -452,11 +451,6 @@ class Reader:
                 parts.append(c)
             grid.extend([sum((c.grid[i] for c in parts), []) for i in range(len(height))])  # type: ignore[arg-type]
         return Blocks(sum(heights, ()), sum(widths, ()), grid)  # type: ignore[arg-type]
-
-
-def _counts(tree: Any) -> bool:
-    """A number of rows or columns occurs in a size."""
-    return isinstance(tree, (list, tuple)) and (tree[0] in ("nrows", "ncols") or any(map(_counts, tree[1:])))
 
 
 def _is_number(x: Any) -> bool:
@@ -525,7 +519,10 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
 def relations(reader: Reader) -> dict[str, Relation]:
     """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
     out: dict[str, Relation] = {}
-    for label, formula in hypotheses(reader.statement):
+    for place, (label, formula) in enumerate(hypotheses(reader.statement)):
+        if place in reader.noted:
+            out.update(reader.noted[place])
+            continue
         try:
             if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
                 formula = ["symmetric", formula[1] if len(formula) == 2 else ["-", *formula[1:]]]
@@ -535,8 +532,11 @@ def relations(reader: Reader) -> dict[str, Relation]:
                 found = residual_blocks(reader, formula) + _other_side(reader, formula)
         except (Unknown, TypeError):
             continue  # an inequality is not used
+        noted: dict[str, Relation] = {}
         for n, blocks in enumerate(found):
-            _note(out, reader, f"{label}/{n}", blocks)
+            _note(noted, reader, f"{label}/{n}", blocks)
+        reader.noted[place] = noted  # what has been read once reads the same again
+        out.update(noted)
     for n, (term, inverse) in enumerate(reader.inverses, 1):
         _note(out, reader, f"inverse {n}/right", term.times(inverse).plus(Blocks.unit(term.rows), -1))
         _note(out, reader, f"inverse {n}/left", inverse.times(term).plus(Blocks.unit(term.cols), -1))

@@ -25,7 +25,6 @@ the terms of the recursions it is made of, and an orbit ends where p has none.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
 from typing import Any
 
 from exactkf.kernel.numbers import Undefined, Unknown
@@ -40,6 +39,7 @@ FAMILIES = {"sequence": "scalar", "signal": "scalar", "sequence_of": "", "signal
 
 Form = dict[str, int]
 _T = "t"  # the generic index
+_UNREADABLE = ["sym", ""]
 _DEEPEST, _MOST_NODES = 60, 30000
 
 
@@ -167,12 +167,17 @@ class Induction:
         return {**self._frame(letters, where), "given": hypotheses + given, "says": says}
 
     def _where(self, letters: dict[str, Any]) -> list:
-        """The definitions without parameters; the others are written out where they are used."""
-        out = []
+        """The definitions without parameters; the others are written out where they are used.
+
+        What cannot be read keeps its name, so that a proof gives it to nothing else: the statement may speak of it.
+        """
+        out = [["let", name, [], _UNREADABLE] for name in (*self.recursions, *self.families, *self.functions)]
         for d in self.statement["where"]:
             if d[0] == "let" and not d[2]:
-                with suppress(Unknown, Undefined):  # a use of it is then a use of an unknown name
+                try:
                     out.append([*d[:3], self.tree(d[3], {}, letters)])
+                except (Unknown, Undefined):
+                    out.append([*d[:3], _UNREADABLE])
         return out
 
     def _frame(self, letters: Mapping[str, Any], where: list) -> dict[str, Any]:

@@ -37,7 +37,7 @@ def plus(x: Form, y: Form, factor: int = 1) -> Form:
     out = dict(x)
     for name, c in y.items():
         out[name] = out.get(name, 0) + factor * c
-    return {name: c for name, c in out.items() if c}
+    return {name: c for name, c in out.items() if c} if 0 in out.values() else out
 
 
 def form_key(form: Form) -> tuple:

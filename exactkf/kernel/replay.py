@@ -43,7 +43,7 @@ from exactkf.kernel.orbit_n import check_orbit
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
-from exactkf.kernel.wellformed import check_statement, check_variables
+from exactkf.kernel.wellformed import check_statement
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "rests_on", "seal"]
 
@@ -86,7 +86,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         raise NotACertificate("not an exactkf certificate; pass a file that 'exactkf verify --certificates' wrote")
     if certificate.get("version") != VERSION:
         raise NotACertificate(f"version {certificate.get('version')!r} of the certificate format; this checker reads version {VERSION}")
-    if set(certificate) != set(_FIELDS) or certificate["kind"] not in _KINDS:
+    if set(certificate) != set(_FIELDS) or not isinstance(certificate["kind"], str) or certificate["kind"] not in _KINDS:
         raise NotACertificate("fields or kind of the certificate are not those of version 1")
     if digest(certificate) != certificate["digest"]:
         raise Rejected("digest: the certificate was altered after it was written")
@@ -120,13 +120,14 @@ def _is_said(statement: Mapping[str, Any], given_by: Mapping[str, Any]) -> bool:
 
 
 def _well_formed(certificate: Mapping[str, Any]) -> None:
-    """The statement is one, together with the parameters of the evidence; see `exactkf.kernel.wellformed`."""
-    statement, parameters = certificate["statement"], certificate["evidence"].get("parameters") or []
+    """The statement is one, together with the parameters of the evidence and its definitions; see `exactkf.kernel.wellformed`."""
+    statement, evidence = certificate["statement"], certificate["evidence"]
     if certificate["kind"] == "orbit":  # a question and its answer
         return
+    parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
     check_statement(statement, certificate["kind"] not in ("induction", "generic index"))
-    if parameters:
-        check_variables(statement, [*statement["over"], *parameters])
+    if parameters or own:
+        check_statement({**statement, "over": [*statement["over"], *parameters], "where": [*statement["where"], *own]})
 
 
 # ---------------------------------------------------------------------- evidence on instances
@@ -285,10 +286,14 @@ def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
     given_by = evidence.get("given_by") or {}
     _need(bool(evidence.get("covered_by")) or _is_said(statement, given_by),
           "a parametrisation needs the claim that says it reaches everything")
-    parameters = evidence.get("parameters") or []
-    taken = {*statement["sizes"], *(d[1] for d in statement["where"])}
+    parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
+    taken = {*statement["sizes"], *(d[1] for d in [*statement["where"], *own])}
     _need(not taken & set(given_by), "a parametrisation redefines a name")
-    for world, field in _cases({**statement, "over": [*parameters, *statement["over"]]}, evidence, given_by):
+    made = {**statement, "over": [*parameters, *statement["over"]], "where": [*statement["where"], *own]}
+    for world, field in _cases(made, evidence, given_by):
+        for d in own:  # definitions for the parametrisation alone: the statement must have a value without them
+            del world.definitions[d[1]]
+        world.memory = {key: value for key, value in world.memory.items() if key[0] in world.definitions}
         _need(world.value(statement["says"]) is True, f"not an identity for {_ints(world)}")
         _collect(found, field)
     return found

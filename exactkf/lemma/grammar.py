@@ -75,8 +75,10 @@ _PROPERTIES = {
 _KINDS = {**_PROPERTIES, "invertible": "nonsingular", "nonsingular": "nonsingular", "diagonal": "diagonal"}
 _SCALARS = {"nonzero": "nonzero", "positive": "positive", "nonnegative": "nonneg"}
 _FUNCTIONS = {"det": "det", "trace": "tr", "rank": "rank"}
-_RESERVED = {*_ITEMS, *_KINDS, *_SCALARS, *_FUNCTIONS, "symplectic", "semidefinite", "definite", "inv", "I", "O", "and", "or", "not", "for", "all"}
+_RESERVED = {*_ITEMS, *_KINDS, *_SCALARS, *_FUNCTIONS, "symplectic", "semidefinite", "definite", "inv", "I", "O", "and", "or", "not", "for", "all", "horizon"}
 _DEEPEST = 60  # brackets inside each other
+_LONGEST = 20_000  # characters of a lemma
+_MOST_DIGITS, _LARGEST_POWER = 1000, 1000
 
 
 @dataclass(frozen=True)
@@ -121,6 +123,8 @@ class _Parser:
 
     def __init__(self, source: str) -> None:
         self.source = source
+        if len(source) > _LONGEST:
+            raise self.fail(_LONGEST, f"the lemma is longer than {_LONGEST} characters; state a shorter one")
         self.items = self._items()
         self.tokens: list[_Token] = []
         self.at = 0
@@ -198,6 +202,8 @@ class _Parser:
     def _number(self) -> Any:
         token = self.tokens[self.at]
         self.at += 1
+        if len(token.text) > _MOST_DIGITS:
+            raise self.fail(token.start, f"a number of more than {_MOST_DIGITS} digits; write it as a product")
         value = Fraction(token.text)
         return int(value) if value.denominator == 1 else self._node(("rat", value.numerator, value.denominator), token.start)
 
@@ -516,6 +522,8 @@ class _Parser:
             if exponent is None or exponent.kind != "number" or "." in exponent.text:
                 raise self._expected("a whole number as exponent")
             self.at += 1
+            if len(exponent.text) > 4 or int(exponent.text) > _LARGEST_POWER:
+                raise self.fail(exponent.start, f"the exponent {exponent.text[:20]} is too large; exponents up to {_LARGEST_POWER} are read")
             k = -int(exponent.text) if minus else int(exponent.text)
             tree = self._node(("inv", tree) if k == -1 else ("^", tree, k), start)
         return tree

@@ -13,11 +13,11 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.evidence import evaluation, example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
-from proofs.blm91.section_2_filtering import FAST, FILTER, fk, kk, xh, yt
+from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, kk, xh, yt
 
 Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
     "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
@@ -46,7 +46,7 @@ claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (Y(t + i) * G * T(Y(t)) == Y(i) * G * T(Y(0))) & (Y(0) * G * T(Y(0)) == Identity(1)))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
       by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
 claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
-      by=[identity(n=range(0, 5)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
+      by=[identity(n=range(0, 7)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
 claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
       by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
 claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
@@ -90,8 +90,10 @@ claim("BLM91-S6", "(1.8) for all t makes Phi_+ positive real", hit >> (schur(az)
                               prose="1 - h'Pi_t h is r_t, and T_t is congruent to diag(r_0, .., r_t)"),
                         instances(30, n=1, m=(0, 1, 2)), example(n=1, m=3, a=[0], g=["1/2"]), example(n=2, m=1, a=[0, "1/2"], g=["1/4", "1/4"]), example(n=1, m=1, a=[0], g=["2/3"])]),
       note="(1.8) is tested for t <= m; on the counterexample it holds for all t: X.11 with x = -1/2 gives alpha_t = (t + 1)/(t + 2), and Pi_t = 1 - alpha_0/alpha_t = t/(2(t + 1)). Positive real is taken as defined in (2.3), (2.4); were it to mean no more than a nonnegative real part outside the disc, the statement would be right.")
-claim("BLM91-E1.9", "the fast algorithm gives the Kalman gain", forall(t, 0, m, fk[t] * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[*FAST, RICCATI],
-      by=[identity(n=(1, 2), m=(0, 1)), instances(12, n=(1, 2), m=(1, 2))], note="(1.9) and (1.4) are run on their own.")
+claim("BLM91-E1.9", "the fast algorithm gives the Kalman gain", forall(t, 0, m, fk[t] * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)},
+      where=[*FAST, RICCATI, rec(r, t, Identity(1), (1 - (T(h) * fks[t]) ** 2) * r[t])],
+      by=[induction(also=[symmetric(Pi[t]), r[t] == 1 - T(h) * Pi[t] * h, F * Pi[t] * T(F) + r[t] * fk[t] * T(fk[t]) == Pi[t] + r[t] * fks[t] * T(fks[t])]), instances(12, n=(1, 2), m=(1, 2))],
+      note="(1.9) and (1.4) are run on their own. The induction carries that Pi_(t+1) - Pi_t = r_t k*_t k*_t' and r_t = 1 - h'Pi_t h.")
 ESCAPE1 = (let(al0, 2), let(ga0, 1), let(qa, al0 - ga0), rec(pit, t, 0, qa**2 * pit[t] + (ga0 + qa * pit[t]) ** 2 / (1 - pit[t])))
 claim("BLM91-S7", "the Riccati equation can escape", (pit[1] == 1) & (ga0 + qa * pit[1] == 2) & ~defined(pit[2]), where=ESCAPE1, by=[evaluation()],
       note="F = -1, h = 1, g = 1: 1 - h'Pi_1 h = 0 and g - F Pi_1 h = 2.")

@@ -62,12 +62,13 @@ claim("BLM91-E2.17", "the gain is that of the Riccati equation",
       note="(2.17) is the coefficient of the innovation in (2.16), which is checked there; here it is compared with (1.3), (1.4), "
            "which the paper says can be derived from it.")
 claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
-      forall(t, 0, m, kk(t) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+      forall(t, 0, m, kk(t) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
+      note=SAID + " From (2.1), shown for listed n and t, it is the reversal of phi_t, which holds for every t (BLZ94, (3.4)).")
 claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
       forall(t, 0, m, substitute(phi[t], F) * g == X[t + 1] * G * T(bk(t))), sizes=["n", "m"], over=SYSTEM,
       where=[*FILTER, function(bk, [t], sum_of(k, 0, t, coeff(phis[t], k) * Y(k)))], by=BY,
       note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
-           "prediction from y_1 .. y_t) what k_t is to the innovation.")
+           "prediction from y_1 .. y_t) what k_t is to the innovation. As for (2.18), what is shown for listed sizes alone is (2.1).")
 claim("BLM91-E2.29", "the filter driven by the output",
       forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
 

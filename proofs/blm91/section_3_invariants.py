@@ -14,9 +14,10 @@ with real part (doubled) d/(a a*), d = D/r = (a b* + a* b)/2. Where d > 0 and a 
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
+from proofs.blm91.section_2_filtering import NEXT, SOME
 
 q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y u_next w_next h_m")
 av, bv, dv, pd_, Fa, dm, xt, p = symbols("a_poly b_poly d N F_a d_m x_orbit f")
@@ -59,11 +60,11 @@ not_checked("BLM91-R3.1.1", "a dense orbit makes a map topologically transitive"
 MIRROR = (rec(qm, t, q0, 1 / (1 - qsm[t][1] ** 2) * (qm[t] - qsm[t][1] * (J * qsm[t]))),
           rec(qsm, t, -qs0, 1 / (1 - qsm[t][1] ** 2) * (J * qsm[t] - qsm[t][1] * qm[t])))
 claim("BLM91-E3.3", "mirror orbits", always(t, (qm[t] == q[t]) & (qsm[t] == -qs[t])), sizes=["n"], over=POINT, where=[*stripped(q0, qs0), *MIRROR],
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+      by=[generic_index(lemma(t, (qm[t] == q[t]) & (qsm[t] == -qs[t]), rule=True)), instances(n=(1, 2, 3))])
 STEP = (SHIFT, function(un, [x, y], 1 / (1 - y[1] ** 2) * (x - y[1] * (J * y))), function(wn, [x, y], 1 / (1 - y[1] ** 2) * (J * y - y[1] * x)))
 claim("BLM91-T3.2.2", "the map commutes with (q, q*) -> (q, -q*)",
       (un(q0, -qs0) == un(q0, qs0)) & (wn(q0, -qs0) == -wn(q0, qs0)), sizes=["n"], over=POINT, where=STEP,
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))], note="un and wn are the two components of the map (2.25).")
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="un and wn are the two components of the map (2.25).")
 HI = (function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
       function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y)) / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)))
 claim("BLM91-E3.4", "the quotients of coefficients of the invariant",
@@ -102,11 +103,12 @@ ORBITS = (*FROM, INVARIANT, *AB)
 claim("BLM91-E3.5", "a_t and b_t are monic of degree n and carry Q_t and Q*_t",
       always(t, (av(t) == Z**n + sum_of(i, 1, n, (q[t][i] - qs[t][i]) * Z ** (n - i)))
              & (rational("1/2") * r[t] * (av(t) + bv(t)) == Qp(t)) & (rational("1/2") * r[t] * (bv(t) - av(t)) == Qs(t))),
-      sizes=["n"], over=POINT, where=ORBITS, by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))],
+      sizes=["n"], over=POINT, where=ORBITS, by=[generic_index(), instances(n=(1, 2, 3))],
       note="The display defines a_t and b_t.")
-claim("BLM91-E3.6", "the invariant in terms of a_t and b_t",
-      always(t, r[t] * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t)) == 2 * D), sizes=["n"], over=POINT, where=ORBITS,
-      by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+INVARIANT_AB = r[t] * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t)) == 2 * D
+claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
+      by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, INVARIANT_AB, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
+                        closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))])
 claim("BLM91-E3.7", "the real part of b_t/(2 a_t)",
       forall(t, 0, m, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n", "m"], over=POINT, where=ORBITS,
       by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))], note="d_t is written D/r_t.")

@@ -31,14 +31,22 @@ def step(P):
 
 LAMBDA_OF = function(Lam, [Pm], F * Pm * T(F) - Pm + (g - F * Pm * h) * inv(1 - T(h) * Pm * h) * T(g - F * Pm * h))
 claim("BLM91-E4.1", "the increment of the Riccati equation", forall(t, 0, m, Pi[t + 1] - Pi[t] == Lam(Pi[t])), sizes=["n", "m"], over=SYSTEM, where=[rec(Pi, t, Zero(n, n), step(Pi[t])), LAMBDA_OF],
-      by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(0, 1, 2))])
+      by=[induction(), instances(n=(1, 2, 3), m=(0, 1, 2))])
 claim("BLM91-E4.2", "Lambda is the step minus the identity", Lam(P) == step(P) - P, sizes=["n"], over={**SYSTEM, P: symmetric_matrix(n)}, where=[LAMBDA_OF], by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
       note="The display defines Lambda; checked is that it is the increment of (1.4) at any symmetric matrix.")
 first = sym("first")
 claim("BLM91-S42", "the first increment", (Lam(Zero(n, n)) == g * T(g)) & psd(first) & (rank(first) <= 1), sizes=["n"], over=SYSTEM, where=[LAMBDA_OF, let(first, g * T(g))],
       by=[steps("BLM91-E4.2", facts=["x g g' x' is a square"], prose="Pi = 0 leaves gg', of rank at most one"), instances(n=(1, 2, 3))])
-claim("BLM91-E4.3", "increments of rank one", forall(t, 0, m, Lam(Pi[t]) == r[t] * qs[t] * T(qs[t])), sizes=["n", "m"], over={a: vector(n), g: vector(n)},
-      where=[*CANONICAL, rec(Pi, t, Zero(n, n), step(Pi[t])), LAMBDA_OF, *stripped(g + a, g)], by=[identity(n=(1, 2), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2, 3))])
+_SHIFT, _UNIT = matrix_of(i, j, n, n, when(j == i + 1, 1, 0)), matrix_of(i, j, n, 1, when(i == 1, 1, 0))
+_GAMMA = T(h) * qs[t]
+claim("BLM91-E4.3", "increments of rank one", forall(t, 0, m, Lam(Pi[t]) == r[t] * qs[t] * T(qs[t])), sizes=["n", "m"],
+      over={J: matrix(n, n), F: matrix(n, n), h: vector(n), a: vector(n), g: vector(n)},
+      where=[rec(Pi, t, Zero(n, n), step(Pi[t])), LAMBDA_OF, rec(q, t, g + a, 1 / (1 - _GAMMA**2) * (q[t] - _GAMMA * (J * qs[t]))),
+             rec(qs, t, g, 1 / (1 - _GAMMA**2) * (J * qs[t] - _GAMMA * q[t])), rec(r, t, Identity(1), (1 - _GAMMA**2) * r[t])],
+      given=[standing("(2.22)", (J == _SHIFT) & (h == _UNIT) & (F == J - a * T(h)))],
+      by=[induction(also=[symmetric(Pi[t]), r[t] == 1 - T(h) * Pi[t] * h, r[t] * (q[t] - a) == g - F * Pi[t] * h]),
+          instances(n=(1, 2, 3), m=(0, 1, 2, 3), made_by={J: _SHIFT, h: _UNIT, F: _SHIFT - a * T(_UNIT)})],
+      note="gamma_t is h'q*_t, the first entry of q*_t. Of J and h nothing is used, so that it is for every n.")
 
 # ---------------------------------------------------------------------- n = 1
 claim("BLM91-E4.4", "the scalar system is stationary with E y^2 = 1",

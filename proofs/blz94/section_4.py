@@ -139,6 +139,29 @@ claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that i
            "to (a, b), at z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points "
            "arbitrarily near to z = 1.")
 
+
+
+def _from_coefficients(p, coefficients):
+    """The monic q of degree n for which q/(2p) begins with the given coefficients of 1/z, ..., z^-n."""
+    return Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(p, n - k) + 2 * sum_of(j, 1, k, coefficients[j] * coeff(p, n - k + j))))
+
+
+_f, _fs, _q, _c, _again = symbols("f_own f_star_own r_own c_own c_again")
+
+
+def _correlations(parameters, f, f_star, norm, name):
+    """(3.10) for these Schur parameters, under names of their own."""
+    return (rec(f, t, 1, Z * f[t] - parameters[t] * f_star[t]), rec(f_star, t, 1, f_star[t] - parameters[t] * Z * f[t]), rec(norm, t, 1, (1 - parameters[t] ** 2) * norm[t]),
+            function(name, [k], norm[k - 1] * parameters[k - 1] - sum_of(j, 0, k - 2, coeff(f[k - 1], j) * name[j + 1])))
+
+
+claim("BLZ94-X.10", "every point of V_c is given by u and Schur parameters",
+      (v == _from_coefficients(u, y)) & forall(k, 1, n, _again[k] == c[k]), sizes=["n"], over={u: monic(n), v: monic(n), c: sequence(1, n)},
+      where=[let(y, column(k, n, laurent(v / (2 * u), k))), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
+             *_correlations(gamma, _f, _fs, _q, _again)],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      note="v comes from u and the first n coefficients c_k of v/(2u), and these come by (3.10) from the Schur parameters (3.6), which exist where T_1, ..., T_{n-1} are nonsingular.")
+
 #: gamma and alpha recovered from polynomials p, q
 f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o betabar")
 claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from U_gamma onto V_c with rational "
@@ -165,7 +188,8 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
       given=[standing("(alpha, gamma) lies in U", prod(k, 0, n - 2, 1 - gamma[k] ** 2) != 0),
              standing("(u, v) lies in V", prod(k, 1, n - 1, det(matrix_of(
                  i, j, k + 1, k + 1, when(i == j, 1, laurent(v / (2 * u), abs(i - j)))))) != 0)],
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
+      by=[identity(using={y: sequence(0, n - 1)}, where=_correlations(y, _f, _fs, _q, _c), given_by={v: _from_coefficients(u, _c)}, covered_by="BLZ94-X.10",
+                   n=range(1, 7)), instances(n=(1, 2, 3))],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
            "the (tau, theta) found from it. That the first lies in V_c and the second in U_gamma is said where these "
            "sets are defined. gamma_{n-1} = 1 and -1 are allowed.")
@@ -176,7 +200,8 @@ claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parame
       where=[*FAST, *INVERSE[:-1]],
       by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
       note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
-           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3.")
+           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3. For every n and t, Theorem 4.3 shows the "
+           "deletion for gamma(t) of the orbit (4.4), and the lemmas of (A-6) that gamma_n is the last entry of gamma(1).")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
       always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],

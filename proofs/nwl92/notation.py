@@ -157,8 +157,7 @@ def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: An
     gram = T(H) * H if gram is None else gram
     a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
     steps = [
-        (R * a + H * b == Zero(p, p + n), []),
-        (T(H) * a == Zero(n, p + n), []),
+        (vstack(R * a + H * b, T(H) * a) == Zero(p + n, p + n), []),
         (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
         (R * a == Zero(p, p + n), [T(a) * R * a]),
         (H * b == Zero(p, p + n), []),
@@ -169,12 +168,17 @@ def block_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: An
     return [lemma for lemma, _ in steps], [needs for _, needs in steps]
 
 
+def identities_at_once(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any, gram: Expr) -> tuple[Expr, list, list]:
+    """Z(U; T) = (0; I) as one lemma, with `block_identities` as lemmas that belong to it, and what these and it need."""
+    lemmas, needs = block_identities(R, H, W, U, Tb, n, p, gram)
+    return vstack(R * U + H * Tb, T(H) * U) == vstack(0 * (R * U), Identity(n)), lemmas[:-1], needs
+
+
 def any_rank_identities(R: Expr, H: Expr, W: Expr, U: Expr, Tb: Expr, n: Any, p: Any) -> tuple[list, list]:
     """What ZGZ = Z with R >= 0 gives for H of any rank: with the columns [a; b] of I - GZ as in `block_identities`, Ra = 0 and Hb = 0."""
     a, b = hstack(Identity(p) - W * R - U * T(H), -(W * H)), hstack(-(T(U) * R + Tb * T(H)), Identity(n) - T(U) * H)
     steps = [
-        (R * a + H * b == Zero(p, p + n), []),
-        (T(H) * a == Zero(n, p + n), []),
+        (vstack(R * a + H * b, T(H) * a) == Zero(p + n, p + n), []),
         (T(a) * R * a * Identity(p + n) == Zero(p + n, p + n), []),
         (R * a == Zero(p, p + n), [T(a) * R * a]),
         (H * b == Zero(p, p + n), []),

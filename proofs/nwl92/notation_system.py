@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactkf.evidence import Evidence, example, instances, order
+from exactkf.evidence import Evidence, example, instances, order, within
 from exactkf.language import (
     Expr,
     Identity,
@@ -50,7 +50,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.nwl92.notation import any_one_inverse, block_identities, lower, one_inverse, upper
+from proofs.nwl92.notation import any_one_inverse, identities_at_once, lower, one_inverse, upper
 
 # sizes: l equations, p measurements, m states before, n states after
 l, p, m, n, k = symbols("l p m n k")
@@ -123,12 +123,20 @@ def noise_by_form(P: Expr, m: Any) -> Expr:
 
 def filter_identities(*sums: list, of: Sequence[tuple[Expr, Blocks]] = ((P, INVERSE),), before: Any = n, then: Sequence[Expr] = ()) -> Evidence:
     """The conclusion for every size, from LE + KC = I and N(U1; U2) + (E; C)T = 0 for each covariance and (1)-inverse, and equations that follow."""
-    lemmas, needs = [], []
-    for covariance, (W1, W2, W3, U1, U2, T0) in of:
-        more, most = block_identities(noise_by_form(covariance, before), F_BLOCK, block([[W1, W2], [T(W2), W3]]), vstack(U1, U2), T0,
-                                      n, l + p, GRAM)
-        lemmas, needs = lemmas + more, needs + most
-    return order(*needs, *([] for _ in then), *sums, lemmas=[*lemmas, *then])
+    lemmas, needs, inside = identities_of(of, before)
+    return order(*needs, *([] for _ in then), *sums, lemmas=[*lemmas, *then], inside=inside)
+
+
+def identities_of(of: Sequence[tuple[Expr, Blocks]], before: Any) -> tuple[list, list, list]:
+    """The two identities for each covariance and (1)-inverse: lemmas, what these need, and what belongs to each of them."""
+    lemmas, needs, inside = [], [], []
+    for number, (covariance, (W1, W2, W3, U1, U2, T0)) in enumerate(of):
+        both, inner, most = identities_at_once(noise_by_form(covariance, before), F_BLOCK, block([[W1, W2], [T(W2), W3]]), vstack(U1, U2), T0,
+                                               n, l + p, GRAM)
+        lemmas.append(both)
+        needs += most
+        inside.append(within(number, *inner))
+    return lemmas, needs, inside
 
 
 # ------------------------------------------------------------------ instances

@@ -173,6 +173,14 @@ LEMMA_MADE = {
 LEMMA_FREE = {Y1: matrix(p + n, p + n), Yb: matrix(p + q + n + m, p + q + n + m), Ys: matrix(n + q + n + m, n + q + n + m)}
 
 
+#: all sizes one, noises of covariance one, H = J = K = 1; not admissible: what each of the three gains is for
+GAIN_ONES = {"p": 1, "q": 1, "n": 1, "m": 1, V: [[1]], W: [[1]], H: [[1]], J: [[1]], K: [[1]], x: [1], z: [1], v: [1], w: [1], U1: [[1]], T1: [[-1]],
+             Uax: [[1]], Uaz: [[-1]], Ubx: [[0]], Ubz: [[1]], Txx: [[-1]], Txz: [[1]], Tzz: [[-2]], Sxx: [[1]], Sxz: [[-1]], Sbx: [[0]], Sbz: [[1]],
+             Qxx: [[-1]], Qxz: [[1]], Qzz: [[-2]]}
+LARGER_P1, OTHER_SUMMARY = {Qxx: [[-4]], Qxz: [[4]], Qzz: [[-5]]}, {Sxx: [[2]], Sxz: [[5]]}
+GAIN_FOILS = [example({**GAIN_ONES, **change}) for change in ({U1: [[2]], **LARGER_P1}, {Uax: [[2]], Uaz: [[5]]}, OTHER_SUMMARY)]
+
+
 def lemma(id, title, columns, note=""):
     """Lemma 2.3 and its parts: estimates and error covariances for these block columns of the gains."""
     batch, summary = UB * columns, US * columns
@@ -180,7 +188,7 @@ def lemma(id, title, columns, note=""):
           (T(batch) * vstack(a, b) == T(summary) * vstack(xh1, b)) & (T(batch) * R_BATCH * batch == T(summary) * R_SUMMARY * summary),
           sizes=["p", "q", "n", "m"], over={**MODEL, x: vector(n), z: vector(m), v: vector(p), w: vector(q), **GAINS_BY_BLOCKS},
           where=[let(a, H * x + V * v), let(b, J * x + K * z + W * w), let(xh1, T(U1) * a), let(P1, T(U1) * V * U1)], given=GAINS_GIVEN,
-          by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN),
+          by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN), *GAIN_FOILS,
               instances(10, made_by=LEMMA_MADE, using=LEMMA_FREE, p=(1, 2, 3), q=(1, 2), n=(1, 2), m=(1, 2))],
           note=note + ("The gains are any that satisfy (2.25), as every symmetric (1)-inverse does (NWL92-E2.25); that x is estimable from a, and z from "
                        "a and b, is what makes (2.25) solvable."))
@@ -511,13 +519,18 @@ S18_MADE = {
     T21: hstack(Zero(g, p), Zero(g, n), Identity(g)) * G1 * vstack(Zero(p, n), Identity(n), Zero(g, n)), BATCH_Z: two_block(RB, HT, n + g + m),
     **corners(BATCH_G, (Uax, Uaz, Ubx, Ubz, Txx, Txz, Tgx, Tgz, Tzx, Tzz), (AT_A3, AT_A3, AT_B3, AT_B3, AT_X3, AT_X3, AT_G3, AT_G3, AT_Z3, AT_Z3),
               (AT_X3, AT_Z3) * 5)}
+#: the same with a second measurement, of x2
+TWO_ONES = {**GAIN_ONES, "p": 2, "g": 1, V: [[1, 0], [0, 1]], H: [[1], [0]], G: [[0], [1]], x1: [1], x2: [0], v: [1, 0], U1: [[1], [0]], T21: [[0]],
+            Uax: [[1], [0]], Uaz: [[-1], [0]], Tgx: [[0]], Tgz: [[0]], Tzx: [[1]]}
+del TWO_ONES[x]
+TWO_FOILS = [example({**TWO_ONES, **change}) for change in ({U1: [[2], [0]], **LARGER_P1}, {Uax: [[2], [0]], Uaz: [[5], [0]]}, OTHER_SUMMARY)]
 claim("NWL92-S18", "x1 and z are estimated from b and the estimate of x1 alone",
       (T(UB) * vstack(a, b) == T(US) * vstack(xh1, b)) & (T(UB) * R_BATCH * UB == T(US) * R_SUMMARY * US),
       sizes=["p", "q", "n", "g", "m"],
       over={**MODEL, G: matrix(p, g), x1: vector(n), x2: vector(g), z: vector(m), v: vector(p), w: vector(q), **GAINS_BY_BLOCKS,
             T21: matrix(g, n), Tgx: matrix(g, n), Tgz: matrix(g, m), Tzx: matrix(m, n)},
       where=[let(a, H * x1 + G * x2 + V * v), let(b, J * x1 + K * z + W * w), let(xh1, T(U1) * a), let(P1, T(U1) * V * U1)], given=BEST_TWO,
-      by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN_3),
+      by=[order([], [], [], [T(BETWEEN) * BY_FORM * BETWEEN], lemmas=SAME_GAIN_3), *TWO_FOILS,
           instances(10, made_by=S18_MADE, using={Y1: matrix(p + n + g, p + n + g), Yb: matrix(p + q + n + g + m, p + q + n + g + m),
                                                  Ys: matrix(n + q + n + m, n + q + n + m)}, p=(2, 3), q=(1, 2), n=1, g=(1, 2), m=1)],
       note=("Estimates of x1 and z stacked, and their joint error covariance. The gains are any that satisfy (2.25), as every symmetric (1)-inverse does "

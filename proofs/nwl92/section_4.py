@@ -64,7 +64,6 @@ from proofs.nwl92.notation_system import (
     F_BLOCK,
     FIRST_TWO,
     GAINS,
-    GRAM,
     H0,
     IMPLIED_RANK,
     INVERSE,
@@ -120,6 +119,7 @@ from proofs.nwl92.notation_system import (
     Tb,
     drawn,
     filter_identities,
+    identities_of,
     l,
     made_blocks,
     n,
@@ -361,10 +361,7 @@ def stable_gains(*solved_by, unique=None):
     For an eigenvector v outside the open disc the Riccati equation makes v(L K)G zero. The certificate of stabilizability is a right inverse
     N of (E; C) up to G, so that v(L K) = vN, and vL is an eigenvector of A Na for the same eigenvalue; as A Na is stable, vL = 0. So lam v = vLA = 0.
     """
-    identities, needs, inside = [], [], []
-    for solution, (a, b, c, u, w, d), *_ in solved_by:
-        more, most = two.block_identities(noise_by_form(solution, n), F_BLOCK, block([[a, b], [T(b), c]]), vstack(u, w), d, n, l + p, GRAM)
-        identities, needs = identities + more, needs + most
+    identities, needs, inside = identities_of([(solution, blocks) for solution, blocks, *_ in solved_by], n)
     for number, (solution, _, first, second) in enumerate(solved_by, len(identities)):
         gain = hstack(first, second)
         noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * solution * v for v in (vr, vi)]
@@ -372,9 +369,9 @@ def stable_gains(*solved_by, unique=None):
         ends = [T(first) * v for v in (vr, vi)]
         inside.append(within(
             number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)),
-            *(T(v) * first == T(v) * Na for v in (vr, vi)), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
-            hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=7))
-        needs += [[], noise, noise, [], [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
+            hstack(*ends) == T(Na) * hstack(vr, vi), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
+            hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=6))
+        needs += [[], noise, noise, [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
                   [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
     stable = [schur(first * A) for _, _, first, _ in solved_by]
     return order(*needs, lemmas=[*identities, *stable], inside=[*inside, within(len(identities) + len(stable), unique=unique)])

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from exactkf.kernel import cosines
-from exactkf.kernel.algebraic import AlgebraicField
+from exactkf.kernel.algebraic import Algebraic, AlgebraicField, _enclose, _sign_at
 from exactkf.kernel.cosines import cosine, minimal_polynomial
 from exactkf.kernel.numbers import Undefined, Unknown
 
@@ -95,3 +95,31 @@ def test_long_fields_are_refused():
     """A denominator beyond the stated limit gets no answer instead of an endless computation."""
     with pytest.raises(Unknown, match="1000"):
         cosine(1, 1001)
+
+
+FRACTIONS = st.fractions(min_value=-3, max_value=3, max_denominator=40)
+
+
+@given(st.lists(FRACTIONS, max_size=6), FRACTIONS, FRACTIONS, st.integers(0, 8))
+def test_intervals_in_integers_hold_the_values(p, one, other, at):
+    """Interval Horner over one denominator encloses the polynomial's values, and is exact at a point."""
+    lo, hi = min(one, other), max(one, other)
+    x = lo + (hi - lo) * Fraction(at, 8)
+    value = sum((c * x**k for k, c in enumerate(p)), Fraction(0))
+    low, high, below = _enclose(p, lo, hi)
+    assert below > 0 and Fraction(low, below) <= value <= Fraction(high, below)
+    assert _sign_at(p, x) == (value > 0) - (value < 0)
+
+
+@given(st.integers(3, 40), st.integers(1, 30), FRACTIONS, FRACTIONS)
+def test_arithmetic_in_the_field_of_a_cosine(p, q, a, b):
+    """Whether coefficients are ints or fractions: the values are those of the decimals, and what is divided comes back."""
+    x = cosine(q, p)
+    y = a * x * x + b
+    close = mpmath.mpf(a.numerator) / a.denominator * mpmath.cos(mpmath.pi * q / p) ** 2 + mpmath.mpf(b.numerator) / b.denominator
+    if isinstance(y, Algebraic):
+        low, high = y.enclosed(Fraction(1, 10**9))
+        assert abs(mpmath.mpf(low.numerator) / low.denominator - close) < 1e-8
+        assert all(type(c) is int or isinstance(c, Fraction) for c in (y * y - y).c)
+        if y != 0:
+            assert (x / y) * y == x

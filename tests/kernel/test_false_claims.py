@@ -381,7 +381,8 @@ def test_a_recursion_that_divides_by_zero_says_nothing():
     at = ["at", "F", ["+", T, 1]]
     quotient = ["rec", "F", "t", 0, [0], ["/", ["*", ["at", "s", T], ["at", "R", T]], ["-", ["at", "X", T], 1]]]
     before = ["at", "s", ["-", K, 1]]
-    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, ["rec", "R", "t", 0, [0], ["at", "R", T]], quotient])
+    zero = ["rec", "R", "t", 0, [0], ["at", "R", T]]
+    made = statement(["forall", "i", 0, N, ["forall", "k", 1, N, ["=", before, 0]]], ENTRIES, (), [CONSTANT, zero, quotient])
     lemmas = [IS_ONE, lemma(["=", ["at", "R", T], 0], uses=[use(1, T)])]
     lemmas += [lemma(["=", at, ["*", c, ["at", "s", T]]], direct=True, uses=[use(0, T), use(1, T)]) for c in (1, 2)]
     assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [use(k, ["-", K, 1]) for k in (2, 3)]})
@@ -406,7 +407,7 @@ def test_a_variable_is_not_the_indeterminate():
 
 # ---------------------------------------------------------------------- what a certificate rests on
 def test_a_parametrisation_is_named():
-    """x = c^2 reaches no negative x: the identity sqrt-free in c is about the others, and says so."""
+    """x = c^2 reaches no negative x: an identity in c is about the others, and says so."""
     from exactkf.kernel.replay import rests_on
 
     made = statement(["=", ["*", x, ["-", x, x]], 0], [["x", ["scalar"]]], sizes=[])
@@ -415,6 +416,20 @@ def test_a_parametrisation_is_named():
     assert rests_on(seal("X", "identity", made, {**evidence, "covered_by": "MY-1"})) == "MY-1"
     said = {**made, "over": [["x", ["scalar"]], ["y", ["scalar"]]], "given": [["h", ["=", x, ["^", y, 2]], "standing"]]}
     assert rests_on(seal("X", "identity", said, {"cases": [{}], "given_by": {"x": ["^", y, 2]}})) == ""
+
+
+@pytest.mark.parametrize("says", [["=", ["^", 2, 10**9], 0], ["=", ["I", 10**9], 0], ["=", ["^", 3, ["^", 10, 9]], 0]])
+def test_nothing_huge_is_computed(says):
+    """A certificate does not keep the checker busy with a power or a matrix that nobody could write down."""
+    assert not accepted("evaluation", statement(says, [], sizes=[]), {"cases": [{}]})
+
+
+def test_a_kind_that_is_no_name_is_no_certificate():
+    """What is no certificate is told so, whatever stands in its place."""
+    from exactkf.kernel.replay import NotACertificate
+
+    with pytest.raises(NotACertificate):
+        replay({**seal("X", "orbit", {}, {}), "kind": ["orbit"]})
 
 
 # ---------------------------------------------------------------------- powers inside the unit circle

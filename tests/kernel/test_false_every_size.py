@@ -131,7 +131,8 @@ FACTORS = ["prod", "k", 1, n, ["+", 1, at("w", k)]]
 def test_an_inverse_behind_a_name_need_not_exist(where, left, right, how, says):
     """What is shown where an inverse behind a name exists, w = 0 among it, is not used where it does not."""
     place = {"s": 0, "row": ["sym", "row"] if "fact" in how else 1, "column": 1}
-    lemmas = [CANCELLED, *({"index": "s", "says": ["=", left, x], "uses": uses, **how} for x, uses in zip(right, ([], [{"lemma": 0, "at": place}]), strict=True))]
+    uses = [], [{"lemma": 0, "at": place}]
+    lemmas = [CANCELLED, *({"index": "s", "says": ["=", left, x], "uses": used, **how} for x, used in zip(right, uses, strict=True))]
     made = statement(says, COLUMN, SOME, where)
     assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [{"lemma": m, "at": {"s": n}} for m in (1, 2)]})
     assert accepted("generic index", {**made, "says": ["=", c, c], "over": [*COLUMN, ["c", ["scalar"]]]}, {"lemmas": lemmas})
@@ -142,3 +143,63 @@ def test_a_rule_brings_no_inverse_in():
     made = statement(["always", "t", ["=", at("x", t), at("w", 1)]], COLUMN, SOME, [["rec", "x", "k", 0, [0], 0]])
     rule = {"index": "s", "rule": True, "says": ["=", at("x", ["sym", "s"]), NUMBER]}
     assert not accepted("generic index", made, {"lemmas": [CANCELLED, rule], "uses": FIRST})
+
+
+# ---------------------------------------------------------------------- earlier conjuncts
+D, X = ["sym", "d"], ["sym", "x"]
+LEFT = [["1", [], "inverse 1/left/0/0", []]]
+
+
+@pytest.mark.parametrize("until, then, true", [
+    (n, ["forall", "t", 0, n], True), (["-", n, 1], ["forall", "t", 0, n], False), (n, ["forall", "t", 0, ["+", n, 1]], False),
+    (0, ["forall", "t", 0, n], False), (n, ["always", "t"], False),
+])
+def test_an_earlier_conjunct_is_known_in_its_range(until, then, true):
+    """inv(A_k) A_k = I for k up to a bound grants the inverses up to there, also where the range is empty."""
+    first = ["forall", "k", 0, until, ["=", ["*", ["inv", at("A", k)], at("A", k)], ["I", D]]]
+    second = ["=>", ["=", ["*", at("A", t), X], 0], ["=", X, 0]]
+    made = statement(["and", first, [*then, second]], [["A", ["signal_of", 0, ["matrix", D, D]]], ["x", ["matrix", D, 1]]], sizes=["d", "n"])
+
+    def cancel(index, premise, inverse):
+        terms = [["-1", [], f"inverse {inverse}/left/0/0", ["x"]], ["1", [f"inv(A[{index}])"], f"assumed {premise}/0/0/0", []]]
+        return {"parts": [{"sum": [], "terms": terms}]}
+
+    shown = [{"parts": [{"sum": [], "terms": LEFT}]}] * 2
+    proofs = [[cancel("0", i, 1), cancel("t+1", j, m)] for i in range(4) for j in range(4) for m in (1, 2)]
+    assert any(accepted("word induction", made, {"conjuncts": [shown, proof]}) for proof in proofs) == true
+
+
+# ---------------------------------------------------------------------- names
+C, Q = ["sym", "C"], ["sym", "Q"]
+MATRICES = [["B", ["matrix", D, D]], ["C", ["matrix", D, D]], ["P", ["psd", D]]]
+
+
+@pytest.mark.parametrize("body, kind", [(["sum", "k", 1, 1, ["sym", "B"]], "needed"), (["if", ["=", 1, 1], ["sym", "B"], P], "standing")])
+def test_a_definition_that_cannot_be_read_keeps_its_name(body, kind):
+    """A hypothesis Q = C about what the statement calls Q says nothing about a root that a proof would call Q."""
+    made = statement(["always", "t", ["=", P, ["*", C, C]]], MATRICES, [["h", ["=", Q, C], kind]], [["let", "Q", [], body]], ["d"])
+    terms = [["-1", [], "root Q", []], ["1", ["Q"], "h/0/0/0", []], ["1", [], "h/0/0/0", ["C"]]]
+    proof = {"parts": [{"sum": [], "roots": [["Q", P]], "terms": terms}]}
+    assert not accepted("word induction", made, {"conjuncts": [[proof, proof]]})
+    told = {**made, "where": [], "over": [*MATRICES, ["Q", ["symmetric", D]]], "given": [*made["given"], ["r", ["=", ["*", Q, Q], P], "standing"]]}
+    proof = {"parts": [{"sum": [], "terms": [["-1", [], "r/0/0/0", []], *terms[1:]]}]}
+    assert accepted("word induction", told, {"conjuncts": [[proof, proof]]})
+
+
+def test_the_size_of_a_parameter_is_its_own():
+    """f(X) = det(c I) with as many rows as its X is not that of the variable X."""
+    over = [["A", ["matrix", n, n]], ["X", ["matrix", D, D]], ["c", ["scalar"]]]
+    where = [["let", "f", ["X"], ["det", ["*", c, ["I", ["nrows", ["sym", "X"]]]]]]]
+    for kind, evidence in (("order", {"parts": [NOTHING]}), ("membership", {"terms": [[]]})):
+        assert not accepted(kind, statement(["=", at("f", A), ["^", c, D]], over, (), where, ["d", "n"]), evidence)
+        assert accepted(kind, statement(["=", where[0][3], ["^", c, D]], over, (), (), ["d", "n"]), evidence)
+
+
+def test_the_values_of_a_recursion_have_one_shape():
+    """A column to which every step adds an entry is not the column it starts with."""
+    start, place = ["col", "i", n, 5], {"t": t, "row": ["sym", "row"], "column": ["sym", "column"]}
+    uses = [{"lemma": 0, "at": place}]
+    says = ["=", at("x", t), start]
+    for step, true in ((["block", [at("x", t)], [["col", "i", 1, 0]]], False), (["+", at("x", t), ["O", n, 1]], True)):
+        made = statement(["always", "t", says], [], (), [["rec", "x", "t", 0, [start], step]])
+        assert accepted("generic index", made, {"lemmas": [{"index": "t", "says": says, "uses": uses}], "uses": uses}) == true

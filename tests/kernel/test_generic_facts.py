@@ -117,6 +117,36 @@ def test_the_base_does_not_lean_on_the_lemma_itself():
     assert not accepts(always(t, y[t] == 0), generic_index(lemma(t, y[t] == 0, base=[use(0, t=0)], uses=[use(0, t=t)]), uses=[use(0, t=t)]), **over)
 
 
+def test_a_rule_holds_up_to_its_bound():
+    """x_0 = .. = x_n = 0 and x_(n+1) = 1: a rule up to n says nothing about n + 1, nor does one of another name."""
+    over = {"sizes": ["n"], "over": {"g": scalar()}, "where": [rec(x, k, 0, when(k >= n, 1, x[k])), rec(y, k, 0, x[k + 1] + 0 * y[k])]}
+    zero = lemma(k, forall(u, k, n, x[k] == 0), rule=True)
+    assert accepts(forall(t, 0, n, x[t] == 0), generic_index(zero), **over)
+    assert not accepts(forall(t, 0, n + 1, x[t] == 0), generic_index(zero), **over)
+    assert not accepts(always(t, x[t] == 0), generic_index(lemma(k, x[k] == 0, rule=True)), **over)
+    assert not accepts(forall(t, 0, n, x[t] == 0), generic_index(lemma(k, forall(u, k, n, x[k] == y[u]), rule=True)), **over)
+    second = lemma(k, forall(u, k, n, y[k] == 0), rule=True)  # y_k = x_k for k > 0
+    assert accepts(forall(t, 0, n, y[t] == 0), generic_index(zero, second), **over)
+    assert not accepts(forall(t, 0, n + 1, y[t] == 0), generic_index(zero, second), **over)
+
+
+def test_a_rule_for_all_t():
+    """A rule X(t, k) = term is one for every t >= 0, shown by induction on k."""
+    over = {"sizes": ["n"], "over": {"x": signal(0)}, "where": [function(y, [t, k], when(k == 0, x[t], y(t, k - 1)))]}
+    constant = lemma(k, always(t, y(t, k) == x[t]), rule=True)
+    assert accepts(forall(t, 0, n, y(t, n) == x[t]), generic_index(constant), **over)
+    assert not accepts(forall(t, 0, n, y(t, n) == x[n]), generic_index(constant), **over)
+    assert not accepts(forall(t, 0, n, y(t, n) == x[t]), generic_index(lemma(k, always(t, y(t, k) == x[t + 1]), rule=True)), **over)
+
+
+def test_a_closed_function_is_opened_by_a_use():
+    """A function of an index that is kept closed has the value that its definition says, and no other."""
+    over = {"sizes": ["n"], "over": {"g": scalar(), "x": signal(0)}, "where": [function(c, [k], 2 * g * x[k])]}
+    assert accepts(forall(t, 0, n, c(t) == 2 * g * x[t]), generic_index(closed=[c], uses=[use(c, t)]), **over)
+    for says in (forall(t, 0, n, c(t) == 3 * g * x[t]), forall(t, 0, n, c(t) == 2 * g * x[t + 1])):
+        assert not accepts(says, generic_index(closed=[c], uses=[use(c, t)]), **over)
+
+
 # ---------------------------------------------------------------------- determinants
 def test_a_determinant_by_triangular_factors():
     """det of a product of a unit lower and an upper triangular matrix."""

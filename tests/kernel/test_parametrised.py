@@ -53,6 +53,22 @@ def test_a_parametrisation_cannot_redefine_a_name():
         replay(seal("T-1", "identity", data, {**evidence, "given_by": {}, "parameters": [["c", ["scalar"]]]}))
 
 
+def test_a_parametrisation_may_bring_definitions_of_its_own():
+    """They are not there for the statement, and take no name of it."""
+    says = (1 - c) * (1 + c) == s**2
+    made = identity(given_by={c: x, s: y}, using={t: scalar()}, where=[let(x, (1 - t**2) / (1 + t**2)), let(y, 2 * t / (1 + t**2))], fact=FACT)
+    drawn = instances(made_by=HALF_ANGLE, using={t: scalar()})
+    found = verify_statement(_statement(says), [made, drawn])
+    assert (found["verdict"], found["strength"]) == ("holds", "steps"), found["reason"]
+    evidence = {"cases": [{}], "given_by": {"c": ["sym", "x"]}, "covered_by": "nothing", "where": [["let", "x", [], 0]]}
+    with pytest.raises(Rejected):  # x is no name of the statement
+        replay(seal("T-1", "identity", {**_statement(c == 0).to_json(), "says": ["=", ["*", ["sym", "x"], ["sym", "c"]], 0]}, evidence))
+    with pytest.raises(Rejected, match="two things have one name"):
+        replay(seal("T-1", "identity", _statement(x * c == 0, where=[let(x, c)]).to_json(), evidence))
+    with pytest.raises(Rejected, match="two things have one name"):
+        replay(seal("T-1", "identity", _statement(s == 0).to_json(), {**evidence, "where": [["let", "s", [], 0]]}))
+
+
 def test_every_instances_evidence_is_searched():
     """A counterexample that only the second way of drawing reaches is found."""
     says = (c == 1) | (c != rational("3/5"))

@@ -214,6 +214,31 @@ def test_the_engine_tries_it():
     assert (result["verdict"], result["strength"], result["mutants"]["survivors"]) == ("holds", "proved", [])
 
 
+#: X_t = A^t two ways round; W starts where X ends
+POWERS = {"sizes": ["d", "n", "p"], "over": {"A": matrix(d, d)},
+          "where": [rec(X, t, I(d), A * X[t]), rec(Y, t, I(d), Y[t] * A), rec(R, t, X[n], A * R[t]), rec(S, t, Y[n], A * S[t])]}
+SAME = forall(t, 0, n, (X[t] == Y[t]) & (A * Y[t] == Y[t] * A))
+AFTER = forall(t, 0, p, R[t] == S[t])
+
+
+def test_what_a_conjunct_says_may_be_used_for_those_after_it():
+    """At the indices of its range, and the proof of the later one is none without it."""
+    data = Statement(says=SAME & AFTER, **POWERS).to_json()
+    found = find_induction(data)
+    assert found is not None
+    replay(seal("T", "word induction", data, found))
+    alone = Statement(says=AFTER, **POWERS).to_json()
+    assert find_induction(alone) is None
+    with pytest.raises(Rejected):
+        replay(seal("T", "word induction", alone, {**found, "conjuncts": found["conjuncts"][1:]}))
+
+
+@pytest.mark.parametrize("says", [AFTER & SAME, forall(t, 0, n - 1, (X[t] == Y[t]) & (A * Y[t] == Y[t] * A)) & AFTER, AFTER & AFTER])
+def test_a_conjunct_is_not_used_for_those_before_it_nor_out_of_its_range(says):
+    """Not for itself either."""
+    assert find_induction(Statement(says=says, **POWERS).to_json()) is None
+
+
 def test_a_size_called_t_is_not_the_index():
     """The letter X[t] of a size t and that of the index t would be one."""
     says = {"sizes": ["t"], "over": {"A": matrix(t, t)}, "where": [rec(X, k, I(t), A * X[k])], "says": always(k, X[k] == X[k])}
