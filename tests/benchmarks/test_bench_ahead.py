@@ -28,12 +28,12 @@ def seconds(call: Callable[[], object]) -> float:
     return perf_counter() - start
 
 
-@pytest.mark.parametrize(("n", "ratio"), [(2, fmpq(1, 5)), (3, fmpq(3, 5)), (4, 2)])
+@pytest.mark.parametrize(("n", "ratio"), [(2, fmpq(1, 40)), (3, fmpq(1, 10)), (4, fmpq(1, 5))])
 def test_a_decision_costs_little(n, ratio):
-    """The median decision for rational data takes at most the named multiple of one thousand exact steps of order two."""
+    """The median decision for rational data, certificate included, takes at most the named multiple of one thousand exact steps of order two."""
     rng = random.Random(n)
     starts = [[[fmpq(rng.randint(-6, 6), rng.randint(1, 4)) for _ in range(n)] for _ in range(2)] for _ in range(40)]
-    ours = median(seconds(lambda a=a, g=g: decide(a, g)) for a, g in starts)
+    ours = median(seconds(lambda a=a, g=g: decide(a, g).certificate) for a, g in starts)
     steps = min(seconds(lambda: exact_orbit(A[2], G[2], 1000)) for _ in range(3))
     print(f"\ndecision, n = {n}: {1000 * ours:.1f} ms, 1,000 steps {1000 * steps:.1f} ms, ratio {ours / steps:.2f}")
     assert ours <= float(ratio) * steps
