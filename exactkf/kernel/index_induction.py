@@ -89,7 +89,7 @@ class _Proof:
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
         """X_t has exponents 0 .. t; for a function, whatever its other arguments."""
-        d = next((d for d in self.statement["where"] if d[1] == name), ("",))
+        d: Any = next((d for d in self.statement["where"] if d[1] == name), ("",))
         if d[0] == "let" and d[2]:
             others = {p: {f"@{p}": 1} for p in d[2][:-1]}
             cases = [(d[3], {**others, d[2][-1]: last}, forms, last) for forms, last in (([], {}), ([{INDEX: 1}], {INDEX: 1, "": 1}))]
