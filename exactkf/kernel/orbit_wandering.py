@@ -158,7 +158,8 @@ def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
     k = (count_circle(odd)[1] - len(gcd_poly(odd, [odd[-1] - odd[-1] + c for c in of_unity])) + 1) // 2
     if k > 1:
         odd = [divide(c, odd[-1]) for c in odd]
-        _need(all(x == y for x, y in zip(odd, odd[::-1], strict=True)) and whole == whole[::-1], "the zeros do not come in pairs")
+        paired = all(x == y for x, y in zip(odd, odd[::-1], strict=True)) and whole == whole[::-1]
+        _need(paired and len(odd) % 2 == len(whole) % 2 == 1, "the zeros do not come in pairs")  # -1 by itself would be none of x
         for lo, hi in evidence["zeros"]:
             one = [count_real(chebyshev(p), fraction(lo), fraction(hi)) for p in (odd, whole)]
             _need(one == [1, 1], "an interval does not hold one zero of D")
