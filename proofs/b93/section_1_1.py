@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.evidence import example, identity, induction, instances, null_vector, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -439,7 +439,8 @@ IN_H_t = [symplectic(Pi(t)), invertible(a[t]), psd(_upper(t)), psd(_lower(t))]
 NULL_SQUARE = ZERO * T(ZERO)
 SUM_O = [O[t], T(alpha[t]) * NEW.AC * alpha[t]]
 SUM_K = [A_t * K_[t] * T(A_t), NEW.BA]
-START = order([], [], [NULL_SQUARE], [NULL_SQUARE], [NULL_SQUARE])
+NULL_SUMS = ([], [], [NULL_SQUARE], [NULL_SQUARE], [NULL_SQUARE])
+START = order(*NULL_SUMS)
 RANK_ONE = {Ps: sequence_of(positive_semidefinite(d), 1, n), Qs: sequence_of(positive_semidefinite(d), 1, n)}
 
 
@@ -451,29 +452,39 @@ def _null_at(matrix_) -> object:
     return matrix_of(i, j, d, 1, kernel_basis(matrix_)[i, 1])
 
 
-AS_NULL_VECTORS = ("Positive means nonnegative with no null vector but zero, and a determinant is not zero exactly when there is no null vector but "
-                   "zero: so this is the assertion, for the product of the first t matrices. N, W are I - Z xi, I - Y O with generalized inverses "
-                   "Z, Y, which every matrix has; the proof uses them to name all null vectors at once.")
-claim("B93-P1.3.1", "a product is in H, and its A*C has the null vectors of the sum",
-      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(Xi(t) * x == Zero(d, 1), O[t] * x == Zero(d, 1))), sizes=["d", "n"],
-      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, ALPHA, OBSERVABILITY, function(Xi, [k], _lower(k))],
+def _both_positive(half, xi, total, number):
+    """A null vector of the sum is one of xi, and one of xi is one of the sum: both are invertible or none."""
+    v = null_vector()
+    return [within(number, half * v == Zero(d, 1), inv(xi) * xi * v == v, vector="right"),
+            within(number + 1, inv(total) * total == Identity(d), invertible(xi))]
+
+
+SERVING = ("A determinant is not zero exactly where the matrix is invertible; the product is that of the first t matrices. N, W are I - Z xi, I - Y O "
+           "with generalized inverses Z, Y, which every matrix has: the proof uses them to name all null vectors at once.")
+claim("B93-P1.3.1", "a product is in H, and in H1 if and only if the sum is invertible",
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(pd(_lower(t)), invertible(O[t]))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS}, where=[*PRODUCTS, ALPHA, OBSERVABILITY],
       given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_LOWER))],
       by=[induction(also=[*IN_H_t, psd(O[t]), (alpha[t] - a[t]) * N_[t] == ZERO, O[t] * N_[t] == ZERO, c[t] * W_[t] == ZERO,
                           (alpha[t] - a[t]) * W_[t] == ZERO],
-                    base=START, step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_O, NEXT.lower, NEXT.lower, SUM_O, SUM_O,
-                                           [], NEXT.inverse, NEXT.upper, NEXT.lower, roots=NEXT.roots)),
-          _many(*BOTH_LOWER, **{"x": _null_at(O[n])}), _many(*BOTH_LOWER, **{"x": _null_at(_lower(n))}), _many(*BOTH_LOWER)],
-      note=AS_NULL_VECTORS)
+                    base=order(*NULL_SUMS, inside=_both_positive(c[t], _lower(t), O[t], 13)),
+                    step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_O, NEXT.lower, NEXT.lower, SUM_O, SUM_O,
+                               [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_lower(t + 1)], roots=NEXT.roots,
+                               inside=_both_positive(c[t + 1], _lower(t + 1), O[t + 1], 13))),
+          _many(*BOTH_LOWER)],
+      note=SERVING)
 
-claim("B93-P1.3.2", "a product is in H, and its BA* has the null vectors of the sum",
-      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(Xi(t) * x == Zero(d, 1), K_[t] * x == Zero(d, 1))), sizes=["d", "n"],
-      over={**MEMBERS, **COMPLEMENTS, x: vector(d)}, where=[*PRODUCTS, CONTROLLABILITY, function(Xi, [k], _upper(k))],
+claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is invertible",
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]) & iff(pd(_upper(t)), invertible(K_[t]))), sizes=["d", "n"],
+      over={**MEMBERS, **COMPLEMENTS}, where=[*PRODUCTS, CONTROLLABILITY],
       given=[ALL_IN_H, *(_complement(f"null vectors {m}", *pair) for m, pair in enumerate(BOTH_UPPER))],
       by=[induction(also=[*IN_H_t, psd(K_[t]), K_[t] * N_[t] == ZERO, T(b[t]) * W_[t] == ZERO],
-                    base=START, step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,
-                                           [], NEXT.inverse, NEXT.upper, NEXT.lower, roots=NEXT.roots)),
-          _many(*BOTH_UPPER, **{"x": _null_at(K_[n])}), _many(*BOTH_UPPER, **{"x": _null_at(_upper(n))}), _many(*BOTH_UPPER)],
-      note=AS_NULL_VECTORS)
+                    base=order(*NULL_SUMS, inside=_both_positive(T(b[t]), _upper(t), K_[t], 11)),
+                    step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,
+                               [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_upper(t + 1)], roots=NEXT.roots,
+                               inside=_both_positive(T(b[t + 1]), _upper(t + 1), K_[t + 1], 11))),
+          _many(*BOTH_UPPER)],
+      note=SERVING)
 
 claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
       forall(t, 1, n, iff(Xi(t) * x == Zero(d, 1), Both(t) * x == Zero(2 * d, 1))),
