@@ -139,25 +139,34 @@ Gs, Vv = symbols("G VV")
 LOOPS = {A: signal_of(matrix(d, d), 0), F: signal_of(matrix(d, p), 0), C: signal_of(matrix(q, d), 0), P: signal_of(symmetric_matrix(d), 0)}
 PIECES = (function(R, [t], T(C[t]) * C[t]), function(S, [t], F[t] * T(F[t])), function(K, [t], P[t] * T(C[t])),
           function(H, [t], Identity(d) - P[t] * R(t)), function(B, [t], A[t] - P[t] * R(t) * A[t]))
+
+
+def _gram(*columns):
+    """The Gramian of a matrix in blocks of columns."""
+    return hstack(*columns) * T(hstack(*columns)) == sum((x * T(x) for x in columns[1:]), columns[0] * T(columns[0]))
+
+
 claim("B93-S76", "G is the Gramian of V",
-      always(t, Gs[t] == Vv[t]), sizes=["d", "p", "q"], over=LOOPS,
+      always(t, Gs[t] == Vv[t])
+      & _gram(K(0), H(0) * F[0]) & _gram(K(1), H(1) * F[1], B(1) * Wm), sizes=["d", "p", "q", "m"], over={**LOOPS, Wm: matrix(d, m)},
       where=[*PIECES,
              rec(Gs, t, P[0] * R(0) * P[0] + H(0) * S(0) * T(H(0)),
                  P[t + 1] * R(t + 1) * P[t + 1] + H(t + 1) * S(t + 1) * T(H(t + 1)) + B(t + 1) * Gs[t] * T(B(t + 1))),
              rec(Vv, t, K(0) * T(K(0)) + (H(0) * F[0]) * T(H(0) * F[0]),
                  K(t + 1) * T(K(t + 1)) + (H(t + 1) * F[t + 1]) * T(H(t + 1) * F[t + 1]) + B(t + 1) * Vv[t] * T(B(t + 1)))],
-      by=[induction(), instances(12, **SMALL, horizon=3)],
-      note="Times are counted from 0. VV is V_n V_n*, which for V_n = (K_n, H_n F_n, B_n V_{n-1}) follows the recursion that defines it here; "
-           "G follows from T_n + B_n G_{n-1} B_n*.")
+      by=[induction(), instances(12, **SMALL, m=(1, 2), horizon=3)],
+      note="Times are counted from 0. VV is V_n V_n*, which for V_n = (K_n, H_n F_n, B_n V_{n-1}) follows the recursion that defines it here: that "
+           "is the last equation, for any V_{n-1} = Wm. G follows from T_n + B_n G_{n-1} B_n*.")
 
 Ww, Ss = symbols("WW SS")
 claim("B93-S75", "the Gramian of W lies above the controllability sum",
-      always(t, loewner(Ww[t], Ss[t])), sizes=["d", "p", "q"], over=LOOPS,
+      always(t, loewner(Ww[t], Ss[t])) & _gram(K(0), F[0]) & _gram(K(1), F[1], A[1] * Wm), sizes=["d", "p", "q", "m"],
+      over={**LOOPS, Wm: matrix(d, m)},
       where=[*PIECES[1:3], rec(Ww, t, K(0) * T(K(0)) + S(0), K(t + 1) * T(K(t + 1)) + S(t + 1) + A[t + 1] * Ww[t] * T(A[t + 1])),
              rec(Ss, t, S(0), S(t + 1) + A[t + 1] * Ss[t] * T(A[t + 1]))],
-      by=[induction(base=order([K(0) * T(K(0))]), step=order([K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])])),
-          instances(12, **SMALL, horizon=3)],
-      note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}). So W_n has rank d wherever the sum on the right is "
+      by=[induction(base=[order([K(0) * T(K(0))]), order()], step=order([K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])])),
+          instances(12, **SMALL, m=(1, 2), horizon=3)],
+      note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}), see the last equation. So W_n has rank d wherever the sum on the right is "
            "invertible, and so has V_n = W_n U_n.")
 
 Vn, Sn = symbols("Vn Sn")

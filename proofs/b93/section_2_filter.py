@@ -226,16 +226,14 @@ claim("B93-S65", "a bound for the inverse of the image of the identity",
           instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL)],
       note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
 
-M_, N_, number = symbols("M N number")
+M_, N_ = symbols("M N")
 BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), P: matrix(d, d), Q: matrix(d, d), R: matrix(d, d), S: matrix(d, d), X: matrix(d, d)}
 COMPOSED = (eq(((A * P + B * R) * X + A * Q + B * S) * inv((C * P + D * R) * X + C * Q + D * S),
                (A * ((P * X + Q) * inv(R * X + S)) + B) * inv(C * ((P * X + Q) * inv(R * X + S)) + D)))
-claim("B93-S68", "the composition of two maps is the map of the product, said to be (12)",
-      COMPOSED & (number == 13), sizes=["d"], over=BLOCKS, where=[let(number, 12)],
-      by=[example(d=1, A=[[1]], B=[[0]], C=[[0]], D=[[1]], P=[[1]], Q=[[0]], R=[[0]], S=[[1]], X=[[1]]), instances(d=(1, 2))],
-      repair=repair("cross-reference", "That a product acts as the composition is (13); (12) defines the action.", COMPOSED, sizes=["d"], over=BLOCKS,
-                    by=[order(), instances(d=(1, 2))]),
-      note="13 is the number of the display that says so. Two factors are stated, in blocks; for more it is repeated.")
+claim("B93-S68", "the composition of two maps is the map of the product",
+      COMPOSED, sizes=["d"], over=BLOCKS, by=[order(), instances(d=(1, 2))],
+      note="Two factors are stated, in blocks; for more it is repeated. The display that says so is (13); (12), which the text names, defines the "
+           "action from which it follows.")
 
 claim("B93-S70", "the norm of K_n x",
       (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
