@@ -47,7 +47,7 @@ STRENGTHS = ("proved", "proved-sizes", "steps", "instances", "enclosed")
 
 _WITNESSES = 3  # instances kept beside a proof
 _TRIES = 150  # instances looked at in search of a counterexample
-_PATIENCE = 20.0  # seconds after which the search stops once it has what the certificate needs
+_PATIENCE = 60.0  # seconds after which the search stops once it has what the certificate needs; no claim on record takes as long
 
 
 @dataclass
