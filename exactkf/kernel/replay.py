@@ -356,7 +356,7 @@ def _combination(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
     for world, field in _cases(statement, evidence):
         goals = [(goal, set(range(len(field.factors)))) for goal in _residuals(world, statement["says"])]  # with what has been divided by until then
         _need(len(goals) == len(evidence["terms"]), "as many lists of terms as equations are needed")
-        used = {label for terms in evidence["terms"] for _, label, _ in terms}
+        used = dict.fromkeys(label for terms in evidence["terms"] for _, label, _ in terms)  # in their order, as what is told of cancelling is
         before, new = len(field.factors), set[int]()
         residual = {label: list(_residuals(world, hypotheses[label.removesuffix("'")])) for label in used}
         granted = set(range(before, len(field.factors))) | {index for h in residual.values() for r in h for index in _coefficient_divisors(r)}
