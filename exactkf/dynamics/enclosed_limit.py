@@ -27,6 +27,7 @@ from flint import acb_poly, arb
 
 from exactkf._errors import Unsupported
 from exactkf.dynamics.exact_json import element_json, field_json
+from exactkf.dynamics.spectral_factor import times
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.algebraic import AlgebraicField
@@ -70,7 +71,7 @@ class EnclosedLimit(NamedTuple):
             if not on:
                 rest.append((monic, multiplicity))
             for _ in range(multiplicity // 2 if on else 0):
-                circle = _times(circle, monic)
+                circle = times(circle, monic)
         return cls(rest, D[-1], circle, list(removed))
 
     @property
@@ -90,7 +91,7 @@ class EnclosedLimit(NamedTuple):
         pseudo = [self.lead]
         for factor, multiplicity in self.rest:
             for _ in range(multiplicity):
-                pseudo = _times(pseudo, factor)
+                pseudo = times(pseudo, factor)
         rest, circle, removed = _for_checker([pseudo, self.circle, self.removed])
         bits = max(_START, 5 * digits)
         while bits < _BOUND:
@@ -126,11 +127,3 @@ def _for_checker(polynomials: list[list[Any]]) -> list[list[Any]]:
     modulus, lo, hi = field_json(next(x.field for p in polynomials for x in p if isinstance(x, RealNumber)))  # type: ignore[misc]
     field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
     return [[field.element([Fraction(int(c.p), int(c.q)) for c in x.poly.coeffs()]) for x in p] for p in polynomials]
-
-
-def _times(p: list, q: list) -> list:
-    out = [0 * p[0]] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out

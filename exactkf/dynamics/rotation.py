@@ -39,7 +39,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import cache
-from math import isqrt
 
 from flint import arb, fmpq, fmpz, fmpz_poly, nmod_poly
 
@@ -220,12 +219,3 @@ def whole_part(x: Scalar) -> int:
         if n is not None:
             return int(n)
         digits *= 2
-
-
-def small_root(p: int, q: int) -> fmpq | None:
-    r"""Return the rational root of :math:`q z^2 - p z + q` of modulus at most one, :math:`|p| \ge 2q > 0`, if there is one."""
-    disc = p * p - 4 * q * q
-    r = isqrt(disc)
-    if r * r != disc:
-        return None
-    return fmpq(p - r if p > 0 else p + r, 2 * q)

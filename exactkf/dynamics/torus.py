@@ -27,6 +27,7 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz_mat, fmpz_poly
 
 from exactkf._errors import Unsupported
+from exactkf.dynamics.spectral_factor import times
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_real_roots, count_roots, palindromic_to_x
@@ -77,7 +78,7 @@ def _over_a_field(D: Sequence[Any]) -> tuple[fmpz_poly, int, list[list[str]], di
     """The wandering factor of a rational multiple of D, the number of wandering zeros of D and their intervals, and evidence."""
     odd = [D[-1] / D[-1]]
     for factor, multiplicity in squarefree(list(D)):
-        odd = _times(odd, factor) if multiplicity % 2 else odd
+        odd = times(odd, factor) if multiplicity % 2 else odd
     if len(odd) == 1 or count_circle(odd)[1] == 0:
         return fmpz_poly([1]), 0, [], {}
     norm = _norm([x / odd[-1] for x in odd])
@@ -114,14 +115,6 @@ def _norm(p: Sequence[RealNumber]) -> fmpz_poly:
     powers = fmpq_mat([[fmpq(z) ** k for k in range(size)] for z in range(size)])
     found = fmpq_poly([row[0] for row in powers.solve(fmpq_mat(values)).tolist()]).numer()
     return found // found.content()
-
-
-def _times(p: list, q: list) -> list:
-    out = [0 * p[0]] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out
 
 
 def _wandering(D: fmpz_poly) -> tuple[fmpz_poly, int]:

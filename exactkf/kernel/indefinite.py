@@ -156,11 +156,14 @@ class Indefinite:
             return made, plus(low, offset, -1), plus(high, offset, -1)
         return made, plus(offset, high, -1), plus(offset, low, -1)
 
+    def _from_constant(self, form: Form) -> tuple[Form, int]:
+        """A form without its constant, and that."""
+        form = self.region.reduce(form)
+        return {n: x for n, x in form.items() if n}, form.get("", 0)
+
     def _sum_to(self, made: tuple, high: Form) -> Symbolic:
         """The indefinite sum, by its value where the constant is zero and the terms from there."""
-        high = self.region.reduce(high)
-        c = high.get("", 0)
-        base = {n: x for n, x in high.items() if n}
+        base, c = self._from_constant(high)
         out = self.atom(("sum", made, form_key(base)))
         for q in range(min(c, 0) + 1, max(c, 0) + 1):
             term = self._at(made, plus(base, {"": q}))
@@ -169,9 +172,7 @@ class Indefinite:
 
     def _product_to(self, made: tuple, high: Form) -> Symbolic:
         """The indefinite product, in the same way."""
-        high = self.region.reduce(high)
-        c = high.get("", 0)
-        base = {n: x for n, x in high.items() if n}
+        base, c = self._from_constant(high)
         out = self.atom(("prod", made, form_key(base)))
         for q in range(min(c, 0) + 1, max(c, 0) + 1):
             factor = self.number(0)

@@ -330,7 +330,6 @@ claim("B93-S20", "the two blocks of a product that have to be nonnegative",
 ONE_INVERTIBLE = given("one of the A*C is invertible", invertible(T(A2) * C2) | invertible(T(A1) * C1))
 HALF = instances(d=(1, 2, 3, 6), using={**USING, Q1: positive_definite(d)}, made_by=MADE_PAIR)
 OTHER_HALF = instances(d=(1, 2, 3, 6), using={**USING, Q2: positive_definite(d)}, made_by=MADE_PAIR)
-SHOWN_TWICE = (BOTH.inverse, BOTH.lower)
 
 claim("B93-S21", "when A3*C3 is positive",
       pd(T(A3) * C3), sizes=["d"], over=PAIR, where=SETTING,

@@ -83,8 +83,6 @@ c, d, e, f, l, o, p, q, v, w, x, y, z, Lambda, Gamma, M, E = symbols("c d e f l 
 
 #: A of Proposition 6.4 and the blocks (6.14) of S
 CLOSED = (let(A, F - g * T(h)),)
-S_OF_A = (let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))],
-                        [g * T(g) * inv(T(A)), A - g * T(g) * inv(T(A)) * h * T(h)]])),)
 #: sigma and the blocks (6.8), read off the transposed display
 SIGMA = (let(sigma, 1 - T(h) * inv(F) * g),)
 BLOCKS = (

@@ -96,7 +96,6 @@ CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ9
 _GLUE = ("Necessity: in the limit (2.18) makes D a multiple of v(z)v(1/z), see X.1. Sufficiency: if a and b are coprime, Im(I; 0) does not meet the codominant subspace "
          "(Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. A common factor goes "
          "through all steps (X.3), and alpha_n = 0 lowers the order (S26).")
-_BIT = x / (1 + 4 * x)
 claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
       TENDS, **_VECTORS,
       by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose=_GLUE),

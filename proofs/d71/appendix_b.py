@@ -223,8 +223,6 @@ CYCLIC_WHERE = [PHI, function(quotient, [k], when(k == 0, 1, lam*quotient(k - 1)
                 let(theta, sum_of(k, 0, p - 1, quotient(k)*Z**(p - 1 - k)))]
 SHIFTED = A - lam*I
 EIGENVECTOR = (v != Zero(n, 1)) & (theta*(Z - lam) == phi) & (SHIFTED*substitute(theta, A) == substitute(phi, A)) & (A*v == lam*v)
-AT_ZERO = example(n=1, p=1, A=[[0]], x=[0], a=[0], lam=0)
-NOT_SMALLEST = example(n=2, p=2, A=[[1, 0], [0, 2]], x=[1, 0], a=[3, -2], lam=2)
 
 ell, quot, theta_t, r = symbols("ell q theta r")
 LESS_LAST = r - t_

@@ -82,7 +82,6 @@ I = Identity(n)
 z, m, c = symbols("z m c")
 RUN = {"n": (1, 2), "p": (1, 2), "N": (1, 4)}
 WHERE = [*VARYING, COVARIANCE]
-V_POSITIVE = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
 
 #: data without end, for statements about every k
 ENDLESS = {Phi: signal_of(matrix(n, n), 0), M: signal_of(matrix(p, n), 0), H: signal_of(positive_semidefinite(n), 0),
@@ -257,12 +256,9 @@ claim("D71-E3.3", "a null vector of P_m is one of R_d(t_m)",
 
 AFTER = {**slices(N), P0: positive_semidefinite(n)}
 V_POSITIVE_AFTER = given("V_k > 0", forall(k, 0, N - 1, pd(V(k))))
-REGULAR_AFTER = given("Phi_k is nonsingular from m on", forall(k, m, N - 1, invertible(Phi(k))))
 AFTER_SIZES = {"n": (1, 2), "p": (1, 2), "m": (1, 2), "N": (1, 2, 4)}
 IN_TIME = standing("m <= N", m <= N)
 SINGULAR_PHI = example(n=1, p=1, m=1, N=2, P0=[[0]], PhiW=[[1, 0]], MW=[[1, 1]], GW=[[1, 0]], WW=[[1, 1]])
-#: an exact measurement brings the covariance back to zero
-EXACT_MEASUREMENT = example(n=1, p=1, m=1, N=2, P0=[[1]], PhiW=[[1, 1]], MW=[[0, 1]], GW=[[1, 0]], WW=[[1, 0]])
 NEEDS_PHI = "a singular Phi_k with k >= m can make P_{k+1} singular again; with Phi_m = 0 and H_m = 0 it is zero"
 
 claim("D71-S21", "once positive definite, always positive definite",

@@ -90,7 +90,6 @@ claim("D71-E3.113", "the equilibrium of J = diag(2, 2)",
 FAMILY = (rows([[rational("16/3"), 8], [8, 12]]) + x*rows([[rational("2/3"), 0],
                                                            [1, 0]]) + y*rows([[rational("2/3"), 1], [0, 0]])
           - rational("1/9")*x*y*rows([[rational("4/3"), 2], [2, 3]]))
-OF_S_T = symbols("TG FG PG")
 
 claim("D71-E3.114", "the family of J = diag(2, 1/2)",
       (Rp*TT == TT*diag(2, half)) & (P == FAMILY) & (P == step()),

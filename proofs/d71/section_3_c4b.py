@@ -61,7 +61,6 @@ EQUILIBRIUM = given("P is an equilibrium", P == step())
 SOLVED = {H: P - Phi*update()*T(Phi)}
 IS_K = given("K = B - PD", K == B - P*D)
 INNOVATION = T(M)*inv(M*P*T(M) + V)*M
-N_ONLY = {"n": (1, 2, 3)}
 POWERS = rec(Pi, t, I, K*Pi[t])
 
 # --- from above ---------------------------------------------------------------------------------------------------------
