@@ -41,7 +41,7 @@ def check_paths(paths: Iterable[Path]) -> int:
                 click.echo(f"exactkf: argument PATH = {str(file)!r}: {error}", err=True)
             meter.step(file.name)
     for file, needed in granted.items():
-        shown = ", which a certificate here proves," if needed in proved else ""
+        shown = " (a proof by that name replays here)" if needed in proved else ""
         click.echo(f"{file}: replays assuming {needed}{shown} for its parametrisation to reach everything")
     assuming = f", {len(granted)} of them assuming what is named above" if granted else ""
     click.echo(f"{len(files) - rejected - strange} of {len(files)} certificates replay{assuming}")

@@ -55,8 +55,10 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
     asked = hints.get("order", {})
-    first = _by_membership if not any(asked.get(key) for key in ("sums", "lemmas", "inside", "factors")) else _by_order  # hints are for an order
-    for way in (first, _by_order if first is _by_membership else _by_membership):
+    ways = [_by_membership, _by_order]
+    if any(asked.get(key) for key in ("sums", "lemmas", "inside", "factors")):  # hints are for an order
+        ways.reverse()
+    for way in ways:
         yield from way(id, statement, asked, seconds, degree)
     if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
         return

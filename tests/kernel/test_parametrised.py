@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
+from exactkf.check import check_paths
 from exactkf.engine import verify_statement
 from exactkf.evidence import identity, instances
 from exactkf.kernel.replay import Rejected, replay, seal
@@ -67,6 +70,20 @@ def test_a_parametrisation_may_bring_definitions_of_its_own():
         replay(seal("T-1", "identity", _statement(x * c == 0, where=[let(x, c)]).to_json(), evidence))
     with pytest.raises(Rejected, match="two things have one name"):
         replay(seal("T-1", "identity", _statement(s == 0).to_json(), {**evidence, "where": [["let", "s", [], 0]]}))
+
+
+def test_what_a_parametrisation_rests_on_is_said(tmp_path, capsys):
+    """The claim that it reaches everything is named, and that a proof by that name is there, which is all that the checker sees."""
+    over = [["c", ["scalar"]], ["s", ["scalar"]]]
+    made = {"sizes": [], "over": over, "where": [], "given": [["on the circle", ["=", ["^", ["sym", "c"], 2], 1], "needed"]], "says": ["=", ["sym", "c"], 1]}
+    granted = seal("T-1", "identity", made, {"cases": [{}], "given_by": {"c": 1}, "covered_by": "T-2"})
+    plain = seal("T-2", "identity", {**made, "given": [], "says": ["=", ["sym", "s"], ["sym", "s"]]}, {"cases": [{}]})
+    (tmp_path / "a.json").write_text(json.dumps(granted))
+    assert check_paths([tmp_path]) == 0
+    assert "replays assuming T-2 for its parametrisation to reach everything\n1 of 1 certificates replay, 1 of them assuming" in capsys.readouterr().out
+    (tmp_path / "b.json").write_text(json.dumps(plain))
+    assert check_paths([tmp_path]) == 0
+    assert "assuming T-2 (a proof by that name replays here) for" in capsys.readouterr().out
 
 
 def test_every_instances_evidence_is_searched():
