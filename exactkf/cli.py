@@ -211,13 +211,14 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--picture", "pictures", multiple=True, metavar="KIND=FILE",
               help="Draw plane, gamma, alpha or spectrum as .png or .svg; may be repeated.")
 @click.option("--steps", type=click.IntRange(min=1, max=10000), default=60, show_default=True, help="Steps of the orbit in pictures.")
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; what is not found by then is said to be open.")
 def analyze(file: Path | None, **how: Any) -> int:
     """Decide what the gain of a filter does: converge, escape, repeat or wander.
 
     The filter comes in a .toml or .json FILE or in options. Numbers are fractions, decimals taken exactly,
     sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
 
-    Exit status: 0 if the orbit is decided, 1 if it is undecided, 2 if the call is wrong.
+    Exit status: 0 if the orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong.
     """
     from exactkf.dynamics.command import analyze_command
 

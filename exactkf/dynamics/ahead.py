@@ -93,7 +93,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     BadInput
         If the entries are not rational, the lengths differ, `T` is negative or `digits` is not positive.
     Unsupported
-        If the precision needed is above 2**17 bits, as for a state at or next to an escape.
+        If the precision needed is above 2**17 bits and 32 times the digits, as for a state at or next to an escape.
 
     Examples
     --------
@@ -116,13 +116,14 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     reduced = reduce_pair(Q, S)
     start, m = min(reduced.start, T), len(reduced.Q) - 1
     bits = 64 + 4 * digits
-    while bits <= _BOUND:
+    bound = max(_BOUND, 8 * bits)
+    while bits <= bound:
         with precision(bits):
             found = _at(a, g, start) if T <= start else _power(reduced.Q, reduced.S, reduced.removed, T - start) if m else _rest(reduced.removed)
         if found is not None and all(x.rad() < arb(10) ** -digits for x in (*found[0], *found[1])):
             return DigitsAhead(*found, None, answer.never_escapes)
         bits *= 2
-    raise Unsupported(f"the state after {T} steps needs more than {_BOUND} bits; it is next to an escape, or is one")
+    raise Unsupported(f"the state after {T} steps needs more than {bound} bits; it is next to an escape, or is one")
 
 
 def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> list[str]:
