@@ -63,6 +63,8 @@ def test_a_file_says_the_same_as_options(tmp_path):
     (("--alpha", "2", "--gamma", "1/2", "--picture", "alpha=p.png"), "of order 1"), (("--alpha", "2", "--gamma", "1/2", "--json", "/"), "is a folder"),
     (("--alpha", "2", "--gamma", "1/2", "--digits", "0"), "--digits"), (("--a", "1,2", "--g", "0,1/2", "--pi0", "1"), "'pi0' comes with a filter of order 2"),
     (("--alpha", "root(x^2-2,-2,2)", "--gamma", "0"), "holds 2 real roots"),
+    *((("--alpha", "2", "--gamma", "1/2", "--after", T), f"'{T}' is not a number of steps") for T in ("-1", "1.5", "2^9999", "x")),
+    (("--covariances", "1,1/2"), "too few for order 1"),
 ])
 def test_wrong_calls_are_one_line(args, says):
     """Exit code 2 and one line that names the argument."""
@@ -155,3 +157,9 @@ def test_a_limit_of_large_degree_is_enclosed():
     """Order eight: the limit in digits, at once."""
     done = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30")
     assert done.exit_code == 0 and done.stdout.count("(enclosed)") == 8, done.output
+
+
+def test_numbers_of_steps_may_be_powers():
+    """10^6, 1e6 and 1000000 are the same; algebraic data go ahead too."""
+    ends = [run("--alpha", 3, "--gamma", "sqrt(2)", "--after", T).stdout.splitlines()[-2:] for T in ("10^6", "1e6", 1000000)]
+    assert ends[0] == ends[1] == ends[2] and ends[0][0].startswith("a_1(1000000) = 0.")
