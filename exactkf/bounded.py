@@ -108,10 +108,8 @@ def _run(function: Callable[[Any, Callable[[Any], None]], None], request: Any, t
     except ExactkfError as error:
         there.send(("raised", error))
     except MemoryError:
-        there.send(("raised", _memory()))
+        there.send(("raised", Ended("out of memory")))
+    except Exception as error:
+        there.send(("raised", Ended(f"crashed: {type(error).__name__}: {' '.join(str(error).split())}")))
     else:
         there.send(("done", None))
-
-
-def _memory() -> Exception:
-    return Ended("out of memory")

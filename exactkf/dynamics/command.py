@@ -45,7 +45,7 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
             write_text(files[name], text)
     missing = [path for name, path in files.items() if name not in found.texts()] + [path for _, path in drawings if path not in found.drawn]
     for path in missing:
-        click.echo(f"exactkf: {path}: not written, {found.why}", err=True)
+        click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)
     for path in found.drawn:
         click.echo(f"{path}: picture written", err=True)
     return 1 if found.why or found.missing or found.data["behaviour"] == "undecided" else 0
@@ -55,7 +55,7 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
 class _Found:
     """What the stages told, and why they stopped early, if they did."""
 
-    stage: str = "beginning"
+    stage: str = "starting"
     order: int | None = None
     data: dict[str, Any] = field(default_factory=dict)
     lines: list[str] = field(default_factory=list)
@@ -106,11 +106,11 @@ class _Found:
 def _carried_out(request: Request, time_limit: float) -> _Found:
     """Run in a process of its own, which ends at the time limit whatever it is doing."""
     found = _Found()
-    with Meter("analyze", request.stages()) as meter:
+    with Meter("analyze", request.stages() + 1) as meter:
         def heard(told: Told) -> None:
-            found.hear(told)
             if told[0] == "stage":
                 meter.step(found.stage)
+            found.hear(told)
 
         try:
             bounded(carry_out, request, time_limit, heard, meter.tick)

@@ -85,8 +85,12 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
         tell(("file", (name, _TEXTS[name](answer))))
     for kind, path in request.pictures:
         tell(("stage", f"drawing the {kind} picture"))
-        _draw(kind, path, filter, request.steps)
-        tell(("drawn", path))
+        try:
+            _draw(kind, path, filter, request.steps)
+        except Unsupported as error:
+            tell(("missing", f"{kind} picture: {error}"))
+        else:
+            tell(("drawn", path))
 
 
 _TEXTS: dict[str, Callable[[Answer], str]] = {

@@ -159,6 +159,17 @@ def test_a_limit_of_large_degree_is_enclosed():
     assert done.exit_code == 0 and done.stdout.count("(enclosed)") == 8, done.output
 
 
+@pytest.mark.parametrize("args, why", [
+    (("--a", "0,-1", "--g", "0,1", "--picture", "spectrum={}"), "spectrum picture: D is zero"),
+    (("--alpha", "10^1000", "--gamma", "1/2", "--picture", "plane={}"), "plane picture: a coordinate of the start is beyond 1e+100"),
+])
+def test_what_cannot_be_drawn_is_said(tmp_path, args, why):
+    """The decision is printed, the reason too, and the exit code is 1."""
+    done = run(*(x.format(tmp_path / "p.png") for x in args))
+    assert done.exit_code == 1 and done.stdout.startswith("order ") and f"Not found: {why}" in done.stdout, done.output
+    assert not (tmp_path / "p.png").exists() and "not written" in done.stderr and done.stderr.count("\n") == 1
+
+
 def test_numbers_of_steps_may_be_powers():
     """10^6, 1e6 and 1000000 are the same; algebraic data go ahead too."""
     ends = [run("--alpha", 3, "--gamma", "sqrt(2)", "--after", T).stdout.splitlines()[-2:] for T in ("10^6", "1e6", 1000000)]
