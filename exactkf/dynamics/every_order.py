@@ -58,6 +58,7 @@ from exactkf.dynamics.wandering import (
     escapes_before,
     irreducible_at,
     modulus_without_escape,
+    more_places_without_escape,
     no_escape_modulo,
     places_without_escape,
 )
@@ -424,7 +425,7 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
             case.facts.append(Fact(f"The orbit does not escape modulo {modulus}, so it never does.",
                                    f"$1 - \\gamma_t^2$ is no multiple of ${modulus}$, so it is never zero."))
             return {"modulus": modulus}
-    places = places_without_escape(pair, before)
+    places = places_without_escape(pair, before) or more_places_without_escape(pair, before)
     if places is None:
         return None
     shown = ", ".join(str(p) for p, *_ in places)
