@@ -287,6 +287,8 @@ class _Proof:
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
+            if not any(x.num for x in wanted):
+                uses = ()  # nothing is left to follow from them
             granted = set(terms.met)
             known = [x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)]
             for use in uses:
