@@ -242,10 +242,12 @@ claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
            "types come near.")
 
 claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order one",
-      (alpha[1] == column(i, n, when(i == 1, x / (1 - gamma0[n] ** 2), 0))) & (gamma[1][n] == -x * gamma0[n] / (1 - gamma0[n] ** 2)),
-      sizes=["n"], over={x: scalar(), gamma0: vector(n)}, where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT],
+      (alpha[1] == column(i, n, when(i == 1, x / (1 - gamma0[n] ** 2), 0))) & (gamma[1][n] == -x * gamma0[n] / (1 - gamma0[n] ** 2))
+      & (coeff(D, 1) * (1 + x**2 - gamma0[n] ** 2) == coeff(D, 0) * x) & forall(i, 2, n, coeff(D, i) == 0),
+      sizes=["n"], over={x: scalar(), gamma0: vector(n)},
+      where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0])))],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
-      note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1); the other entries of gamma "
+      note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1), on the curve with kappa = 2 d_1/d_0 = kappa_1; the other entries of gamma "
            "are earlier values of gamma_{n-1} after n - 1 steps.")
 
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",

@@ -96,15 +96,17 @@ claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
            "different below the parabola, none is above; on the boundary some are on the circle.")
 
 claim("BLZ94-F8.3c", "the other equilibria with the same D",
-      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
-      over={x: nonzero(), y: nonzero()}, where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y))],
-      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1)],
+      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(q) == 1) & (outside_roots(w) == 2)
+      & (c**2 * e * recip(e) == p * recip(p)) & (outside_roots(e) == 2),
+      over={x: nonzero(), y: nonzero(), r: scalar(), s: nonzero()},
+      where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y)), let(c, r**2 + s**2), let(p, Z**2 - 2 * r * Z + c), let(e, Z**2 - 2 * r / c * Z + 1 / c)],
+      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1), given("the pair inside", r**2 + s**2 < 1)],
       by=[steps(facts=["a polynomial has one factorization into linear ones"],
-                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. A complex pair can only be "
-                      "replaced together."),
-          instances(20, using={u: nonzero(), v: nonzero()}, made_by={x: u / 7, y: v / 7}), example({x: 2, y: "1/2"}), example({x: "1/3", y: 2}),
-          example({x: "1/3", y: "1/2"})],
-      note="Real zeros x, y. For x = y, on the parabola, the two saddles are one.")
+                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. Of the complex zeros of p one alone cannot be replaced, "
+                      "as e has real coefficients."),
+          instances(20, using={u: nonzero(), v: nonzero(), k: scalar(), d: nonzero()}, made_by={x: u / 7, y: v / 7, r: k / 7, s: d / 7}), example({x: 2, y: "1/2", r: 0, s: "1/2"}), example({x: "1/3", y: 2, r: 0, s: "1/2"}),
+          example({x: "1/3", y: "1/2", r: 0, s: 2}), example({x: "1/3", y: "1/2", r: "-1/3", s: "1/2"})],
+      note="f has the real zeros x, y: below the parabola; p the complex zeros r + is, r - is: above it. For x = y, on the parabola, the two saddles are one.")
 
 _ROWS = rows([[1 + al1**2 + al2**2, al1 * (1 + al2), al2], [2 * al1, 1 + al2, 0], [2 * al2, al1, 1]])
 #: a and b with their coefficients; D and its derivatives with respect to these, one a row
