@@ -10,6 +10,11 @@ the covariances of its noises add the skipped steps. It does not keep observabil
 rotation by a right angle seen in one coordinate every second time, A^2 = -I, and the other
 coordinate is never seen.
 
+Two of the examples need more than they say. A sequence that keeps for ever the value it begins with is stationary, but
+not ergodic, as Hypothesis H asks. For Z_n = (a rho_{n-1} + eps_n) Z_{n-1} + eta_n the second moment grows,
+E Z_n^2 = E Z_{n-1}^2 + 1 + a^2 E (rho_{n-1} Z_{n-1})^2, so that the parameters (a, 1, Z_{n-1}) are not stationary with finite
+variance for any a.
+
 Stability uses x_n = B_{n+1}* x_{n+1} and V_n = x_n* P_n x_n: by Lemma 2.7,
 V_{n+1} - V_n = x_{n+1}* T_{n+1} x_{n+1}, at least lambda |x_{n+1}|^2 >= (lambda/sigma) V_{n+1}
 where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
