@@ -61,7 +61,7 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z, self.inverting, self.kept = _classified(statement, self.definitions)
+        self.recursive, self.in_z, self.inverting, self.others, self.kept = _classified(statement, self.definitions)
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
@@ -272,6 +272,8 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
+        if self.within and self.within[1].intersection(_names(tree)):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if _inverts(tree, self.inverting):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
@@ -414,6 +416,8 @@ class Terms(Indefinite):
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
         if not self.is_matrix(tree):
+            if self.others(tree):
+                self._need_number(tree, env)
             return {"": 1}, {"": 1}
         op = tree[0]
         if op == "mat":
@@ -455,6 +459,13 @@ class Terms(Indefinite):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] in ("sum", "prod"):
+            env = {**env, tree[1]: {f"@{len(env)}": 1}}
+        if tree[0] not in _OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[_OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""
@@ -604,14 +615,48 @@ def _names(tree: Any) -> Iterator[str]:
             yield from _names(x)
 
 
-_last: list[Any] = [None, set(), set(), set(), {}]  # a statement with what `_classified` says of it: many are asked for in a row
+_last: list[Any] = [None, ()]  # a statement with what `_classified` says of it: many are asked for in a row
 
 
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool]]:
-    """Recursive definitions, those whose value depends on z, those that invert matrices, and what is known of shapes."""
+def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], Callable[[Any], bool], dict[str, bool]]:
+    """Recursive definitions, names whose value depends on z, definitions that invert matrices, what may be no number, and what is known of shapes."""
     if _last[0] is not statement:
-        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}
-    return _last[1], _last[2], _last[3], _last[4]
+        polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
+        in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
+        _last[:] = statement, (_recursive(definitions), in_z, _spread(definitions, _inverts), _no_numbers(statement, definitions), {})
+    return _last[1]  # type: ignore[no-any-return]
+
+
+def _no_numbers(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Callable[[Any], bool]:
+    """Whether a term may be something else than a number or a polynomial; what is told is kept with the term."""
+    kinds = {name: kind[0] for name, kind in statement["over"]}
+    named = {name for name, kind in kinds.items() if kind not in _NUMBERS}
+    called = {name for name, kind in kinds.items() if kind in ("sequence_of", "signal_of")}  # an entry is a matrix
+    told: dict[int, tuple[Any, bool]] = {}
+
+    def other(tree: Any, found: set[str]) -> bool:
+        if isinstance(tree, int):
+            return False
+        if tree[0] in ("sym", "at"):
+            return tree[1] in found | (named if tree[0] == "sym" else called)
+        parts = _OF_PARTS.get(tree[0])
+        return tree[0] not in _OF_NUMBERS if parts is None else any(other(x, found) for x in tree[parts])
+
+    definitions_too = _spread(definitions, other)
+
+    def others(tree: Any) -> bool:
+        if id(tree) not in told:
+            told[id(tree)] = tree, other(tree, definitions_too)
+        return told[id(tree)][1]
+
+    return others
+
+
+_NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
+_OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
+#: operations that are numbers if these arguments are
+_OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/": slice(1, 2), "^": slice(1, 2), "subst": slice(2, 3),
+             "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:

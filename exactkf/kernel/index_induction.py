@@ -22,7 +22,7 @@ Determinants, inverses and the like are not opened; what turns them into other t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import suppress
 from itertools import islice
 from typing import Any
@@ -310,10 +310,11 @@ class _Proof:
                 continue
             text = terms.field.text(f)
             if not self.witness.is_not_zero(terms, f):
-                equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
+                equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known, _places(f)).num  # what it is by the equations used here
                 if not (equal and self.witness.is_not_zero(terms, equal)):
                     raise Rejected(f"{place}: nothing tells that {text} is not zero")
-            self.not_zero.add(key)
+            else:  # whatever the indices are; the equations hold here
+                self.not_zero.add(key)
             if text not in self.denominators:
                 self.denominators.append(text)
 
@@ -362,12 +363,12 @@ def _difference(terms: Terms, left: Any, right: Any, m: Form, env: Mapping[str, 
     return terms.value(left, env) - terms.value(right, env)
 
 
-def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic]) -> Symbolic:
-    """The goal after each known equation has been solved for an atom that it contains linearly with a constant factor."""
+def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic], first: Collection[int] = ()) -> Symbolic:
+    """The goal after each known equation has been solved for an atom that it contains linearly with a constant factor, one of the first if it can be."""
     known = [x for x in known if x.num]
     while known:
         row = known.pop(0)
-        pivot = _pivot(terms, row)
+        pivot = _pivot(terms, row, first)
         if pivot is None:
             continue
         parts = _parts(row, pivot)
@@ -396,7 +397,7 @@ def _places(*polys: Mapping[int, int]) -> set[int]:
     return {place for place, e in enumerate(exponents(used)) if e}
 
 
-def _pivot(terms: Terms, row: Symbolic) -> int | None:
+def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
@@ -408,8 +409,8 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((left, place in below, _FIRST.index(terms.atoms[place][0]), place))
-    return min(found)[3] if found else None
+                found.append((place not in first, left, place in below, _FIRST.index(terms.atoms[place][0]), place))
+    return min(found)[-1] if found else None
 
 
 def _eliminated(terms: Terms, x: Symbolic, value: Symbolic, place: int) -> Symbolic:
