@@ -40,7 +40,7 @@ def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number:
     values: dict[str, Any] = {}
     for name in statement["sizes"]:
         values[name] = data["sizes"][name]
-        if not isinstance(values[name], int) or values[name] < 0:
+        if type(values[name]) is not int or values[name] < 0:
             raise Undefined(f"size {name} is not a natural number")
     values["horizon"] = data["sizes"].get("horizon", 5)
     if type(values["horizon"]) is not int or values["horizon"] < 0:

@@ -125,6 +125,7 @@ def _well_formed(certificate: Mapping[str, Any]) -> None:
     if certificate["kind"] == "orbit":  # a question and its answer
         return
     parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
+    _need(all(kind[0] != "integer" for _, kind in parameters), "a parameter is an integer, and has no value in an empty range")
     check_statement(statement, certificate["kind"] not in ("induction", "generic index"))
     if parameters or own:
         check_statement({**statement, "over": [*statement["over"], *parameters], "where": [*statement["where"], *own]})
@@ -487,6 +488,7 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
     recursions = [d for d in statement["where"] if d[0] == "rec"]
     _need(bool(recursions), "no recursion")
     _need(_index_only(body, index), "the index is used other than as an index")
+    _need(set(evidence.get("support") or {}) <= {d[1] for d in recursions}, "exponents are given of what is no recursion")
     for d in recursions:
         _need(d[3] == 0 and len(d[4]) == 1, f"recursion {d[1]} does not start with one value at 0")
         _need(_index_only(d[5], d[2]), f"recursion {d[1]} uses its index other than as an index")
