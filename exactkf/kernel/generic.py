@@ -34,6 +34,7 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["Terms", "connected"]
 
+_LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
 
 
@@ -149,6 +150,8 @@ class Terms(Indefinite):
         if op == "neg":
             return -self.value(tree[1], env)
         if op == "^" and isinstance(tree[2], int):
+            if abs(tree[2]) > _LARGEST_POWER:
+                raise Unknown("too large a power")
             out, x = self.number(1), self.value(tree[1], env)
             for _ in range(abs(tree[2])):
                 out = out * x
