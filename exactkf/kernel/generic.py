@@ -64,10 +64,11 @@ class Terms(Indefinite):
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.recursive, self.in_z, self.inverting, self.others, self.kept = _classified(statement, self.definitions)
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
+        self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
-        self.nested = 0
+        self.nested = self.perhaps = 0
         self.seen: dict[int, tuple[Any, bool]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
@@ -286,6 +287,8 @@ class Terms(Indefinite):
         if any(n.startswith("#") for form in key[1:] for n, _ in form):
             raise Unknown("an inverse that depends on the index of a sum")
         self.met.add(key)
+        if not self.perhaps:
+            self.sure.add(key)
 
     def has_z(self, tree: Any) -> bool:
         """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
@@ -434,11 +437,13 @@ class Terms(Indefinite):
         if op == "block":
             if any(len(row) != 1 for row in tree[1:]):
                 raise Unknown("blocks side by side at a generic index")
-            heights = [self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1} for row in tree[1:]]
+            heights, widths = zip(*(self.shape(row[0], env) for row in tree[1:]), strict=True)
+            if any(self.region.reduce(plus(x, widths[0], -1)) for x in widths[1:]):
+                raise Undefined("sizes do not fit")
             total: Form = {}
             for h in heights:
                 total = plus(total, h)
-            return total, {"": 1}
+            return total, widths[0]
         if op in ("sym", "at"):
             kinds = dict(self.statement["over"])
             if op == "sym" and tree[1] in kinds:
@@ -685,7 +690,7 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return False
     if tree[0] == "subst":
         return _mentions_z(tree[2], in_z)
-    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+    if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
 

@@ -41,6 +41,7 @@ class Indefinite:
     field: SymbolicField
     atoms: list[tuple]
     nested: int
+    perhaps: int
     within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
@@ -72,7 +73,9 @@ class Indefinite:
                 out = out * x if times else out + x
             return out
         name = f"#{self.nested}"  # sums within this one have other names
+        empty = int(self.region.decide(plus(high, low, -1)) is not True)  # then what stands in the body need not have a value
         self.nested += 1
+        self.perhaps += empty
         j = {name: 1}
         outer = self.region
         self.region = outer.and_(plus(j, low, -1), plus(high, j, -1))
@@ -95,6 +98,7 @@ class Indefinite:
         finally:
             self.region = outer
             self.nested -= 1
+            self.perhaps -= empty
         if self.within and any(generic.num):  # only what it is made of is looked at
             return self.atom(("sum", (), ((name, 1),)))
         return self._quotient(generic, name, low, high) if times else self._indefinite(generic, name, low, high)

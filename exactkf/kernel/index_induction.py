@@ -287,7 +287,7 @@ class _Proof:
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
             wanted = goal(terms)
-            granted = set(terms.met)
+            granted = set(terms.sure)
             known = [x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)]
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off

@@ -52,6 +52,25 @@ def test_a_polynomial_has_coefficients():
     assert accepted("generic index", {**made, "over": [["p", ["scalar"]]]}, {"lemmas": []})
 
 
+def test_a_reversed_number_is_a_polynomial():
+    """rev(c, n) = c z^n, though there is no z in it."""
+    for tree in (["rev", c, 2], at("f", 2)):
+        made = statement(["=", ["coeff", tree, 2], 0], SCALAR, (), [["let", "f", ["k"], ["rev", c, k]]])
+        assert not accepted("generic index", made, {"lemmas": []})
+        assert accepted("generic index", {**made, "says": ["=", ["coeff", tree, 2], c]}, {"lemmas": []})
+
+
+def test_blocks_have_all_their_columns():
+    """Two matrices with one column in common are not equal for that."""
+    first, zero = (["mat", "i", "j", n, n, x] for x in (when("=", j, 1, 0, 1), 0))
+    for row in ([], [["mat", "i", "j", 1, n, 0]], [["col", "i", 1, 0]]):
+        says = ["=", *(["block", [x], *([row] if row else [])] for x in (first, zero))]
+        assert not accepted("generic index", statement(says, []), {"lemmas": []})
+    assert not accepted("generic index", statement(["=", ["ncols", ["block", [first], [zero]]], 1], []), {"lemmas": []})
+    assert accepted("generic index", statement(["=", ["ncols", ["block", [first], [zero]]], n], []), {"lemmas": []})
+    assert accepted("generic index", statement(["=", ["block", [zero], [zero]], ["mat", "i", "j", ["+", n, n], n, 0]], []), {"lemmas": []})
+
+
 # ---------------------------------------------------------------------- recursions that define nothing
 def test_a_recursion_behind_a_determinant_defines_nothing():
     """X[t + 1] = det(X[t + 1]) + 1 has no solution."""
@@ -99,3 +118,18 @@ def test_what_is_not_zero_at_some_indices_may_be_zero_at_others():
     assert not accepted("generic index", made, evidence)
     assert accepted("generic index", {**made, "says": ["forall", "t", 0, 0, ["forall", "k", 1, n, ["=", X, 2]]]},
                     {"lemmas": [two, product, divides], "uses": [{"lemma": 0, "at": {"t": k}}]})
+
+
+# ---------------------------------------------------------------------- inverses
+def test_an_inverse_in_an_empty_sum_need_not_exist():
+    """For t = 0 nothing in a sum from 1 to t has a value; from 0 to t something has."""
+    u, singular = ["sym", "u"], ["inv", ["mat", "i", "j", 2, 2, 0]]
+    cancelled = {"index": "s", "fact": "solve", "says": ["=", ["*", singular, u, 0], u]}
+    evidence = {"lemmas": [cancelled], "uses": [{"lemma": 0, "at": {"s": 0, "row": 1, "column": 1}}]}
+    over = [["w", ["signal", 0]], ["u", ["matrix", 2, 1]]]
+    for low, good in ((1, False), (0, True)):
+        total = ["sum", "k", low, t, ["*", ["entry", ["*", singular, u], 1], at("w", k)]]
+        made = statement(["forall", "t", 0, n, ["=", ["+", total, at("u", 1)], total]], over)
+        assert accepted("generic index", made, evidence) is good  # there is no instance of the second
+        nowhere = {"sizes": {"n": 0}, "values": {"w": [0], "u": [[1], [1]]}}
+        assert accepted("counterexample", made, {"instance": nowhere}) is not good
