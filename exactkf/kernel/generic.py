@@ -26,7 +26,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import inverts, known
+from exactkf.kernel.known import OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -35,6 +35,7 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["Terms"]
 
+_LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
 
 
@@ -63,14 +64,15 @@ class Terms(Indefinite):
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.known = known(statement, self.definitions)
-        self.has_z, self.is_matrix = self.known.has_z, self.known.is_matrix
+        self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
+        self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
-        self.nested = 0
-        self.called: dict[tuple, tuple[Symbolic, set[tuple]]] = {}
+        self.nested = self.perhaps = 0
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -152,6 +154,8 @@ class Terms(Indefinite):
         if op == "neg":
             return -self.value(tree[1], env)
         if op == "^" and isinstance(tree[2], int):
+            if abs(tree[2]) > _LARGEST_POWER:
+                raise Unknown("too large a power")
             out, x = self.number(1), self.value(tree[1], env)
             for _ in range(abs(tree[2])):
                 out = out * x
@@ -275,6 +279,8 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
+        if self.within and self.within[1].intersection(names(tree)):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if inverts(tree, self.inverting):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
@@ -284,6 +290,8 @@ class Terms(Indefinite):
         if any(n.startswith("#") for form in key[1:] for n, _ in form):
             raise Unknown("an inverse that depends on the index of a sum")
         self.met.add(key)
+        if not self.perhaps:
+            self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
@@ -292,14 +300,17 @@ class Terms(Indefinite):
             return self.atom(("at", name, *map(form_key, args)))
         key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
-            met, self.met = self.met, set()
+            before = self.met, self.sure, self.perhaps
+            self.met, self.sure, self.perhaps = set(), set(), 0
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
             finally:
-                met |= self.met
-                self.met = met
-        out, met = self.called[key]
+                before[0].update(self.met)
+                self.met, self.sure, self.perhaps = before
+        out, met, sure = self.called[key]
         self.met |= met
+        if not self.perhaps:
+            self.sure |= sure
         return out
 
     def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
@@ -408,6 +419,8 @@ class Terms(Indefinite):
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
         if not self.is_matrix(tree):
+            if self.others(tree):
+                self._need_number(tree, env)
             return {"": 1}, {"": 1}
         op = tree[0]
         if op == "mat":
@@ -421,11 +434,13 @@ class Terms(Indefinite):
         if op == "block":
             if any(len(row) != 1 for row in tree[1:]):
                 raise Unknown("blocks side by side at a generic index")
-            heights = [self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1} for row in tree[1:]]
+            heights, widths = zip(*(self.shape(row[0], env) for row in tree[1:]), strict=True)
+            if any(self.region.reduce(plus(x, widths[0], -1)) for x in widths[1:]):
+                raise Undefined("sizes do not fit")
             total: Form = {}
             for h in heights:
                 total = plus(total, h)
-            return total, {"": 1}
+            return total, widths[0]
         if op in ("sym", "at"):
             kind = self.known.kinds.get(tree[1])
             if op == "sym" and kind:
@@ -448,6 +463,13 @@ class Terms(Indefinite):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] in ("sum", "prod"):
+            env = {**env, tree[1]: {f"@{len(env)}": 1}}
+        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""

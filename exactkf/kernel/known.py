@@ -14,7 +14,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-__all__ = ["Known", "inverts", "known"]
+__all__ = ["OF_PARTS", "Known", "inverts", "known", "names"]
+
+_NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
+_OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
+#: operations that are numbers if these arguments are
+OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/": slice(1, 2), "^": slice(1, 2), "subst": slice(2, 3),
+            "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
 
 
 class Known:
@@ -23,19 +29,26 @@ class Known:
     Attributes
     ----------
     kinds : types of its variables
-    recursive, in_z, inverting : definitions that are recursive, whose value depends on z, that invert matrices
+    recursive, inverting : definitions that are recursive, that invert matrices
+    in_z : names whose value depends on z
     kept : recursions, with whether all their values are of one shape
     """
 
     def __init__(self, statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> None:
         self.statement, self.definitions = statement, definitions
         self.kinds = dict(statement["over"])
-        self.recursive, self.in_z = _recursive(definitions), _spread(definitions, _mentions_z)
+        polynomials = {name for name, kind in self.kinds.items() if kind[0] in ("poly", "monic")}
+        self.recursive = _recursive(definitions)
+        self.in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
         self.inverting = _spread(definitions, inverts)
         self.kept: dict[str, bool] = {}
         self._with_z: dict[int, tuple[Any, bool]] = {}
         self._matrices: dict[int, tuple[Any, bool]] = {}
-        self.calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
+        self._others: dict[int, tuple[Any, bool]] = {}
+        self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
+        self._called = {name for name, kind in self.kinds.items() if kind[0] in ("sequence_of", "signal_of")}  # an entry is a matrix
+        self._no_numbers = _spread(definitions, self._other)
+        self.calls = {n: set(names(list(d))) & set(definitions) for n, d in definitions.items()}
 
     def has_z(self, tree: Any) -> bool:
         """Whether a term depends on z."""
@@ -65,6 +78,20 @@ class Known:
             return self.is_matrix(tree[1])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
+    def others(self, tree: Any) -> bool:
+        """Whether a term may be something else than a number or a polynomial."""
+        if id(tree) not in self._others:
+            self._others[id(tree)] = tree, self._other(tree, self._no_numbers)
+        return self._others[id(tree)][1]
+
+    def _other(self, tree: Any, found: set[str]) -> bool:
+        if isinstance(tree, int):
+            return False
+        if tree[0] in ("sym", "at"):
+            return tree[1] in found | (self._named if tree[0] == "sym" else self._called)
+        parts = OF_PARTS.get(tree[0])
+        return tree[0] not in _OF_NUMBERS if parts is None else any(self._other(x, found) for x in tree[parts])
+
     def reached(self, start: str) -> set[str]:
         """Names that a definition leads to."""
         todo, seen = [start], set[str]()
@@ -89,17 +116,18 @@ def known(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Known
     return _last[0]
 
 
-def _names(tree: Any) -> Iterator[str]:
+def names(tree: Any) -> Iterator[str]:
+    """Names that occur in a term."""
     if isinstance(tree, list):
         if tree[:1] in (["sym"], ["at"]):
             yield tree[1]
         for x in tree:
-            yield from _names(x)
+            yield from names(x)
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:
     """Recursions, and functions that lead back to themselves without passing a recursion."""
-    calls = {name: set(_names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
+    calls = {name: set(names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
     found = {name for name, d in definitions.items() if d[0] == "rec"}
     for name in calls:
         todo, seen = list(calls[name]), set[str]()
@@ -120,7 +148,7 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return False
     if tree[0] == "subst":
         return _mentions_z(tree[2], in_z)
-    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+    if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
 
