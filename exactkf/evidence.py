@@ -185,7 +185,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
     ``solve``                               inv(M) * v == x, or inv(M) == x
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
-    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
