@@ -33,6 +33,7 @@ from typing import Any
 
 from exactkf.kernel.generic import Terms, connected
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.opaque import with_names
 from exactkf.kernel.packed import Poly, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
@@ -178,7 +179,7 @@ class Witness:
             raise Unknown("no value of a term that is not opened")
         for number in range(len(key) - 2):
             env[f"@{number}"] = {f"@{number}": 1}
-        matrix = _with_names(tree[1])
+        matrix = with_names(tree[1])
         if _looked_at(self, matrix, env):
             return Fraction(1)
         raise Unknown("no value of a determinant")
@@ -188,7 +189,7 @@ class Witness:
         kind, name = key[:2]
         if kind == "prod":  # of factors one at the point: then P is one there
             return Fraction(1) if self._number(key[1]) == 1 else None
-        if kind == "opaque":
+        if kind in ("opaque", "word"):
             return self._opaque(key)
         if kind == "sum":  # of atoms that have been looked at
             return None
@@ -238,13 +239,6 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
-
-
-def _with_names(tree: Any) -> Any:
-    """A text of a term with names for its indices."""
-    if not isinstance(tree, list):
-        return tree
-    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [_with_names(x) for x in tree]
 
 
 def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:

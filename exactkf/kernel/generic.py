@@ -25,6 +25,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
@@ -35,10 +36,11 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 __all__ = ["Terms", "connected"]
 
 _MOST_OPEN = 60  # definitions opened within each other
+_MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
 
 
 # ---------------------------------------------------------------------- terms
-class Terms(Indefinite):
+class Terms(Indefinite, Chains):
     """Terms of a statement in a region, as rational functions of atoms.
 
     Parameters
@@ -61,7 +63,8 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z, self.inverting, self.kept = _classified(statement, self.definitions)
+        self.symmetric = {name for name, kind in statement["over"] if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
+        self.recursive, self.in_z, self.inverting, self.kept, self.letters = _classified(statement, self.definitions)
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
@@ -272,9 +275,13 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if _inverts(tree, self.inverting):
+        if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def inverts(self, tree: Any) -> bool:
+        """Whether a term contains an inverse."""
+        return _inverts(tree, self.inverting)
 
     def _meet(self, name: str, forms: Any) -> None:
         key = (name, *(form_key(self.region.reduce(x)) for x in forms))
@@ -311,14 +318,22 @@ class Terms(Indefinite):
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
-                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
+        return self.deeper(d, args, read)
+
+    def not_smaller(self, name: str, last: Form) -> bool:
+        """A value that may not be used, in a look at what a recursion is made of."""
+        return bool(self.within) and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
+        """What a definition says, unless too many are open."""
         self.depth += 1
         try:
             if self.depth > _MOST_OPEN:
-                raise Unknown(f"definition of {name} does not end")
+                raise Unknown(f"definition of {d[1]} does not end")
             return self._open(d, args, read)
         finally:
             self.depth -= 1
@@ -401,11 +416,11 @@ class Terms(Indefinite):
         if tree[0] in ("sym", "at"):
             d = self.definitions.get(tree[1])
             kinds = {name: kind[0] for name, kind in self.statement["over"]}
-            if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", "matrix"):
+            if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", *_MATRICES):
                 return True
             return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
-        if tree[0] == "/":
-            return self.is_matrix(tree[1])
+        if tree[0] in ("/", "if", "sum"):
+            return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
     def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
@@ -436,18 +451,30 @@ class Terms(Indefinite):
             kinds = dict(self.statement["over"])
             if op == "sym" and tree[1] in kinds:
                 kind = kinds[tree[1]]
-                return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
+                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in _MATRICES else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
                 self._need_one_shape(d)
                 return self.shape(d[4][0], {})
-            return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
+            inner = dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {}
+            if d[1] in self.recursive:  # what a first branch gives
+                self._need_one_shape(d)
+                return self.shape(d[3][2], inner)
+            return self.shape(d[3], inner)
         if op in ("/", "^"):
             return self.shape(tree[1], env)
         if op == "inv":
             return self.shape(tree[1], env)[::-1]
         if op == "subst":
             return self.shape(tree[2], env)
+        if op == "if":
+            both = [self.shape(x, env) for x in tree[2:]]
+            return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
+        if op == "sum":
+            found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
+            if any(tree[1] in form for form in found):
+                raise Unknown("a sum of matrices of different sizes")
+            return found
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -457,12 +484,12 @@ class Terms(Indefinite):
         return shapes[0]
 
     def _need_one_shape(self, d: Any) -> None:
-        """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""
+        """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
         name, region = d[1], self.region
         if name not in self.kept:
             self.kept[name], self.region = True, Region([])
             try:
-                first, *others = (self.shape(tree, env) for tree, env in [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})])
+                first, *others = (self.shape(tree, env) for tree, env in _branches(d))
                 keeps = all(shape == first for shape in others)
             except (Unknown, Undefined, Split, KeyError):
                 keeps = False
@@ -477,6 +504,8 @@ class Terms(Indefinite):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
+        if self.letters and op not in ("mat", "col", "block") and not self.letters.isdisjoint(_names(tree)):
+            return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
         if op == "col":
@@ -507,6 +536,10 @@ class Terms(Indefinite):
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if op == "if":
+            return self.entry(tree[2 if self.condition(tree[1], env) else 3], i, j, env)
+        if op == "sum":
+            return self.matrix_sum(tree, env, lambda body, inner: self.entry(body, i, j, inner))
         if self._is_power_of_number(tree, env):
             return self.value(tree, env)
         if op in ("inv", "^", "subst"):
@@ -545,33 +578,16 @@ class Terms(Indefinite):
         return scalars, chain
 
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Entry (i, j) of a product; one with an inverse or a power is not opened, and p(F) is the sum of p_k F^k."""
+        """Entry (i, j) of a product; one with an inverse, a power, p(F) or a matrix variable is a sum of words."""
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
-        for k, part in enumerate(parts):
-            if not isinstance(part, int) and part[0] == "subst":
-                return self._polynomial_in(parts, k, i, j, env)
-        if any(not isinstance(x, int) and x[0] in ("inv", "^") and not self._is_power_of_number(x, env) for x in parts):
-            return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
+        if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
+                self.letters and not self.letters.isdisjoint(_names(parts))):
+            return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
-
-    def _polynomial_in(self, parts: list, at: int, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product with p(F) as its factor at a place, for a polynomial p = X_t with exponents 0 .. t."""
-        _, p, matrix = parts[at]
-        if p[0] != "at" or p[1] not in self.supported or self.limited:
-            raise Unknown("a value of a polynomial whose degree is not known")
-        degree, name = self.index(p[-1], env), f"@{len(env)}"
-
-        def term(terms: Terms, k: Form) -> Symbolic:
-            power = [*parts[:at], ["^", matrix, ["sym", name]], *parts[at + 1:]]
-            return terms.coefficient(p, k, env) * terms._chain(power, i, j, {**env, name: k})
-
-        if not self.region.holds(degree):
-            raise Unknown("a polynomial of negative index")
-        return self.total({}, degree, term)
 
 
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
@@ -581,7 +597,7 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 
 
 def _atom_text(key: tuple) -> str:
-    if key[0] == "opaque":
+    if key[0] in ("opaque", "word"):
         return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"
     if key[0] in BOUND:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
@@ -604,14 +620,25 @@ def _names(tree: Any) -> Iterator[str]:
             yield from _names(x)
 
 
-_last: list[Any] = [None, set(), set(), set(), {}]  # a statement with what `_classified` says of it: many are asked for in a row
+_last: list[Any] = [None, set(), set(), set(), {}, set()]  # a statement with what `_classified` says of it: many are asked for in a row
 
 
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool]]:
-    """Recursive definitions, those whose value depends on z, those that invert matrices, and what is known of shapes."""
+def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool], set[str]]:
+    """Recursive definitions, those whose value depends on z, those that invert matrices, what is known of shapes, and what is made of matrix variables."""
     if _last[0] is not statement:
-        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}
-    return _last[1], _last[2], _last[3], _last[4]
+        matrices = {name for name, kind in statement["over"] if kind[0] in _MATRICES and kind[-1] != 1}
+        letters = matrices | _spread(definitions, lambda tree, found: not (matrices | found).isdisjoint(_names(tree)))
+        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}, letters
+    return _last[1], _last[2], _last[3], _last[4], _last[5]
+
+
+def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
+    """Initial values and the step of a recursion; both branches of a function that is given by cases."""
+    if d[0] == "rec":
+        return [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})]
+    if d[3][0] != "if":
+        raise Unknown(f"the shape of {d[1]}")
+    return [(x, {p: {f"@{p}": 1} for p in d[2]}) for x in d[3][2:]]
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:

@@ -31,7 +31,7 @@ from exactkf.evidence import example, fact, generic_index, identity, induction, 
 from exactkf.language import *
 from proofs.blm91.notation import *
 
-xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, bk, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y y_back F_m Q_m")
+xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, Fm, Qm, row = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y F_m Q_m row")
 SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
 
 # ---------------------------------------------------------------------- estimates as projections
@@ -61,14 +61,31 @@ claim("BLM91-E2.17", "the gain is that of the Riccati equation",
       where=[*FILTER, rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * T(g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h))], by=BY,
       note="(2.17) is the coefficient of the innovation in (2.16), which is checked there; here it is compared with (1.3), (1.4), "
            "which the paper says can be derived from it.")
+# ---------------------------------------------------------------------- the gain, for every n and t
+FORWARD, innovation = combined(phi, symbols("ytilde_0 ytilde_v ytilde_w"))
+BACKWARD, from_the_past = combined(phis, symbols("yback_0 yback_v yback_w"))
+MODELLED = (*STATE, REALIZED, *szego(c))
+REVERSED = lemma(t, phis[t] == rev(phi[t], t), rule=True)
+
+
+def sums_with(p, combination):
+    """E{x_(t+1) (p_(t,0) y_0 + .. + p_(t,i) y_i)'} from (2.1), by induction on i."""
+    return lemma(i, forall(t, i, m, covariance(state(t + 1), combination(t, i)) == sum_of(k, 0, i, coeff(p[t], k) * (F ** (t - k) * g))),
+                 uses=[use(3, i=i, t=t, row=row)])
+
+
+BY_SUMS = {"supported": [phi, phis], "uses": [use(3, i=t, t=t, row=row)]}
+COEFFICIENTS = ("X_0 and X_v are the coefficients of x_0 and v_s in x_t; y~_t is a sum with the coefficients of phi_t for c_k = h'F^(k-1)g, and ytilde_0, ytilde_v, "
+                "ytilde_w are the coefficients of x_0, v_s, w_s in its first i + 1 terms. The sums are over all noise up to time m.")
 claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
-      forall(t, 0, m, kk(t) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
-      note=SAID + " From (2.1), shown for listed n and t, it is the reversal of phi_t, which holds for every t (BLZ94, (3.4)).")
+      forall(t, 0, m, 1 / r[t] * covariance(state(t + 1), innovation(t, t)) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM,
+      where=[*MODELLED, *FORWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
+      note="k_t is (2.17), E{x_(t+1) y~_t}/r_t. " + COEFFICIENTS)
 claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
-      forall(t, 0, m, substitute(phi[t], F) * g == X[t + 1] * G * T(bk(t))), sizes=["n", "m"], over=SYSTEM,
-      where=[*FILTER, function(bk, [t], sum_of(k, 0, t, coeff(phis[t], k) * Y(k)))], by=BY,
+      forall(t, 0, m, substitute(phi[t], F) * g == covariance(state(t + 1), from_the_past(t, t))), sizes=["n", "m"], over=SYSTEM,
+      where=[*MODELLED, *BACKWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phis, from_the_past), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
       note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
-           "prediction from y_1 .. y_t) what k_t is to the innovation. As for (2.18), what is shown for listed sizes alone is (2.1).")
+           "prediction from y_1 .. y_t) what k_t is to the innovation. " + COEFFICIENTS.replace("y~_t is a sum with the coefficients of phi_t", "it is a sum with the coefficients of phi_t*").replace("ytilde", "yback"))
 claim("BLM91-E2.29", "the filter driven by the output",
       forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
 
