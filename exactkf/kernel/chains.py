@@ -94,6 +94,8 @@ class Chains:
         op = tree[0]
         if op == "T":
             return put((tree[1], env, not flip))
+        if op == "^" and tree[1][0] == "T":
+            return put((["^", tree[1][1], tree[2]], env, not flip))
         if op == "*":
             scalars, chain = self._factors(tree, env)
             out = put(*((x, env, flip) for x in (reversed(chain) if flip else chain)))
@@ -185,7 +187,7 @@ class Chains:
         if len(word) == 1 and word[0][3] == _ONE and (tree := json.loads(word[0][0]))[0] == "sym" and tree[1] in self.sequences:
             return self.atom(("at", tree[1], form_key(j if word[0][2] else i)))
         ways = [(*_written(word), form_key(i), form_key(j)), (*_written(self._transposed(word)), form_key(j), form_key(i))]
-        return self.atom(("word", *min(ways, key=lambda way: (way[0].count('["T", '), way))))
+        return self.atom(("word", *min(ways, key=lambda way: (way[0].count('["T", '), way[0]))))  # not by indices, which move in a sum
 
     def _transposed(self, word: list[tuple[str, list[Form], bool, Form]]) -> list[tuple[str, list[Form], bool, Form]]:
         return [(text, forms, self._flipped(text, not flip), power) for text, forms, flip, power in reversed(word)]

@@ -326,7 +326,7 @@ class Terms(Indefinite, Chains):
 
     def not_smaller(self, name: str, last: Form) -> bool:
         """A value that may not be used, in a look at what a recursion is made of."""
-        return bool(self.within) and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+        return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
 
     def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
         """What a definition says, unless too many are open."""
