@@ -418,7 +418,10 @@ class Terms(Indefinite, Chains):
             kinds = {name: kind[0] for name, kind in self.statement["over"]}
             if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", *_MATRICES):
                 return True
-            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
+            if d is None or d[0] == "rec":
+                return d is not None and self.is_matrix(d[4][0])
+            body = d[3] if d[1] not in self.recursive else d[3][2] if d[3][0] == "if" else 0  # a recursion is what its first branch is
+            return len(d[2]) == len(tree) - 2 and self.is_matrix(body)
         if tree[0] in ("/", "if", "sum"):
             return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])

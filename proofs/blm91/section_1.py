@@ -13,11 +13,11 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
-from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, kk, xh, yt
+from proofs.blm91.section_2_filtering import COEFFICIENTS, FAST, FILTER, FORWARD, MODELLED, REVERSED, fk, fks, innovation, kk, row, sums_with, xh
 
 Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
     "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
@@ -33,9 +33,13 @@ claim("BLM91-E1.1", "the model is stationary, with E y^2 = 1 and E x_(t+1) y_t =
       note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties. X_0 and X_v are the coefficients of x_0 and v_s in x_t.")
 claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, RICCATI],
       by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
-OTHER = let(G2, T(X[0]) * P2 * X[0] + sum_of(k, 0, m + 1, T(vstack(V(k), W(k))) * block([[P2 - F * P2 * T(F), g - F * P2 * h], [T(g - F * P2 * h), 1 - T(h) * P2 * h]]) * vstack(V(k), W(k))))
-claim("BLM91-S1", "the gain is the same for all realizations", forall(t, 0, m, kk(t) == k2(t)), sizes=["n", "m"], over={**SYSTEM, P2: symmetric_matrix(n)},
-      where=[*FILTER, OTHER, function(k2, [t], 1 / r[t] * X[t + 1] * G2 * T(yt(t)))], by=BY, note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output.")
+OTHER = {"noise": (P2 - F * P2 * T(F), g - F * P2 * h, 1 - T(h) * P2 * h), "cov": P2}
+claim("BLM91-S1", "the gain is the same for all realizations",
+      forall(t, 0, m, 1 / r[t] * covariance(state(t + 1), innovation(t, t)) == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
+      over={**SYSTEM, P2: symmetric_matrix(n)}, where=[*MODELLED, *FORWARD],
+      by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), sums_with(phi, innovation, 4, **OTHER), supported=[phi, phis],
+                        uses=[use(v, i=t, t=t, row=row) for v in (3, 4)]), instances(n=(1, 2, 3), m=(1, 2))],
+      note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output. " + COEFFICIENTS)
 claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, kk(t) * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM,
       where=[*FILTER, RICCATI], by=BY, note="kk is the coefficient of the innovation in the projection, multiplied out by the scalar 1 - h'Pi_t h.")
 COV = function(cov, [t], xh(t) * G * T(xh(t)))

@@ -68,10 +68,10 @@ MODELLED = (*STATE, REALIZED, *szego(c))
 REVERSED = lemma(t, phis[t] == rev(phi[t], t), rule=True)
 
 
-def sums_with(p, combination):
-    """E{x_(t+1) (p_(t,0) y_0 + .. + p_(t,i) y_i)'} from (2.1), by induction on i."""
-    return lemma(i, forall(t, i, m, covariance(state(t + 1), combination(t, i)) == sum_of(k, 0, i, coeff(p[t], k) * (F ** (t - k) * g))),
-                 uses=[use(3, i=i, t=t, row=row)])
+def sums_with(p, combination, number=3, **realization):
+    """E{x_(t+1) (p_(t,0) y_0 + .. + p_(t,i) y_i)'} from (2.1), by induction on i, as the lemma so numbered."""
+    return lemma(i, forall(t, i, m, covariance(state(t + 1), combination(t, i), **realization) == sum_of(k, 0, i, coeff(p[t], k) * (F ** (t - k) * g))),
+                 uses=[use(number, i=i, t=t, row=row)])
 
 
 BY_SUMS = {"supported": [phi, phis], "uses": [use(3, i=t, t=t, row=row)]}
