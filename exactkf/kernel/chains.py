@@ -85,7 +85,26 @@ class Chains:
             found = self._rewritten(tree, env, flip, put, len(parts) == 1)
             if found is not None:
                 return found
-        return self._letters(parts, i, j)
+        found = self._by_entries(parts, i, j)
+        return self._letters(parts, i, j) if found is None else found
+
+    def _by_entries(self, parts: list[Part], i: Form, j: Form) -> Symbolic | None:
+        """A product in which a matrix is given by its entries, and none is an inverse or a power, as a sum over an index."""
+        if any(tree[0] in ("inv", "^") for tree, _, _ in parts):
+            return None
+        at = next((k for k, (tree, _, _) in enumerate(parts) if self._given_by_entries(tree)), None)
+        if at is None:
+            return None
+        cut = max(at, 1)  # what stands before it is one matrix, or it is the first itself
+        tree, env, flip = parts[cut]
+        width = self.shape(tree, env)[int(flip)]
+        return self.total(_ONE, width, lambda _, k: self.word(parts[:cut], i, k) * self.word(parts[cut:], k, j))
+
+    def _given_by_entries(self, tree: Any) -> bool:
+        if tree[0] in ("sym", "at"):
+            d = self.definitions.get(tree[1])
+            return d is not None and d[0] == "let" and tree[1] not in self.closed | self.recursive and d[3][0] in _AS_ENTRIES
+        return tree[0] in _AS_ENTRIES
 
     def _rewritten(self, tree: Any, env: Mapping[str, Form], flip: bool, put: Callable[..., Symbolic], alone: bool) -> Symbolic | None:
         """A product with this factor, or this matrix alone, once it is replaced by what it is made of; None for a letter."""
@@ -156,7 +175,7 @@ class Chains:
                 if self.not_smaller(name, args[-1]):
                     raise Unknown(f"{name} at an index that is not smaller")
                 return None
-        elif name in self.closed or d[3][0] in _AS_ENTRIES and not alone:
+        elif name in self.closed or self._given_by_entries(tree) and not alone:
             return None
         return self.deeper(d, args, read)
 

@@ -63,6 +63,7 @@ class Terms(Indefinite, Chains):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
+        self.matrices = {name for name, kind in statement["over"] if kind[0] in _MATRICES} - self.sequences
         self.symmetric = {name for name, kind in statement["over"] if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
         self.recursive, self.in_z, self.inverting, self.kept, self.letters = _classified(statement, self.definitions)
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
@@ -106,6 +107,8 @@ class Terms(Indefinite, Chains):
             return env[tree[1]]
         if op == "sym" and tree[1] in self.statement["sizes"]:
             return {tree[1]: 1}
+        if op == "sym" and (d := self.definitions.get(tree[1])) and d[0] == "let" and not d[2]:
+            return self._index(d[3], {})
         if op in ("+", "-"):
             total = self._index(tree[1], env)
             for part in tree[2:]:
@@ -173,6 +176,8 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
+        if op == "at" and tree[1] in self.matrices:
+            return self.entry(["sym", tree[1]], *([*(self.index(a, env) for a in tree[2:]), {"": 1}][:2]), {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
@@ -443,13 +448,7 @@ class Terms(Indefinite, Chains):
         if op == "T":
             return self.shape(tree[1], env)[::-1]
         if op == "block":
-            if any(len(row) != 1 for row in tree[1:]):
-                raise Unknown("blocks side by side at a generic index")
-            heights = [self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1} for row in tree[1:]]
-            total: Form = {}
-            for h in heights:
-                total = plus(total, h)
-            return total, {"": 1}
+            return self._blocks(tree, env)
         if op in ("sym", "at"):
             kinds = dict(self.statement["over"])
             if op == "sym" and tree[1] in kinds:
@@ -485,6 +484,19 @@ class Terms(Indefinite, Chains):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
+        """Size of a block matrix, whose blocks fit."""
+        shapes = [[self.shape(x, env) for x in row] for row in tree[1:]]
+        if any(self.region.reduce(plus(h, row[0][0], -1)) for row in shapes for h, _ in row) or any(
+                len(row) != len(shapes[0]) or any(self.region.reduce(plus(w, v, -1)) for (_, w), (_, v) in zip(row, shapes[0], strict=True)) for row in shapes):
+            raise Undefined("sizes of blocks do not fit")
+        height, width = Form(), Form()
+        for row in shapes:
+            height = plus(height, row[0][0])
+        for _, w in shapes[0]:
+            width = plus(width, w)
+        return height, width
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
@@ -531,11 +543,18 @@ class Terms(Indefinite, Chains):
                 factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
             return factor * (self._chain(chain, i, j, env) if chain else self.number(1))
         if op == "block":
+            self._blocks(tree, env)
             for row in tree[1:]:
-                height = self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1}
-                if self.region.holds(plus(height, i, -1)):
-                    return self.entry(row[0], i, j, env) if self.is_matrix(row[0]) else self.value(row[0], env)
-                i = self.region.reduce(plus(i, height, -1))
+                height = self.shape(row[0], env)[0]
+                if not self.region.holds(plus(height, i, -1)):
+                    i = self.region.reduce(plus(i, height, -1))
+                    continue
+                for x in row:
+                    width = self.shape(x, env)[1]
+                    if self.region.holds(plus(width, j, -1)):
+                        return self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env)
+                    j = self.region.reduce(plus(j, width, -1))
+                break
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)

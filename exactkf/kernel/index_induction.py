@@ -7,10 +7,14 @@ between bounds; the hypothesis of the induction and the lemmas before may be use
 places. In each region of the parameters the equation then has to follow from them by elimination
 of atoms that they contain linearly with a constant factor.
 
-Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed. So everything is said of
+Definitions that the statement makes enter; its hypotheses are needed seldom. Without them everything is said of
 elements of the field of rational functions in the variables, and carries over to every instance on which the conclusion
 has a value. In that field recursions must have values, and nothing that is divided by may be zero, in a lemma
 neither: `exactkf.kernel.defined` sees to that.
+
+A use may be of a hypothesis that says equations. Then everything is said of the numbers of an instance: recursions have values there,
+as they are well-founded and nothing is divided by; what is divided by all the same, in any lemma, must be
+a difference that a hypothesis says is not zero, or a variable of a type that says so.
 
 Main definitions
 ----------------
@@ -30,7 +34,7 @@ from typing import Any
 from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
-from exactkf.kernel.numbers import Rejected, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
@@ -57,6 +61,8 @@ def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> 
         for lemma in evidence["lemmas"]:
             proof.lemma(lemma)
         proof.conclude(evidence)
+        if proof.assumes and proof.at_point:
+            raise Rejected(f"a hypothesis is used, and none says that {proof.at_point[0]} is not zero")
     except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
         raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
     return proof.denominators
@@ -74,6 +80,8 @@ class _Proof:
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
         self.not_zero: set[frozenset] = set()
+        self.assumes = False  # a hypothesis has been used
+        self.at_point: list[str] = []  # what is not zero because of a point, and perhaps zero on an instance of the hypotheses
         names = _RESERVED & {*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
@@ -227,6 +235,9 @@ class _Proof:
                 places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
                 yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
             return
+        if "given" in use:
+            yield from self._assumed(terms, use, names)
+            return
         number = use["lemma"]
         if type(number) is not int or not 0 <= number < len(self.lemmas):
             raise Rejected(f"there is no lemma {number} here")
@@ -242,6 +253,30 @@ class _Proof:
         elif not terms.region.holds(plus(t, {"": lemma.get("from", 0)}, -1)):
             return
         yield from self._said(terms, lemma["says"], {lemma["index"]: t}, places)
+
+    def _assumed(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
+        """Equations that a hypothesis says at the places given."""
+        formula = next((formula for label, formula, _ in self.statement["given"] if label == use["given"]), None)
+        if formula is None:
+            raise Rejected(f"there is no hypothesis {use['given']!r}")
+        self.assumes = True
+        with suppress(Unknown):  # places of another part
+            places = {name: terms.index(tree, names) for name, tree in use["at"].items()}
+            yield from self._said(terms, formula, {}, places)
+
+    def _is_granted(self, terms: Terms, p: Mapping[int, int]) -> bool:
+        """A hypothesis, or the type of a variable, says that a polynomial is not zero."""
+        places = _places(p)
+        kinds = dict(self.statement["over"])
+        if len(p) == 1 and len(places) == 1 and (key := terms.atoms[min(places)])[0] == "at" and kinds.get(key[1], ("",))[0] in ("nonzero", "positive"):
+            return True
+        for _, formula, _ in self.statement["given"]:
+            if formula[0] == "!=":
+                with suppress(Unknown, Undefined, Split):
+                    x = terms.value(formula[1], {}) - terms.value(formula[2], {})
+                    if not x.den and (x.num == p or x.num == {k: -c for k, c in p.items()}):
+                        return True
+        return False
 
     def _said(self, terms: Terms, says: Any, env: dict[str, Form], places: Mapping[str, Form]) -> Iterator[Symbolic]:
         if says[0] == "and":
@@ -309,6 +344,8 @@ class _Proof:
             if key in self.not_zero:
                 continue
             text = terms.field.text(f)
+            if not self._is_granted(terms, f):
+                self.at_point.append(text)
             if not self.witness.is_not_zero(terms, f):
                 equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known).num  # what it is by the equations used here
                 if not (equal and self.witness.is_not_zero(terms, equal)):
