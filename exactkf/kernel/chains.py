@@ -26,6 +26,7 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from exactkf.kernel.known import Known
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.opaque import opaque, with_names
 from exactkf.kernel.region import Form, Region, form_key, plus
@@ -48,8 +49,7 @@ class Chains:
     inverting: set[str]
     closed: set[str]
     supported: set[str]
-    letters: set[str]
-    symmetric: set[str]
+    known: Known
     limited: bool
     depth: int
     atom: Callable[[tuple], Symbolic]
@@ -214,7 +214,7 @@ class Chains:
     def _flipped(self, text: str, flip: bool) -> bool:
         """Whether a letter is transposed: one that is symmetric is not."""
         tree = json.loads(text)
-        return flip and not (tree[0] == "sym" and tree[1] in self.symmetric)
+        return flip and not (tree[0] == "sym" and tree[1] in self.known.symmetric)
 
     def again(self, key: tuple) -> Symbolic:
         """A word with other indices: where an exponent is zero now, or two letters are the same, it is another one."""

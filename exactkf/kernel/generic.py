@@ -21,22 +21,22 @@ Notation: a form is {parameter: integer} with '' for the constant; ``#0, #1, ..`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
+from exactkf.kernel.known import MATRICES, inverts, known
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms", "connected"]
+__all__ = ["Terms"]
 
 _MOST_OPEN = 60  # definitions opened within each other
-_MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
 
 
 # ---------------------------------------------------------------------- terms
@@ -63,15 +63,15 @@ class Terms(Indefinite, Chains):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.matrices = {name for name, kind in statement["over"] if kind[0] in _MATRICES} - self.sequences
-        self.symmetric = {name for name, kind in statement["over"] if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
-        self.recursive, self.in_z, self.inverting, self.kept, self.letters = _classified(statement, self.definitions)
+        self.known = known(statement, self.definitions)
+        self.has_z, self.is_matrix = self.known.has_z, self.known.is_matrix
+        self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = 0
-        self.seen: dict[int, tuple[Any, bool]] = {}
+        self.called: dict[tuple, tuple[Symbolic, set[tuple]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -176,8 +176,9 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
-        if op == "at" and tree[1] in self.matrices:
-            return self.entry(["sym", tree[1]], *([*(self.index(a, env) for a in tree[2:]), {"": 1}][:2]), {})
+        if op == "at" and tree[1] in self.known.matrices:
+            i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
+            return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
@@ -286,7 +287,7 @@ class Terms(Indefinite, Chains):
 
     def inverts(self, tree: Any) -> bool:
         """Whether a term contains an inverse."""
-        return _inverts(tree, self.inverting)
+        return inverts(tree, self.inverting)
 
     def _meet(self, name: str, forms: Any) -> None:
         key = (name, *(form_key(self.region.reduce(x)) for x in forms))
@@ -294,17 +295,25 @@ class Terms(Indefinite, Chains):
             raise Unknown("an inverse that depends on the index of a sum")
         self.met.add(key)
 
-    def has_z(self, tree: Any) -> bool:
-        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
-        if id(tree) not in self.seen:
-            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
-        return self.seen[id(tree)][1]
-
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
+        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        if key not in self.called:
+            met, self.met = self.met, set()
+            try:
+                self.called[key] = self._called(name, args, read, m, place), self.met
+            finally:
+                met |= self.met
+                self.met = met
+        out, met = self.called[key]
+        self.met |= met
+        return out
+
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -411,26 +420,6 @@ class Terms(Indefinite, Chains):
         return read(body, env)
 
     # ------------------------------------------------------------------ matrices
-    def is_matrix(self, tree: Any) -> bool:
-        if isinstance(tree, int):
-            return False
-        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
-            return True
-        if tree[0] in ("^", "subst"):
-            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
-        if tree[0] in ("sym", "at"):
-            d = self.definitions.get(tree[1])
-            kinds = {name: kind[0] for name, kind in self.statement["over"]}
-            if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", *_MATRICES):
-                return True
-            if d is None or d[0] == "rec":
-                return d is not None and self.is_matrix(d[4][0])
-            body = d[3] if d[1] not in self.recursive else d[3][2] if d[3][0] == "if" else 0  # a recursion is what its first branch is
-            return len(d[2]) == len(tree) - 2 and self.is_matrix(body)
-        if tree[0] in ("/", "if", "sum"):
-            return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
-        return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
-
     def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
         return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
 
@@ -450,10 +439,9 @@ class Terms(Indefinite, Chains):
         if op == "block":
             return self._blocks(tree, env)
         if op in ("sym", "at"):
-            kinds = dict(self.statement["over"])
-            if op == "sym" and tree[1] in kinds:
-                kind = kinds[tree[1]]
-                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in _MATRICES else {"": 1}
+            kind = self.known.kinds.get(tree[1])
+            if op == "sym" and kind:
+                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
                 self._need_one_shape(d)
@@ -519,7 +507,7 @@ class Terms(Indefinite, Chains):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
-        if self.letters and op not in ("mat", "col", "block") and not self.letters.isdisjoint(_names(tree)):
+        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
             return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
@@ -604,7 +592,7 @@ class Terms(Indefinite, Chains):
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
         if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
-                self.letters and not self.letters.isdisjoint(_names(parts))):
+                any(self.known.has_letters(x) for x in parts)):
             return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
@@ -634,26 +622,6 @@ def _form_text(form: tuple) -> str:
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
 
 
-def _names(tree: Any) -> Iterator[str]:
-    if isinstance(tree, list):
-        if tree[:1] in (["sym"], ["at"]):
-            yield tree[1]
-        for x in tree:
-            yield from _names(x)
-
-
-_last: list[Any] = [None, set(), set(), set(), {}, set()]  # a statement with what `_classified` says of it: many are asked for in a row
-
-
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool], set[str]]:
-    """Recursive definitions, those whose value depends on z, those that invert matrices, what is known of shapes, and what is made of matrix variables."""
-    if _last[0] is not statement:
-        matrices = {name for name, kind in statement["over"] if kind[0] in _MATRICES and kind[-1] != 1}
-        letters = matrices | _spread(definitions, lambda tree, found: not (matrices | found).isdisjoint(_names(tree)))
-        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}, letters
-    return _last[1], _last[2], _last[3], _last[4], _last[5]
-
-
 def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
     """Initial values and the step of a recursion; both branches of a function that is given by cases."""
     if d[0] == "rec":
@@ -661,63 +629,3 @@ def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
     if d[3][0] != "if":
         raise Unknown(f"the shape of {d[1]}")
     return [(x, {p: {f"@{p}": 1} for p in d[2]}) for x in d[3][2:]]
-
-
-def _recursive(definitions: Mapping[str, Any]) -> set[str]:
-    """Recursions, and functions that lead back to themselves without passing a recursion."""
-    calls = {name: set(_names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
-    found = {name for name, d in definitions.items() if d[0] == "rec"}
-    for name in calls:
-        todo, seen = list(calls[name]), set[str]()
-        while todo:
-            x = todo.pop()
-            if x in calls and x not in seen:
-                seen.add(x)
-                todo.extend(calls[x])
-        if name in seen and definitions[name][2]:
-            found.add(name)
-    return found
-
-
-def _mentions_z(tree: Any, in_z: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    if tree[0] in ("coeff", "laurent"):
-        return False
-    if tree[0] == "subst":
-        return _mentions_z(tree[2], in_z)
-    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
-        return True
-    return any(_mentions_z(x, in_z) for x in tree[1:])
-
-
-def _inverts(tree: Any, inverting: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    return tree[0] == "inv" or (tree[0] in ("sym", "at") and tree[1] in inverting) or any(_inverts(x, inverting) for x in tree)
-
-
-def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
-    """Names that a definition leads to and that lead back to it."""
-    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
-
-    def reached(start: str) -> set[str]:
-        todo, seen = [start], set[str]()
-        while todo:
-            new = calls[todo.pop()] - seen
-            seen |= new
-            todo.extend(new)
-        return seen
-
-    return {n for n in reached(name) if name in reached(n)}
-
-
-def _spread(definitions: Mapping[str, Any], mentions: Callable[[Any, set[str]], bool]) -> set[str]:
-    """Definitions that mention something, or one that does."""
-    found: set[str] = set()
-    while True:
-        more = {name for name, d in definitions.items() if name not in found
-                and any(mentions(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
-        if not more:
-            return found
-        found |= more
