@@ -176,7 +176,7 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
-        if op == "at" and tree[1] in self.known.matrices:
+        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":

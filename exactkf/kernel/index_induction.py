@@ -278,6 +278,12 @@ class _Proof:
                         return True
         return False
 
+    def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations) -> bool:
+        """What a polynomial is by the equations used here is not zero."""
+        known.again()
+        equal = known.reduced(Symbolic(terms.field, dict(p), 1, ())).num
+        return bool(equal) and self.witness.is_not_zero(terms, equal)
+
     def _said(self, terms: Terms, says: Any, env: dict[str, Form], places: Mapping[str, Form]) -> Iterator[Symbolic]:
         if says[0] == "and":
             for part in says[1:]:
@@ -346,12 +352,13 @@ class _Proof:
             if key in self.not_zero:
                 continue
             text = terms.field.text(f)
-            if not self._is_granted(terms, f):
+            given = self._is_granted(terms, f)
+            if not given:
                 self.at_point.append(text)
             if not self.witness.is_not_zero(terms, f):
-                known.again()
-                equal = known.reduced(Symbolic(terms.field, f, 1, ())).num  # what it is by the equations used here
-                if not (equal and self.witness.is_not_zero(terms, equal)):
+                if given:  # by a hypothesis, which is used that way
+                    self.assumes = True
+                elif not self._equal_is_not_zero(terms, f, known):
                     raise Rejected(f"{place}: nothing tells that {text} is not zero")
             self.not_zero.add(key)
             if text not in self.denominators:
