@@ -10,7 +10,7 @@ it. Then the recursions have a solution in the field of rational functions in th
 start. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
-and the numbers one (some are of a type that excludes zero). There a recursion has a value if its initial values and its
+and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its
 step, at a generic index and place, divide by nothing but numbers other than zero, and all its values (coefficients,
 entries) are one number c if those of its initial value are, and those of its step where they are at the index before. Several
 recursions are looked at together: what has been supposed of one is supposed until it is seen not to be so. With these numbers
@@ -118,10 +118,13 @@ class Witness:
         Its recursions and variables are looked at.
     sizes : list of forms
         What is known not to be negative.
+    number : int
+        The value of a number that may be zero.
     """
 
-    def __init__(self, statement: Mapping[str, Any], sizes: list[Form]) -> None:
+    def __init__(self, statement: Mapping[str, Any], sizes: list[Form], number: int = 1) -> None:
         self.statement, self.sizes = statement, sizes
+        self.at = {name: Fraction(1 if kind[0] in ("nonzero", "positive") else number) for name, kind in statement["over"]}
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
@@ -196,7 +199,7 @@ class Witness:
         if kind == "at" and name in self.entries:
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
-            return _Z if name == "z" else Fraction(1)
+            return _Z if name == "z" else self.at[name]
         if kind not in ("at", "entry", "coeff") or name not in self.recursions:
             raise Unknown(f"no value of {name} at a point")
         if name not in self.found:

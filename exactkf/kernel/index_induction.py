@@ -92,7 +92,7 @@ class _Proof:
                 with suppress(Unknown):
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
-        self.witness, self.ill_founded = Witness(statement, self.sizes), ill_founded(statement, self.sizes)
+        self.witnesses, self.ill_founded = [Witness(statement, self.sizes, number) for number in (1, 0)], ill_founded(statement, self.sizes)
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -278,11 +278,15 @@ class _Proof:
                         return True
         return False
 
+    def _is_not_zero(self, terms: Terms, p: dict[int, int]) -> bool:
+        """At one of the points a polynomial is not zero."""
+        return any(witness.is_not_zero(terms, p) for witness in self.witnesses)
+
     def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations) -> bool:
         """What a polynomial is by the equations used here is not zero."""
         known.again()
         equal = known.reduced(Symbolic(terms.field, dict(p), 1, ())).num
-        return bool(equal) and self.witness.is_not_zero(terms, equal)
+        return bool(equal) and self._is_not_zero(terms, equal)
 
     def _said(self, terms: Terms, says: Any, env: dict[str, Form], places: Mapping[str, Form]) -> Iterator[Symbolic]:
         if says[0] == "and":
@@ -355,7 +359,7 @@ class _Proof:
             given = self._is_granted(terms, f)
             if not given:
                 self.at_point.append(text)
-            if not self.witness.is_not_zero(terms, f):
+            if not self._is_not_zero(terms, f):
                 if given:  # by a hypothesis, which is used that way
                     self.assumes = True
                 elif not self._equal_is_not_zero(terms, f, known):
