@@ -8,6 +8,7 @@ matrices over a commutative ring, whatever their sizes, which `Terms.shape` chec
 - a transpose goes to the factors, in reverse order; a sum, a multiple, a quotient by a number go to the words;
 - a name is replaced by its definition, a recursion at an index at which it may be opened, or by a rule;
 - a sum over an index of matrices goes outside; p(F), for a polynomial with exponents 0 .. t, is the sum of p_k F^k;
+- where a column meets a row the entry is a product of two;
 - F^a F^b = F^(a+b) for a, b >= 0, F^0 = I, and I is left out; P' = P for a variable of a type that says so;
 - entry (i, j) of a product is entry (j, i) of its transpose: of the two the one with fewer transposes is taken.
 
@@ -85,20 +86,27 @@ class Chains:
             found = self._rewritten(tree, env, flip, put, len(parts) == 1)
             if found is not None:
                 return found
+        for k in range(1, len(parts)):
+            if self._width(parts[k - 1]) == _ONE:
+                return self.word(parts[:k], i, _ONE) * self.word(parts[k:], _ONE, j)
         found = self._by_entries(parts, i, j)
         return self._letters(parts, i, j) if found is None else found
 
+    def _width(self, part: Part) -> Form:
+        """Number of columns."""
+        tree, env, flip = part
+        return self.shape(tree, env)[int(not flip)]
+
     def _by_entries(self, parts: list[Part], i: Form, j: Form) -> Symbolic | None:
-        """A product in which a matrix is given by its entries, and none is an inverse or a power, as a sum over an index."""
+        """A product in which a matrix is given by its entries, and none is an inverse or a power, as a sum over an index; and one of columns alone."""
         if any(tree[0] in ("inv", "^") for tree, _, _ in parts):
             return None
-        at = next((k for k, (tree, _, _) in enumerate(parts) if self._given_by_entries(tree)), None)
+        columns = len(parts) > 1 and not any(self.known.has_letters(tree) for tree, _, _ in parts)
+        at = next((k for k, (tree, _, _) in enumerate(parts) if columns or self._given_by_entries(tree)), None)
         if at is None:
             return None
         cut = max(at, 1)  # what stands before it is one matrix, or it is the first itself
-        tree, env, flip = parts[cut]
-        width = self.shape(tree, env)[int(flip)]
-        return self.total(_ONE, width, lambda _, k: self.word(parts[:cut], i, k) * self.word(parts[cut:], k, j))
+        return self.total(_ONE, self._width(parts[cut - 1]), lambda _, k: self.word(parts[:cut], i, k) * self.word(parts[cut:], k, j))
 
     def _given_by_entries(self, tree: Any) -> bool:
         if tree[0] in ("sym", "at"):

@@ -15,13 +15,13 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
-from proofs.blm91.section_2_filtering import COEFFICIENTS, FAST, FILTER, FORWARD, MODELLED, REVERSED, fk, fks, innovation, kk, row, sums_with, xh
+from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, xh
 
 Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
     "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
-SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
 RICCATI = rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * T(g - F * Pi[t] * h))
 BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
 SAID = "Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model."
@@ -35,13 +35,14 @@ claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) 
       by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
 OTHER = {"noise": (P2 - F * P2 * T(F), g - F * P2 * h, 1 - T(h) * P2 * h), "cov": P2}
 claim("BLM91-S1", "the gain is the same for all realizations",
-      forall(t, 0, m, 1 / r[t] * covariance(state(t + 1), innovation(t, t)) == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
+      forall(t, 0, m, GAIN == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
       over={**SYSTEM, P2: symmetric_matrix(n)}, where=[*MODELLED, *FORWARD],
       by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), sums_with(phi, innovation, 4, **OTHER), supported=[phi, phis],
                         uses=[use(v, i=t, t=t, row=row) for v in (3, 4)]), instances(n=(1, 2, 3), m=(1, 2))],
       note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output. " + COEFFICIENTS)
-claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, kk(t) * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM,
-      where=[*FILTER, RICCATI], by=BY, note="kk is the coefficient of the innovation in the projection, multiplied out by the scalar 1 - h'Pi_t h.")
+claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, GAIN * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM, where=[*MODELLED, *FORWARD, *SOLUTION],
+      by=[generic_index(*RICCATI_LEMMAS, **BY_RICCATI), instances(n=(1, 2, 3), m=(1, 2))],
+      note="The left side is the coefficient of the innovation in the projection, (2.17), multiplied out by the scalar 1 - h'Pi_t h. phi_g, phis_g and Pi_sum serve the proof alone. " + COEFFICIENTS)
 COV = function(cov, [t], xh(t) * G * T(xh(t)))
 claim("BLM91-E1.4", "the Riccati equation of the estimate", (cov(0) == Zero(n, n)) & forall(t, 0, m, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * inv(1 - T(h) * cov(t) * h) * T(g - F * cov(t) * h)),
       sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV], by=BY, note="cov(t) is the covariance of the projection of x_t on y_0 .. y_(t-1).")

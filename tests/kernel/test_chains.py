@@ -81,7 +81,8 @@ SQUARE = [F * G, G * F, T(F * G), T(G) * T(F), F * T(F), T(F) * F, P * F, T(T(F)
           T(F) ** m * T(F), T(F**m * F), F * Identity(n) * G, b * F * G,
           F * (b * G), (F + G) * F, F * F + G * F, F * (F - G), F**0, Identity(n),
           F * Zero(n, n), Zero(n, n), Q,
-          P - F * P * T(F), P - F * (P * T(F)), F * (h * T(g)), (F * h) * T(g), T(h) * g * F, F * (T(g) * h), (T(h) * F * g) * G, (T(g) * T(F) * h) * G]
+          P - F * P * T(F), P - F * (P * T(F)), F * (h * T(g)), (F * h) * T(g), T(h) * g * F, F * (T(g) * h), (T(h) * F * g) * G, (T(g) * T(F) * h) * G,
+          F * h * T(g) * h * T(g), (T(g) * h) * (F * h * T(g)), h * T(F * h), T(F * (h * T(h))), (F * h) * T(F * h), F * (h * T(h)) * T(F)]
 
 
 @pytest.mark.parametrize("left", SQUARE, ids=range(len(SQUARE)))
