@@ -185,7 +185,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
     ``solve``                               inv(M) * v == x, or inv(M) == x
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
-    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -196,9 +196,10 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     return made
 
 
-def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
+def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
     """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
-    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column.
+    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column; or the hypothesis
+    of this label, in a proof that divides by nothing but what a hypothesis says is not zero.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
@@ -206,7 +207,7 @@ def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> 
         place = {"place": {name: to_expr(x).tree for name, x in places.items()}} if places else {}
         return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
-    return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
+    return {"given" if isinstance(number, str) else "lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
