@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -71,6 +72,17 @@ class _Seconds(click.ParamType):
         if not (math.isfinite(seconds) and seconds > 0):
             self.fail(f"{value!r} is not a number of seconds; give a finite one above 0", param, ctx)
         return seconds
+
+
+class _Steps(click.ParamType):
+    name = "steps"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        found = re.fullmatch(r"(\d{1,400})(?:(\^|e\+?)(\d{1,3}))?", str(value).strip().lower())
+        if not found:
+            self.fail(f"{value!r} is not a number of steps; give a nonnegative integer, such as 1000, 10^12 or 1e12", param, ctx)
+        base, sign, power = found.groups()
+        return int(base) if sign is None else int(base) ** int(power) if sign == "^" else int(base) * 10 ** int(power)
 
 
 def _running(command: Callable) -> Callable:
@@ -203,7 +215,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--b", help="All coefficients of b(z), leading one first; v = b/(2a).")
 @click.option("--covariances", help="1, c_1, c_2, ...")
 @click.option("--pi0", help="Order one: decide the Riccati equation started there.")
-@click.option("--after", type=click.IntRange(min=0), metavar="T", help="Also the state after T steps, without stepping.")
+@click.option("--after", type=_Steps(), metavar="T", help="Also the state after T steps, such as 10^12, without stepping.")
 @click.option("--digits", type=click.IntRange(min=1, max=100000), default=20, show_default=True, help="Decimal digits of numbers shown.")
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON.")
 @click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE", help="Write the certificate, for 'exactkf check'.")
@@ -211,13 +223,14 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--picture", "pictures", multiple=True, metavar="KIND=FILE",
               help="Draw plane, gamma, alpha or spectrum as .png or .svg; may be repeated.")
 @click.option("--steps", type=click.IntRange(min=1, max=10000), default=60, show_default=True, help="Steps of the orbit in pictures.")
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; what is not found by then is said to be open.")
 def analyze(file: Path | None, **how: Any) -> int:
     """Decide what the gain of a filter does: converge, escape, repeat or wander.
 
     The filter comes in a .toml or .json FILE or in options. Numbers are fractions, decimals taken exactly,
     sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
 
-    Exit status: 0 if the orbit is decided, 1 if it is undecided, 2 if the call is wrong.
+    Exit status: 0 if the orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong.
     """
     from exactkf.dynamics.command import analyze_command
 

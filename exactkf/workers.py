@@ -22,13 +22,10 @@ import importlib
 import multiprocessing
 import os
 import queue
-import signal
-import threading
 from collections import deque
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future, TimeoutError
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -36,6 +33,7 @@ from typing import Any
 from pebble import ProcessExpired, ProcessPool
 
 from exactkf.claims import Claim, load
+from exactkf.signals import terminal_signals
 
 __all__ = ["Options", "default_jobs", "unfinished", "work"]
 
@@ -100,10 +98,9 @@ def _pool(function: str, waiting: deque[Claim], options: Options,
     pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("spawn"), initializer=_prepare,
                        initargs=(options.package, options.engine, options.memory_limit))
     try:
-        # a terminal sends Ctrl-C to the workers too: those begun here ignore it, and the pool ends them
-        with _signals({signal.SIGINT: signal.SIG_IGN}):
+        with terminal_signals(ignored=True):
             _ = pool.active  # asking starts it
-        with _signals({signal.SIGTERM: _stop}):
+        with terminal_signals(ignored=False):
             while pool.active and (waiting or running):
                 while waiting and len(running) < jobs + 1:
                     claim = waiting.popleft()
@@ -127,24 +124,6 @@ def _pool(function: str, waiting: deque[Claim], options: Options,
     finally:
         pool.stop()
         pool.join()
-
-
-@contextmanager
-def _signals(changes: Mapping[int, Any]) -> Iterator[None]:
-    """Handle signals otherwise for a while; only the main thread can."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    old = {number: signal.signal(number, handler) for number, handler in changes.items()}
-    try:
-        yield
-    finally:
-        for number, handler in old.items():
-            signal.signal(number, handler)
-
-
-def _stop(*_: object) -> None:
-    raise KeyboardInterrupt
 
 
 def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:

@@ -68,6 +68,8 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     if "order" in data and "covariances" not in data:
         raise bad("order", "goes with covariances only", data["order"], "leave it out")
     floats = data.get("floats")
+    if floats not in (None, "exact", "decimal") and (isinstance(floats, bool) or not isinstance(floats, int) or floats < 1):
+        raise bad("floats", "is no meaning of floats", floats, 'pass "exact", "decimal" or a largest denominator')
     if "alpha" in keys:
         return Filter.from_parameters(data["alpha"], data["gamma"], floats=floats)
     if "covariances" in keys:

@@ -178,7 +178,7 @@ class Filter:
         if isinstance(n, bool) or not isinstance(n, int) or (order is not None and n < 1):
             raise bad("order", "is no order", order, "pass a positive integer")
         if n < 1 or len(c) <= 2 * n:
-            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c),
+            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {max(n, 1)}", _plain(c),
                       f"pass at least {max(2 * n, 2)} after the 1")
         hankel = tuple(tuple(c[i + j + 1] for j in range(n)) for i in range(n))
         try:

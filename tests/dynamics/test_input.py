@@ -80,7 +80,8 @@ def test_irrational_entries_share_a_field():
     ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"), ({"alpha": [1]}, "does not describe a filter"),
     ({}, "does not describe a filter"), ({"alpha": [1], "gamma": [0], "b": [1]}, "does not describe a filter"),
     ({"alpha": [1], "gamma": [0], "order": 1}, "argument 'order' goes with covariances"), ({"alpha": ["root(x^2, -1, 1, 2)"], "gamma": [0]}, "4 arguments"),
-    ({"system": object()}, "has no matrices"), ({"alpha": [True], "gamma": [0]}, "truth value"),
+    ({"system": object()}, "has no matrices"), ({"alpha": [1], "gamma": [0], "floats": "near"}, "argument 'floats' is no meaning of floats"),
+    ({"alpha": [1], "gamma": [0], "floats": True}, "argument 'floats'"), ({"alpha": [True], "gamma": [0]}, "truth value"),
 ])
 def test_bad_input_is_one_line(data, says):
     """The message names the argument and what is wrong with it."""
