@@ -18,7 +18,7 @@ from exactkf.dynamics.filter import Filter
 from exactkf.exact._messages import bad
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
-from exactkf.files import check_target, dump_json, write_text
+from exactkf.files import check_target, dump_json, reaching, write_text
 
 __all__ = ["analyze_command", "shown_number", "split_list"]
 
@@ -47,14 +47,14 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
     click.echo("\n".join(_lines(answer, digits)))
     if after is not None:
         click.echo("\n".join(_ahead(filter, after, digits)))
-    if json_file is not None:
-        write_text(json_file, dump_json(answer.to_json()))
-    if certificate is not None:
-        write_text(certificate, dump_json(answer.certificate))
-    if latex_file is not None:
-        write_text(latex_file, answer.latex() + "\n")
+    texts = (lambda: dump_json(answer.to_json()), lambda: dump_json(answer.certificate), lambda: answer.latex() + "\n")
+    for (argument, path), text in zip(targets, texts, strict=True):
+        if path is not None:
+            with reaching(argument, path):
+                write_text(path, text())
     for kind, path in drawings:
-        _draw(kind, path, filter, steps)
+        with reaching("--picture", path):
+            _draw(kind, path, filter, steps)
     return 1 if answer.behaviour == "undecided" else 0
 
 
