@@ -80,9 +80,10 @@ class Expr:
         return text(self.tree)
 
     def __bool__(self) -> bool:
-        raise TypeError("a formula is data and has no truth value; verify it, or compare .tree")
+        raise TypeError("a formula is data and has no truth value; write & for 'and', | for 'or', (a < b) & (b < c) for a chain, and compare .tree")
 
     __hash__ = object.__hash__  # names are keys of mappings
+    __iter__ = None  # an index is an entry of a term, and a loop over the entries would not end
 
     def _nary(self, op: str, other: Any) -> Expr:
         left = self.tree
