@@ -241,8 +241,10 @@ def _check(statement: Statement) -> None:
             raise BadInput(f"definition {definition!r} is neither let nor rec")
     for label, formula, _kind in statement.given:
         _check_tree(formula, known)
+        _check_formula(formula, f"hypothesis {label!r}")
         _check_always(formula, False, f"hypothesis {label!r}")
     _check_tree(statement.says, known)
+    _check_formula(statement.says, "the conclusion")
     _check_always(statement.says, True, "the conclusion")
 
 
@@ -254,6 +256,14 @@ def _check_always(tree: Any, positive: bool, where: str) -> None:
         raise BadInput(f"{where} assumes or denies an 'always'; use forall with a bound, or conclude it")
     for k, part in enumerate(tree[1:], 1):
         _check_always(part, positive and tree[0] in ("and", "or", "forall", "exists", "always", "=>") and not (tree[0] == "=>" and k == 1), where)
+
+
+_TERMS = ("+", "-", "*", "/", "^", "neg", "abs", "rat", "T", "inv", "I", "O", "block", "rows", "sum", "prod", "entry")
+
+
+def _check_formula(tree: Any, where: str) -> None:
+    if isinstance(tree, int) or (isinstance(tree, tuple) and tree[:1] in [(op,) for op in _TERMS]):
+        raise BadInput(f"{where} is the term {Expr(tree)!r}, of which nothing is said; write an equation, an order or a property")
 
 
 _BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}

@@ -136,7 +136,7 @@ def to_expr(value: Any) -> Expr:
     if isinstance(value, Expr):
         return value
     if isinstance(value, bool) or not isinstance(value, (int, Fraction)):
-        raise BadInput(f"{value!r} is not exact: write an int, a Fraction or rational('1/3')")
+        raise BadInput(f"{' '.join(repr(value).split())} is not exact: write an int, a Fraction or rational('1/3')")
     if isinstance(value, int):
         return Expr(value)
     return Expr(("rat", value.numerator, value.denominator)) if value.denominator != 1 else Expr(value.numerator)

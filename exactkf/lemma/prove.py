@@ -108,6 +108,8 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
         raise BadInput(f"argument 'time_limit' = {time_limit!r} is not a number of seconds; give a finite one above 0")
     if isinstance(degree, bool) or not isinstance(degree, int) or degree < 1:
         raise BadInput(f"argument 'degree' = {degree!r} is not a length of words; give a whole number, 1 or more")
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise BadInput(f"argument 'seed' = {seed!r} is no seed; give a whole number, 0 or more")
     statement = _statement(lemma, sizes, over, where, given, says)
     with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
         return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(mutants)
@@ -130,9 +132,7 @@ def _statement(lemma: Any, sizes: Sequence[Any], over: Any, where: Sequence[tupl
     if lemma is None:
         if says is None:
             raise BadInput("argument 'says' is missing: the lemma claims nothing; pass a formula, or a Statement, text or Path as first argument")
-        names = [s.tree[1] if isinstance(s, Expr) else s for s in sizes]
-        variables = over.items() if isinstance(over, Mapping) else over
-        return _fitted(Statement(says=says, over=[(k.tree[1] if isinstance(k, Expr) else k, v) for k, v in variables], sizes=names, where=where, given=given))
+        return _fitted(Statement(says=says, over=over, sizes=sizes, where=where, given=given))
     used = [name for name, value in parts.items() if value] + ["says"] * (says is not None)
     if used:
         raise BadInput(f"argument {used[0]!r} is given beside a whole lemma; give one or the other")
