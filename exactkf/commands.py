@@ -91,8 +91,9 @@ def verify_command(session: Session, json_file: Path | None, certificates: Path 
         record.write(session.registry, package)
         return 0
     short = [(r["id"], why) for r in results if (why := record.shortfall(r))]
+    found = {r["id"]: r for r in results}
     for id, why in short:
-        click.echo(f"fell short: {id}: {why}")
+        click.echo(f"fell short: {id}: {why}" + (f"; this run: {describe(found[id])}" if why == NOT_ON_RECORD else ""))
     if any(why == NOT_ON_RECORD for _, why in short):
         click.echo("--record enters what a run finds")
     click.echo(f"{len(results) - len(short)} of {len(results)} claims reached what is on record")

@@ -29,6 +29,7 @@ from typing import Any
 from flint import fmpq, fmpz
 
 from exactkf._errors import BadInput
+from exactkf._wording import number_of
 from exactkf.claims import Claim, checked_evidence, find, load
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
@@ -313,8 +314,10 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
     _every_size(id, data, by, found)  # the strongest there is
     for e in by:
         if e.kind in PROOFS and found.strength != "proved":
+            before = len(found.evidence)
             for certificate in candidates(id, data, e):
                 if _accept(certificate, found):
+                    del found.evidence[before:]  # what was tried on the way to a proof shows nothing
                     _credit(data, e, found)
                     break
     if found.strength in ("proved", "proved-sizes"):
@@ -340,7 +343,7 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
             terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _of_stable(certificate["evidence"])
+            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(number_of(sum(map(len, terms)), "multiple")) + _of_stable(certificate["evidence"])
                                   + _over_primes(certificate["evidence"]))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
@@ -374,7 +377,7 @@ def _coefficients(tree: Any, listed: bool = False) -> Iterator[str]:
 
 
 _FOR_EVERY_SIZE = {
-    "membership": "for every size: {} multiples of the assumptions, expanded in words",
+    "membership": "for every size: {} of the assumptions, expanded in words",
     "order": "for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
              "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
     "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "

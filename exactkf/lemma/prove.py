@@ -35,6 +35,7 @@ from typing import Any
 from flint import fmpq
 
 from exactkf._errors import BadInput
+from exactkf._wording import number_of
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
 from exactkf.finders.completion import Stuck
@@ -44,7 +45,7 @@ from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.kernel.words import size_tree
-from exactkf.language import Expr, Statement
+from exactkf.language import Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
 from exactkf.lemma.grammar import read_lemma
@@ -289,7 +290,7 @@ class _Run:
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
         for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
             if self._keep(certificate):
-                return _HOW[certificate["kind"]].format(sum(len(terms) for terms in certificate["evidence"].get("terms", ())))
+                return _HOW[certificate["kind"]].format(number_of(sum(len(terms) for terms in certificate["evidence"].get("terms", ())), "multiple"))
         return None
 
     def _in_parts(self) -> bool:
@@ -357,7 +358,7 @@ class _Run:
 
 _CONNECTIVES = ("and", "or", "not", "=>", "<=>")
 _HOW = {
-    "membership": "a sum of {} multiples of the assumptions, expanded in words of letters",
+    "membership": "a sum of {} of the assumptions, expanded in words of letters",
     "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
     "identity": "an identity of rational functions in the entries",
     "word induction": "by induction, base and step in words of letters",

@@ -70,7 +70,7 @@ def test_irrational_entries_share_a_field():
     ({"alpha": [1], "gamma": [0, 0]}, "argument 'gamma' has length 2 where alpha has 1"), ({"a": [1], "g": ["-1"]}, "argument 'g[0]'"),
     ({"a": [1], "g": [0, 0]}, "argument 'g' has length 2"), ({"b": [2, 1], "a": [1, 1]}, "argument 'b' is not monic"),
     ({"b": [1, 1], "a": [2, 1]}, "argument 'a' is not monic"), ({"b": [1, 1, 1], "a": [1, 1]}, "argument 'b' has degree 2 where a has degree 1"),
-    ({"covariances": [1, "1/2"]}, "argument 'covariances' has 1 covariance after the first, too few for order 1"), ({"covariances": [2, 1, 1]}, "does not begin with 1"),
+    ({"covariances": [1, "1/2"]}, "argument 'covariances' has 1 covariance after the first, too few"), ({"covariances": [2, 1, 1]}, "does not begin with 1"),
     ({"covariances": [1, "1/2", "1/4", "1/3"]}, "not the covariance sequence"), ({"covariances": [1, 0, 0]}, "singular Hankel"),
     ({"covariances": [1, "1/2", "1/4"], "order": 2}, "too few for order 2"), ({"covariances": [1, "1/2", "1/4"], "order": "x"}, "argument 'order' is no order"),
     ({"F": [[1, 2]], "g": [1], "h": [1]}, "argument 'F' is not square"), ({"F": [[1]], "g": [1, 2], "h": [1]}, "argument 'g' has length 2"),
