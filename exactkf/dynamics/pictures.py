@@ -181,8 +181,11 @@ def _hyperbola(axes: Axes, alpha: float, gamma: float, reach: float) -> None:
         return
     turned = (1 + alpha**2 - gamma**2) / alpha  # 2 / kappa
     x = np.linspace(-2 * reach, 2 * reach, 4001)
+    if abs(turned) >= 2:  # at the vertices gamma = 0 the curve is upright: without them it would show a gap
+        near = np.concatenate([[0], np.geomspace(1e-9, 1e-2, 30)])
+        x = np.sort(np.concatenate([x, *(turned / 2 + side * (np.sqrt(turned**2 / 4 - 1) + sign * near) for side in (-1, 1) for sign in (-1, 1))]))
     square = 1 + x**2 - turned * x
-    y = np.sqrt(np.where(square >= 0, square, np.nan))
+    y = np.sqrt(np.where(square >= -1e-12 * (1 + turned**2), np.maximum(square, 0), np.nan))
     label = r"$\kappa = \infty$" if turned == 0 else rf"$\kappa = {_shown(2 / turned)}$"
     axes.plot(x, y, color="#2166ac", lw=1.4, label=f"invariant hyperbola, {label}")
     axes.plot(x, -y, color="#2166ac", lw=1.4)

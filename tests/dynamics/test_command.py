@@ -3,6 +3,7 @@
 
 import json
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -75,3 +76,19 @@ def test_missing_matplotlib_is_said_before_any_work(monkeypatch, tmp_path):
     done = run("--alpha", 3, "--gamma", "1/2", "--picture", f"plane={tmp_path / 'p.png'}")
     assert (done.exit_code, done.stdout) == (2, "")
     assert done.stderr.startswith("exactkf: pictures need matplotlib") and done.stderr.count("\n") == 1
+
+
+def test_the_hyperbola_is_drawn_up_to_its_vertices():
+    """Both branches meet the axis gamma = 0, where the curve is upright."""
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    from exactkf.dynamics import pictures
+
+    axes = Figure().subplots()
+    pictures._hyperbola(axes, 3.0, 0.5, 3.5)
+    upper = axes.lines[0].get_xydata()
+    drawn = upper[np.isfinite(upper[:, 1])]
+    middle = (1 + 3.0**2 - 0.5**2) / 3.0 / 2
+    for vertex in (middle - np.sqrt(middle**2 - 1), middle + np.sqrt(middle**2 - 1)):
+        assert drawn[np.abs(drawn[:, 0] - vertex) < 1e-6, 1].min() < 1e-3
