@@ -20,16 +20,15 @@ Main definitions
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq, fmpz
+from flint import fmpq
 
 from exactkf._errors import BadInput
-from exactkf._wording import number_of
+from exactkf._wording import proof_in_words
 from exactkf.claims import Claim, checked_evidence, find, load
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
@@ -342,48 +341,10 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
-            terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(number_of(sum(map(len, terms)), "multiple")) + _of_stable(certificate["evidence"])
-                                  + _over_primes(certificate["evidence"]))
+            found.evidence.append(proof_in_words(certificate))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
         found.evidence.append(f"{kind}: the terms given do not prove it")
-
-
-def _over_primes(evidence: Any) -> str:
-    """The ring in which the multiples are taken, where that is not the integers."""
-    below = {Fraction(c).denominator for c in _coefficients(evidence)}
-    primes = sorted({int(p) for d in below for p, _ in fmpz(d).factor()})
-    return f", over Z[{', '.join(f'1/{p}' for p in primes)}]" if primes else ""
-
-
-def _of_stable(evidence: Any) -> str:
-    """What a proof makes of stable matrices."""
-    used = {key for part in evidence.get("parts", ()) for key in part} & {"stein", "unique", "solutions"}
-    return ", and Stein equations X = MXM' + Q of stable M, which have one solution, semidefinite for semidefinite Q" if used else ""
-
-
-def _coefficients(tree: Any, listed: bool = False) -> Iterator[str]:
-    """Coefficients of the multiples of assumptions in the evidence of a certificate."""
-    if isinstance(tree, dict):
-        for key, value in tree.items():
-            yield from _coefficients(value, key in ("terms", "blocks"))
-    elif isinstance(tree, list):
-        if listed and tree and isinstance(tree[0], str):
-            yield tree[0]
-            tree = [x for x in tree[2:3] if isinstance(x, dict)]  # an equation of numbers with its own proof
-        for value in tree:
-            yield from _coefficients(value, listed)
-
-
-_FOR_EVERY_SIZE = {
-    "membership": "for every size: {} of the assumptions, expanded in words",
-    "order": "for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-             "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
-    "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "
-                      "and sums of terms that are semidefinite by their form",
-    "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
-}
 
 
 def _better(found: Findings, strength: str) -> bool:

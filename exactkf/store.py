@@ -35,7 +35,7 @@ from exactkf.files import check_folder, dump_json, reaching, write_text
 __all__ = ["Store", "claim_key", "code_digest", "state_folder"]
 
 # the parts of the package that can change a result, and those in them that cannot
-_ENGINE = ("_errors.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
+_ENGINE = ("_errors.py", "_wording.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
 _PRINTING = ("latex.py", "latex_notation.py", "names.py", "notation.py", "text.py")
 
 

@@ -35,7 +35,7 @@ from typing import Any
 from flint import fmpq
 
 from exactkf._errors import BadInput
-from exactkf._wording import number_of
+from exactkf._wording import multiples_in_words
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
 from exactkf.finders.completion import Stuck
@@ -290,7 +290,7 @@ class _Run:
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
         for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
             if self._keep(certificate):
-                return _HOW[certificate["kind"]].format(number_of(sum(len(terms) for terms in certificate["evidence"].get("terms", ())), "multiple"))
+                return _HOW[certificate["kind"]].format(multiples_in_words(certificate["evidence"]))
         return None
 
     def _in_parts(self) -> bool:
@@ -358,7 +358,7 @@ class _Run:
 
 _CONNECTIVES = ("and", "or", "not", "=>", "<=>")
 _HOW = {
-    "membership": "a sum of {} of the assumptions, expanded in words of letters",
+    "membership": "{}, expanded in words of letters",
     "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
     "identity": "an identity of rational functions in the entries",
     "word induction": "by induction, base and step in words of letters",
