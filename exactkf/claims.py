@@ -75,7 +75,7 @@ _REGISTRY: dict[str, Claim] = {}
 _SPECS: dict[str, Any] = {}
 
 
-def claim(id: str, title: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[str] = (),
+def claim(id: str, title: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[Any] = (),
           over: Mapping[Any, tuple] | None = None, where: Sequence[tuple] = (), given: Any = (),
           tex: Mapping[Any, str] | None = None, repair: Repair | None = None, note: str = "") -> Claim:
     """Register one printed statement.
@@ -103,7 +103,7 @@ def claim(id: str, title: str, says: Expr, *, by: Evidence | Sequence[Evidence],
         return _register(Claim(id, title, _section(), statement, checked_evidence(statement, by), repair, "", note))
 
 
-def repair(kind: str, wrong: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[str] = (),
+def repair(kind: str, wrong: str, says: Expr, *, by: Evidence | Sequence[Evidence], sizes: Sequence[Any] = (),
            over: Mapping[Any, tuple] | None = None, where: Sequence[tuple] = (), given: Any = (),
            tex: Mapping[Any, str] | None = None) -> Repair:
     """The corrected statement; ``kind`` is one of `REPAIR_KINDS`, ``wrong`` one sentence on what was wrong; see `claim`."""

@@ -140,11 +140,11 @@ class Statement:
     """
 
     says: Any
-    over: Mapping[str, tuple] | Sequence = ()
-    sizes: Sequence[str] = ()
+    over: Mapping[Any, tuple] | Sequence[Any] = ()
+    sizes: Sequence[Any] = ()
     where: Sequence[tuple] = ()
     given: Any = ()
-    tex: Mapping[str, str] = field(default_factory=dict)
+    tex: Mapping[Any, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         set_ = object.__setattr__
