@@ -36,6 +36,8 @@ __all__ = ["Store", "claim_key", "code_digest", "state_folder"]
 
 # the parts of the package that can change a result, and those in them that cannot
 _ENGINE = ("_errors.py", "_wording.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
+_FIELDS = {"id", "paper", "section", "title", "verdict", "strength", "sizes", "reason", "repair", "certificates", "mutants", "checks", "seconds",
+           "evidence", "witness", "counterexample", "denominators", "neighbours", "note"}
 _PRINTING = ("latex.py", "latex_notation.py", "names.py", "notation.py", "text.py")
 
 
@@ -118,7 +120,8 @@ class Store:
             for line in lines:
                 try:
                     entry = json.loads(line)
-                    self._results[entry["key"]] = entry["result"]
+                    if _is_result(entry["result"]):
+                        self._results[entry["key"]] = entry["result"]
                 except (ValueError, KeyError, TypeError):
                     continue  # a line cut short when the run was stopped
 
@@ -159,6 +162,11 @@ class Store:
                 return ""
             file.seek(-1, os.SEEK_END)
             return "" if file.read(1) == b"\n" else "\n"
+
+
+def _is_result(data: Any) -> bool:
+    """Whether a line of the file has the fields of a result; one that was edited may not, and the claim runs again."""
+    return isinstance(data, dict) and _FIELDS <= data.keys() and isinstance(data["certificates"], list) and isinstance(data["mutants"], dict)
 
 
 def file_stem(id: str) -> str:

@@ -164,6 +164,16 @@ def test_kept_results_that_are_no_text_are_passed_over(paper):
     assert "1 of 1 results are from an earlier run" in p.run("verify", "BBB").stdout
 
 
+@pytest.mark.parametrize("edit", [lambda r: 5, lambda r: {"id": r["id"]}, lambda r: {**r, "certificates": 5}, lambda r: {**r, "mutants": None}])
+def test_kept_results_that_were_edited_run_again(paper, edit):
+    p = paper("ok")
+    p.run("verify", "BBB")
+    kept = p.root / ".exactkf" / "results.jsonl"
+    entry = json.loads(kept.read_text())
+    kept.write_text(json.dumps({**entry, "result": edit(entry["result"])}) + "\n")
+    assert "earlier run" not in p.run("verify", "BBB").stdout and p.calls() == ["BBB-ok"] * 2
+
+
 def test_a_folder_that_cannot_be_written_still_shows_what_it_keeps(paper, monkeypatch):
     p = paper("ok", "other")
     p.run("verify", "BBB-ok")
