@@ -144,7 +144,7 @@ def main(ctx: click.Context) -> None:
     ctx.obj = ctx.obj or Setup()
 
 
-@main.command()
+@main.command(short_help="Verify claims and compare with the verdicts on record.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the results as JSON.")
@@ -163,7 +163,7 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
     return verify_command(Session.open(setup, words, how), json_file, certificates, fresh, recording)
 
 
-@main.command()
+@main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
 def check(paths: Sequence[Path]) -> int:
     """Replay certificates: files, or all .json files of folders.
@@ -175,7 +175,7 @@ def check(paths: Sequence[Path]) -> int:
     return check_paths(paths)
 
 
-@main.command()
+@main.command(short_help="Show a claim: statement, verdict, what was checked.")
 @click.argument("id")
 @_running
 @click.pass_obj
@@ -186,7 +186,7 @@ def show(setup: Setup, id: str, **how: Any) -> int:
     return show_command(Session.open(setup, [id], how))
 
 
-@main.command()
+@main.command(short_help="Prove a lemma for every matrix size, or refute it.")
 @click.argument("file", metavar="FILE", type=click.Path(path_type=Path))
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the outcome as JSON.")
 @click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
@@ -216,7 +216,7 @@ def list_(setup: Setup, words: Sequence[str]) -> int:
     return list_command(setup, words)
 
 
-@main.command()
+@main.command(short_help="Show wrong neighbours of claims and how each was caught.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.pass_obj
@@ -227,7 +227,7 @@ def mutate(setup: Setup, words: Sequence[str], **how: Any) -> int:
     return mutate_command(Session.open(setup, words, how))
 
 
-@main.command()
+@main.command(short_help="Write one HTML page with every claim.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("-o", "--output", type=click.Path(path_type=Path), default=Path("exactkf-report.html"), show_default=True,
@@ -241,7 +241,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
     return report_command(Session.open(setup, words, how), output, kept)
 
 
-@main.command()
+@main.command(short_help="Decide what the gain of a filter does.")
 @click.argument("file", required=False, type=click.Path(path_type=Path))
 @click.option("--alpha", help="Coordinates alpha_1, ..., alpha_n, separated by commas.")
 @click.option("--gamma", help="Schur parameters gamma_0, ..., gamma_{n-1}.")
