@@ -200,7 +200,7 @@ def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
             return  # the system has no such limit
         size = memory_limit * 2**20
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
-        sys.stderr = open(os.devnull, "w")  # what an interpreter without memory says last; the result says it in one line
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115  what an interpreter without memory says last; the result says it in one line
         resource.setrlimit(resource.RLIMIT_AS, (size if hard == resource.RLIM_INFINITY else min(size, hard), hard))
 
 
