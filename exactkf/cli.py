@@ -12,6 +12,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -23,7 +24,8 @@ from exactkf._errors import ExactkfError
 
 __all__ = ["Setup", "main"]
 
-INTERRUPTED = 130
+INTERRUPTED = 130  # as a shell has it for Ctrl-C
+UNREAD = 141  # and for a reader that went away, `exactkf list | head`: no verdict was reported, so neither 0 nor 1
 
 
 @dataclass(frozen=True)
@@ -38,27 +40,72 @@ class _OneLine(click.Group):
     """A group whose errors are one line on stderr and exit code 2, never a traceback."""
 
     def main(self, *args: Any, **extra: Any) -> Any:
+        with redirect_stdout(_Output(sys.stdout) if sys.stdout is not None else None):
+            try:
+                code = self._code(*args, **extra)
+                click.echo(nl=False)  # flushes: what cannot be written is said now
+            except _Unwritten as error:
+                _forsake(sys.__stdout__)
+                code = UNREAD if error.broken else _fail(f"standard output cannot be written ({error}); choose another place for it")
+        sys.exit(code)
+
+    def _code(self, *args: Any, **extra: Any) -> int:
         try:
-            code = super().main(*args, **{**extra, "standalone_mode": False})
+            return super().main(*args, **{**extra, "standalone_mode": False}) or 0
         except click.exceptions.NoArgsIsHelpError as error:
             click.echo(error.format_message())
-            code = 0
+            return 0
         except click.Abort:
-            code = INTERRUPTED
+            return _fail("stopped", INTERRUPTED)
         except click.UsageError as error:
             command = f" {error.ctx.info_name}" if error.ctx and error.ctx.parent else ""
-            code = _fail(f"{error.format_message().rstrip('.')}; see 'exactkf{command} --help'")
+            return _fail(f"{error.format_message().rstrip('.')}; see 'exactkf{command} --help'")
         except (click.ClickException, ExactkfError) as error:
-            code = _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
-        except BrokenPipeError:  # the reader went away: `exactkf list | head`
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            code = 0
-        sys.exit(code or 0)
+            return _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
 
 
-def _fail(message: str) -> int:
-    click.echo(f"exactkf: {' '.join(message.split())}", err=True)
-    return 2
+class _Unwritten(Exception):
+    """Standard output cannot be written. No OSError: click ends with 1 at a broken pipe, which says that a claim fell short."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(error.strerror or str(error))
+        self.broken = isinstance(error, BrokenPipeError)
+
+
+class _Output:
+    """Standard output whose failure is told apart from all else that the system refuses."""
+
+    def __init__(self, stream: Any) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        try:
+            return self._stream.write(text)
+        except OSError as error:
+            raise _Unwritten(error) from error
+
+    def flush(self) -> None:
+        try:
+            self._stream.flush()
+        except OSError as error:
+            raise _Unwritten(error) from error
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+def _fail(message: str, code: int = 2) -> int:
+    try:
+        click.echo(f"exactkf: {' '.join(message.split())}", err=True)
+    except OSError:  # nobody to say it to: the exit status still does
+        _forsake(sys.__stderr__)
+    return code
+
+
+def _forsake(stream: Any) -> None:
+    """Give up what a stream still holds: the interpreter writes it at its end, and would complain."""
+    if stream is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 class _Seconds(click.ParamType):
@@ -109,7 +156,7 @@ def main(ctx: click.Context) -> None:
     ctx.obj = ctx.obj or Setup()
 
 
-@main.command()
+@main.command(short_help="Verify claims and compare with the verdicts on record.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the results as JSON.")
@@ -128,7 +175,7 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
     return verify_command(Session.open(setup, words, how), json_file, certificates, fresh, recording)
 
 
-@main.command()
+@main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
 def check(paths: Sequence[Path]) -> int:
     """Replay certificates: files, or all .json files of folders.
@@ -140,7 +187,7 @@ def check(paths: Sequence[Path]) -> int:
     return check_paths(paths)
 
 
-@main.command()
+@main.command(short_help="Show a claim: statement, verdict, what was checked.")
 @click.argument("id")
 @_running
 @click.pass_obj
@@ -151,7 +198,7 @@ def show(setup: Setup, id: str, **how: Any) -> int:
     return show_command(Session.open(setup, [id], how))
 
 
-@main.command()
+@main.command(short_help="Prove a lemma for every matrix size, or refute it.")
 @click.argument("file", metavar="FILE", type=click.Path(path_type=Path))
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the outcome as JSON.")
 @click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
@@ -181,7 +228,7 @@ def list_(setup: Setup, words: Sequence[str]) -> int:
     return list_command(setup, words)
 
 
-@main.command()
+@main.command(short_help="Show wrong neighbours of claims and how each was caught.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.pass_obj
@@ -192,7 +239,7 @@ def mutate(setup: Setup, words: Sequence[str], **how: Any) -> int:
     return mutate_command(Session.open(setup, words, how))
 
 
-@main.command()
+@main.command(short_help="Write one HTML page with every claim.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("-o", "--output", type=click.Path(path_type=Path), default=Path("exactkf-report.html"), show_default=True,
@@ -206,7 +253,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
     return report_command(Session.open(setup, words, how), output, kept)
 
 
-@main.command()
+@main.command(short_help="Decide what the gain of a filter does.")
 @click.argument("file", required=False, type=click.Path(path_type=Path))
 @click.option("--alpha", help="Coordinates alpha_1, ..., alpha_n, separated by commas.")
 @click.option("--gamma", help="Schur parameters gamma_0, ..., gamma_{n-1}.")

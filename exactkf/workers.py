@@ -22,6 +22,7 @@ import importlib
 import multiprocessing
 import os
 import queue
+import sys
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future, TimeoutError
@@ -135,8 +136,8 @@ def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:
     except MemoryError:
         return unfinished(claim, _out_of_memory(options))
     except ProcessExpired as error:
-        # the exact arithmetic ends the process (signal 6) when memory runs out, the system does with signal 9
-        if error.exitcode == -9 or (error.exitcode == -6 and options.memory_limit):
+        # when memory runs out, the exact arithmetic ends the process (signal 6), the interpreter does (1), the system does (signal 9)
+        if error.exitcode == -9 or (error.exitcode in (-6, 1) and options.memory_limit):
             return unfinished(claim, _out_of_memory(options))
         return unfinished(claim, f"crashed: the worker ended with exit code {error.exitcode}")
     except Exception as error:
@@ -178,6 +179,7 @@ def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
             return  # the system has no such limit
         size = memory_limit * 2**20
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115  what an interpreter without memory says last; the result says it in one line
         resource.setrlimit(resource.RLIMIT_AS, (size if hard == resource.RLIM_INFINITY else min(size, hard), hard))
 
 

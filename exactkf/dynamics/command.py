@@ -17,7 +17,7 @@ from exactkf.dynamics.analyze import read_data
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.stages import Request, Told, carry_out
 from exactkf.exact._messages import bad
-from exactkf.files import check_target, dump_json, write_text
+from exactkf.files import check_target, dump_json, reaching, write_text
 from exactkf.progress import Meter
 
 __all__ = ["analyze_command", "split_list"]
@@ -42,7 +42,8 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
     click.echo("\n".join(found.shown()))
     for name, text in found.texts().items():
         if name in files:
-            write_text(files[name], text)
+            with reaching(f"--{name}", files[name]):
+                write_text(files[name], text)
     missing = [path for name, path in files.items() if name not in found.texts()] + [path for _, path in drawings if path not in found.drawn]
     for path in missing:
         click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)

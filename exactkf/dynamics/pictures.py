@@ -60,7 +60,7 @@ def require_matplotlib() -> None:
         If it is.
     """
     if find_spec("matplotlib") is None:
-        raise ExactkfError("pictures need matplotlib; install it with: pip install 'exactkf[plot]'")
+        raise ExactkfError("pictures need matplotlib; install it: python -m pip install matplotlib")
 
 
 def _figure(width: float = 6.4, height: float = 4.8) -> tuple[Figure, Axes]:

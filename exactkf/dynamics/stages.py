@@ -22,7 +22,7 @@ from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.shown import decision_lines, number_lines
 from exactkf.exact._messages import bad
-from exactkf.files import dump_json
+from exactkf.files import dump_json, reaching
 
 __all__ = ["Request", "Told", "carry_out"]
 
@@ -86,7 +86,8 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
     for kind, path in request.pictures:
         tell(("stage", f"drawing the {kind} picture"))
         try:
-            _draw(kind, path, filter, request.steps)
+            with reaching("--picture", path):
+                _draw(kind, path, filter, request.steps)
         except Unsupported as error:
             tell(("missing", f"{kind} picture: {error}"))
         else:

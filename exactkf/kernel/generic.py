@@ -21,24 +21,27 @@ Notation: a form is {parameter: integer} with '' for the constant; ``#0, #1, ..`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms", "connected"]
+__all__ = ["Terms"]
 
+_LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
 
 
 # ---------------------------------------------------------------------- terms
-class Terms(Indefinite):
+class Terms(Indefinite, Chains):
     """Terms of a statement in a region, as rational functions of atoms.
 
     Parameters
@@ -61,13 +64,16 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z, self.inverting, self.kept = _classified(statement, self.definitions)
+        self.known = known(statement, self.definitions)
+        self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
+        self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
+        self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
-        self.nested = 0
-        self.seen: dict[int, tuple[Any, bool]] = {}
+        self.nested = self.perhaps = 0
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -103,6 +109,8 @@ class Terms(Indefinite):
             return env[tree[1]]
         if op == "sym" and tree[1] in self.statement["sizes"]:
             return {tree[1]: 1}
+        if op == "sym" and (d := self.definitions.get(tree[1])) and d[0] == "let" and not d[2]:
+            return self._index(d[3], {})
         if op in ("+", "-"):
             total = self._index(tree[1], env)
             for part in tree[2:]:
@@ -149,6 +157,8 @@ class Terms(Indefinite):
         if op == "neg":
             return -self.value(tree[1], env)
         if op == "^" and isinstance(tree[2], int):
+            if abs(tree[2]) > _LARGEST_POWER:
+                raise Unknown("too large a power")
             out, x = self.number(1), self.value(tree[1], env)
             for _ in range(abs(tree[2])):
                 out = out * x
@@ -170,6 +180,9 @@ class Terms(Indefinite):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
+        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
+            i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
+            return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
@@ -272,27 +285,46 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if _inverts(tree, self.inverting):
+        if self.within and self.within[1].intersection(names(tree)):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
+        if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def inverts(self, tree: Any) -> bool:
+        """Whether a term contains an inverse."""
+        return inverts(tree, self.inverting)
 
     def _meet(self, name: str, forms: Any) -> None:
         key = (name, *(form_key(self.region.reduce(x)) for x in forms))
         if any(n.startswith("#") for form in key[1:] for n, _ in form):
             raise Unknown("an inverse that depends on the index of a sum")
         self.met.add(key)
-
-    def has_z(self, tree: Any) -> bool:
-        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
-        if id(tree) not in self.seen:
-            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
-        return self.seen[id(tree)][1]
+        if not self.perhaps:
+            self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
+        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        if key not in self.called:
+            before = self.met, self.sure, self.perhaps
+            self.met, self.sure, self.perhaps = set(), set(), 0
+            try:
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
+            finally:
+                before[0].update(self.met)
+                self.met, self.sure, self.perhaps = before
+        out, met, sure = self.called[key]
+        self.met |= met
+        if not self.perhaps:
+            self.sure |= sure
+        return out
+
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -311,14 +343,22 @@ class Terms(Indefinite):
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
-                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
+        return self.deeper(d, args, read)
+
+    def not_smaller(self, name: str, last: Form) -> bool:
+        """A value that may not be used, in a look at what a recursion is made of."""
+        return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
+        """What a definition says, unless too many are open."""
         self.depth += 1
         try:
             if self.depth > _MOST_OPEN:
-                raise Unknown(f"definition of {name} does not end")
+                raise Unknown(f"definition of {d[1]} does not end")
             return self._open(d, args, read)
         finally:
             self.depth -= 1
@@ -391,29 +431,14 @@ class Terms(Indefinite):
         return read(body, env)
 
     # ------------------------------------------------------------------ matrices
-    def is_matrix(self, tree: Any) -> bool:
-        if isinstance(tree, int):
-            return False
-        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
-            return True
-        if tree[0] in ("^", "subst"):
-            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
-        if tree[0] in ("sym", "at"):
-            d = self.definitions.get(tree[1])
-            kinds = {name: kind[0] for name, kind in self.statement["over"]}
-            if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", "matrix"):
-                return True
-            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
-        if tree[0] == "/":
-            return self.is_matrix(tree[1])
-        return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
-
     def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
         return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
         if not self.is_matrix(tree):
+            if self.others(tree):
+                self._need_number(tree, env)
             return {"": 1}, {"": 1}
         op = tree[0]
         if op == "mat":
@@ -425,29 +450,34 @@ class Terms(Indefinite):
         if op == "T":
             return self.shape(tree[1], env)[::-1]
         if op == "block":
-            if any(len(row) != 1 for row in tree[1:]):
-                raise Unknown("blocks side by side at a generic index")
-            heights = [self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1} for row in tree[1:]]
-            total: Form = {}
-            for h in heights:
-                total = plus(total, h)
-            return total, {"": 1}
+            return self._blocks(tree, env)
         if op in ("sym", "at"):
-            kinds = dict(self.statement["over"])
-            if op == "sym" and tree[1] in kinds:
-                kind = kinds[tree[1]]
-                return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
+            kind = self.known.kinds.get(tree[1])
+            if op == "sym" and kind:
+                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
                 self._need_one_shape(d)
                 return self.shape(d[4][0], {})
-            return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
+            inner = dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {}
+            if d[1] in self.recursive:  # what a first branch gives
+                self._need_one_shape(d)
+                return self.shape(d[3][2], inner)
+            return self.shape(d[3], inner)
         if op in ("/", "^"):
             return self.shape(tree[1], env)
         if op == "inv":
             return self.shape(tree[1], env)[::-1]
         if op == "subst":
             return self.shape(tree[2], env)
+        if op == "if":
+            both = [self.shape(x, env) for x in tree[2:]]
+            return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
+        if op == "sum":
+            found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
+            if any(tree[1] in form for form in found):
+                raise Unknown("a sum of matrices of different sizes")
+            return found
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -456,13 +486,33 @@ class Terms(Indefinite):
             raise Undefined("sizes do not fit")
         return shapes[0]
 
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] in ("sum", "prod"):
+            env = {**env, tree[1]: {f"@{len(env)}": 1}}
+        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
+
+    def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
+        """Size of a block matrix, whose blocks fit."""
+        shapes = [[self.shape(x, env) for x in row] for row in tree[1:]]
+        if any(self.region.reduce(plus(h, row[0][0], -1)) for row in shapes for h, _ in row) or any(
+                len(row) != len(shapes[0]) or any(self.region.reduce(plus(w, v, -1)) for (_, w), (_, v) in zip(row, shapes[0], strict=True)) for row in shapes):
+            raise Undefined("sizes of blocks do not fit")
+        height, width = Form(), Form()
+        for row in shapes:
+            height = plus(height, row[0][0])
+        for _, w in shapes[0]:
+            width = plus(width, w)
+        return height, width
+
     def _need_one_shape(self, d: Any) -> None:
-        """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""
+        """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
         name, region = d[1], self.region
         if name not in self.kept:
             self.kept[name], self.region = True, Region([])
             try:
-                first, *others = (self.shape(tree, env) for tree, env in [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})])
+                first, *others = (self.shape(tree, env) for tree, env in _branches(d))
                 keeps = all(shape == first for shape in others)
             except (Unknown, Undefined, Split, KeyError):
                 keeps = False
@@ -477,6 +527,8 @@ class Terms(Indefinite):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
+        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
+            return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
         if op == "col":
@@ -499,14 +551,25 @@ class Terms(Indefinite):
                 factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
             return factor * (self._chain(chain, i, j, env) if chain else self.number(1))
         if op == "block":
+            self._blocks(tree, env)
             for row in tree[1:]:
-                height = self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1}
-                if self.region.holds(plus(height, i, -1)):
-                    return self.entry(row[0], i, j, env) if self.is_matrix(row[0]) else self.value(row[0], env)
-                i = self.region.reduce(plus(i, height, -1))
+                height = self.shape(row[0], env)[0]
+                if not self.region.holds(plus(height, i, -1)):
+                    i = self.region.reduce(plus(i, height, -1))
+                    continue
+                for x in row:
+                    width = self.shape(x, env)[1]
+                    if self.region.holds(plus(width, j, -1)):
+                        return self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env)
+                    j = self.region.reduce(plus(j, width, -1))
+                break
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if op == "if":
+            return self.entry(tree[2 if self.condition(tree[1], env) else 3], i, j, env)
+        if op == "sum":
+            return self.matrix_sum(tree, env, lambda body, inner: self.entry(body, i, j, inner))
         if self._is_power_of_number(tree, env):
             return self.value(tree, env)
         if op in ("inv", "^", "subst"):
@@ -545,33 +608,16 @@ class Terms(Indefinite):
         return scalars, chain
 
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Entry (i, j) of a product; one with an inverse or a power is not opened, and p(F) is the sum of p_k F^k."""
+        """Entry (i, j) of a product; one with an inverse, a power, p(F) or a matrix variable is a sum of words."""
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
-        for k, part in enumerate(parts):
-            if not isinstance(part, int) and part[0] == "subst":
-                return self._polynomial_in(parts, k, i, j, env)
-        if any(not isinstance(x, int) and x[0] in ("inv", "^") and not self._is_power_of_number(x, env) for x in parts):
-            return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
+        if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
+                any(self.known.has_letters(x) for x in parts)):
+            return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
-
-    def _polynomial_in(self, parts: list, at: int, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product with p(F) as its factor at a place, for a polynomial p = X_t with exponents 0 .. t."""
-        _, p, matrix = parts[at]
-        if p[0] != "at" or p[1] not in self.supported or self.limited:
-            raise Unknown("a value of a polynomial whose degree is not known")
-        degree, name = self.index(p[-1], env), f"@{len(env)}"
-
-        def term(terms: Terms, k: Form) -> Symbolic:
-            power = [*parts[:at], ["^", matrix, ["sym", name]], *parts[at + 1:]]
-            return terms.coefficient(p, k, env) * terms._chain(power, i, j, {**env, name: k})
-
-        if not self.region.holds(degree):
-            raise Unknown("a polynomial of negative index")
-        return self.total({}, degree, term)
 
 
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
@@ -581,7 +627,7 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 
 
 def _atom_text(key: tuple) -> str:
-    if key[0] == "opaque":
+    if key[0] in ("opaque", "word"):
         return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"
     if key[0] in BOUND:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
@@ -596,79 +642,10 @@ def _form_text(form: tuple) -> str:
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
 
 
-def _names(tree: Any) -> Iterator[str]:
-    if isinstance(tree, list):
-        if tree[:1] in (["sym"], ["at"]):
-            yield tree[1]
-        for x in tree:
-            yield from _names(x)
-
-
-_last: list[Any] = [None, set(), set(), set(), {}]  # a statement with what `_classified` says of it: many are asked for in a row
-
-
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], dict[str, bool]]:
-    """Recursive definitions, those whose value depends on z, those that invert matrices, and what is known of shapes."""
-    if _last[0] is not statement:
-        _last[:] = statement, _recursive(definitions), _spread(definitions, _mentions_z), _spread(definitions, _inverts), {}
-    return _last[1], _last[2], _last[3], _last[4]
-
-
-def _recursive(definitions: Mapping[str, Any]) -> set[str]:
-    """Recursions, and functions that lead back to themselves without passing a recursion."""
-    calls = {name: set(_names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
-    found = {name for name, d in definitions.items() if d[0] == "rec"}
-    for name in calls:
-        todo, seen = list(calls[name]), set[str]()
-        while todo:
-            x = todo.pop()
-            if x in calls and x not in seen:
-                seen.add(x)
-                todo.extend(calls[x])
-        if name in seen and definitions[name][2]:
-            found.add(name)
-    return found
-
-
-def _mentions_z(tree: Any, in_z: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    if tree[0] in ("coeff", "laurent"):
-        return False
-    if tree[0] == "subst":
-        return _mentions_z(tree[2], in_z)
-    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
-        return True
-    return any(_mentions_z(x, in_z) for x in tree[1:])
-
-
-def _inverts(tree: Any, inverting: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    return tree[0] == "inv" or (tree[0] in ("sym", "at") and tree[1] in inverting) or any(_inverts(x, inverting) for x in tree)
-
-
-def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
-    """Names that a definition leads to and that lead back to it."""
-    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
-
-    def reached(start: str) -> set[str]:
-        todo, seen = [start], set[str]()
-        while todo:
-            new = calls[todo.pop()] - seen
-            seen |= new
-            todo.extend(new)
-        return seen
-
-    return {n for n in reached(name) if name in reached(n)}
-
-
-def _spread(definitions: Mapping[str, Any], mentions: Callable[[Any, set[str]], bool]) -> set[str]:
-    """Definitions that mention something, or one that does."""
-    found: set[str] = set()
-    while True:
-        more = {name for name, d in definitions.items() if name not in found
-                and any(mentions(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
-        if not more:
-            return found
-        found |= more
+def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
+    """Initial values and the step of a recursion; both branches of a function that is given by cases."""
+    if d[0] == "rec":
+        return [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})]
+    if d[3][0] != "if":
+        raise Unknown(f"the shape of {d[1]}")
+    return [(x, {p: {f"@{p}": 1} for p in d[2]}) for x in d[3][2:]]

@@ -132,7 +132,8 @@ claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
                     always(t, a[t + 1][n] == -gamma[t + 1][n]
                            - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
                     **_ALONG, given=_SOME,
-                    by=[generic_index(*ONE_STEP, LOWEST_PHI, ALONG, **FOUR_ALPHA, uses=[use(9, t=t + 1, i=n), *LOWEST(t + 1)]),
+                    by=[generic_index(*ONE_STEP, LOWEST_PHI, ALONG, **FOUR_ALPHA, uses=[
+                        use(9, t=t + 1, i=n), *LOWEST(t + 1), use(9, t=t, i=1), use(7, k=n, t=t), use(6, k=n - 1, t=t)]),
                         instances(n=(2, 3, 4), horizon=3)]))
 
 claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]),
@@ -209,6 +210,7 @@ _SHIFT = {"sizes": ["n"], "over": GAMMA, "where": [*SHIFTED]}
 claim("BLZ94-EA.8", "phi_t^(1) from pi_{t+1} and rho_{t+1}",
       forall(t, 0, n, phi(1, t) == 1 / (2 * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))), **_SHIFT,
       by=[example(n=1, gamma=["1/2", "1/3"]), instances(n=(1, 2, 3))],
+      note="The factor is read as 1/(2(1 - gamma_0)). A printed z in the place of the 2 would make it right.",
       repair=repair("factor", "The factor is 1/(z(1 - gamma_0)): already for t = 0 the bracket is z(1 - gamma_0), and "
                               "phi_0^(1) = 1.",
                     forall(t, 0, n, phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))),

@@ -9,6 +9,7 @@ import sys
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
@@ -55,7 +56,7 @@ def test_a_file_says_the_same_as_options(tmp_path):
 
 
 @pytest.mark.parametrize("args, says", [
-    ((), "argument FILE is missing"), (("--alpha", "2"), "does not describe a filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
+    ((), "argument FILE is missing"), (("--alpha", "2"), "no filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
     (("--alpha", "1,,2", "--gamma", "1"), "'--alpha' has an empty entry"),
     (("none.toml",), "cannot be read"), (("none.toml", "--alpha", "1"), "comes beside FILE"),
     (("--alpha", "2", "--gamma", "1/2", "--picture", "p.png"), "is not KIND=FILE"),
@@ -174,3 +175,19 @@ def test_numbers_of_steps_may_be_powers():
     """10^6, 1e6 and 1000000 are the same; algebraic data go ahead too."""
     ends = [run("--alpha", 3, "--gamma", "sqrt(2)", "--after", T).stdout.splitlines()[-2:] for T in ("10^6", "1e6", 1000000)]
     assert ends[0] == ends[1] == ends[2] and ends[0][0].startswith("a_1(1000000) = 0.")
+
+
+def test_the_hyperbola_is_drawn_up_to_its_vertices():
+    """Both branches meet the axis gamma = 0, where the curve is upright."""
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    from exactkf.dynamics import pictures
+
+    axes = Figure().subplots()
+    pictures._hyperbola(axes, 3.0, 0.5, 3.5)
+    upper = axes.lines[0].get_xydata()
+    drawn = upper[np.isfinite(upper[:, 1])]
+    middle = (1 + 3.0**2 - 0.5**2) / 3.0 / 2
+    for vertex in (middle - np.sqrt(middle**2 - 1), middle + np.sqrt(middle**2 - 1)):
+        assert np.abs(drawn[np.abs(drawn[:, 0] - vertex) < 1e-6, 1]).min() < 1e-3
