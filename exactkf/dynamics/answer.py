@@ -11,8 +11,8 @@ Notation
 --------
 An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
 ``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
-(coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data
-is in intervals, ``{"interval": [lo, hi]}``.
+(coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data,
+or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``.
 """
 
 from __future__ import annotations

@@ -115,8 +115,8 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     Returns
     -------
     Answer
-        With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        enclosed in intervals of 50 digits (`limit_digits` gives more).
+        With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data, and where it would have
+        a degree above 32, the limit is enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------

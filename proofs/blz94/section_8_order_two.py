@@ -267,7 +267,9 @@ claim("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to"
       note="gamma(t) tends to zero where D is sign definite (y = 1): q is the first t at which its square length is at most x. Where it is not, none of the first gamma(t) is zero.")
 
 not_checked("BLZ94-F8.5", "the plot of an orbit", "a picture without printed numbers; what the text says of it is in X8.1a, X8.1b and X8.1c")
-not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point", "the initial point and its rounding are not printed")
+not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point",
+            "which point was rounded is not printed, and whether an orbit is dense on its manifold depends on the relations between the angles of its own D. Rational data, at least, "
+            "never have the period 144: the zeros of their D have degree four at most, and as roots of unity orders up to 12")
 
 claim("BLZ94-S66", "which points of the manifold of an interior point tend to it", ~coprime(w, Z - p), over={u: monic(1), v: monic(1), w: monic(2), s: nonzero(), r: nonzero()},
       where=[let(p, when(abs(s) < 1, s, 1 / s))],
