@@ -31,7 +31,7 @@ def number_lines(answer: Answer, digits: int) -> list[str]:
     for name, values in (answer.limit or {}).items():
         several = isinstance(values, list)
         if several and isinstance(values[0], dict) and "minpoly" not in values[0]:
-            shown = [f"{x.str(digits, radius=False)}  (enclosed)" for x in limit_digits(answer, digits).alpha]
+            shown = [f"{f'0 to {digits} digits' if x.contains(0) else x.str(digits, radius=False)}  (enclosed)" for x in limit_digits(answer, digits).alpha]
         else:
             shown = [shown_number(value, digits) for value in (values if several else [values])]
         rows += [(f"limit of {name}" + f"_{k}" * (len(shown) > 1), text) for k, text in enumerate(shown, 1)]
