@@ -9,7 +9,24 @@ E' are eigenvectors of A'.
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, instances
-from exactkf.language import Identity, T, Zero, forall, given, iff, inv, invertible, let, matrix_of, nonsingular, positive_semidefinite, rec, symbols, vector, when
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    forall,
+    given,
+    iff,
+    inv,
+    invertible,
+    let,
+    matrix_of,
+    nonsingular,
+    positive_semidefinite,
+    rec,
+    symbols,
+    vector,
+    when,
+)
 from proofs.d71.notation import H, i, j, k, n
 
 A, E, lam, Rd, Rc, Pw, a, b = symbols("A E lam Rd Rc Pw a b")

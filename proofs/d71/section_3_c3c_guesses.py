@@ -14,13 +14,12 @@ Conventions as in section_3_c3c.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order, steps, within
+from exactkf.evidence import example, instances, order, within
 from exactkf.language import (
     Identity,
     T,
     Zero,
     block,
-    diag,
     given,
     inv,
     invertible,
