@@ -69,7 +69,7 @@ claim("D71-E3.201", "the noise of the reduced process",
       repair=repair("other", "G need not be positive definite: it is singular if a stable mode is undriven, or if H has a null vector outside the span of N_2; "
                     "G >= 0 is what (3.192) has",
                     (H == L*G*T(L)) & psd(G), sizes=["n", "q"], over=REDUCED, where=[let(G, LEFT*H*T(LEFT))], given=SPLIT,
-                    by=[order([], [], [], [LEFT*H*T(LEFT)], lemmas=[H == L*LEFT*H, H == H*T(LEFT)*T(L)]),
+                    by=[order([], [], [], [], [LEFT*H*T(LEFT)], lemmas=[T(N2)*H == Zero(n - q, n), H == L*LEFT*H, H == H*T(LEFT)*T(L)]),
                         example(n=1, q=0, H=[[1]], L=[[]], N2=[[1]]),
                         example({**UNDRIVEN_STABLE, "H": [[1, 0], [0, 2]]}), example({**UNDRIVEN_STABLE, "H": [[1, 1], [1, 1]], "N2": [[1], [-1]]}),
                         instances(6, n=(1, 2, 3), q=(1, 2), **MADE)]),
