@@ -30,7 +30,7 @@ claim("D71-E1.44", "a Gramian for controllability in discrete time",
           where=[BACK, rec(Wc, k, Zn, Wc[k] + Psi[k + 1]*G[k]*T(G[k])*T(Psi[k + 1])),
                  rec(x, k, xi, Phi[k]*x[k] - G[k]*T(G[k])*T(Psi[k + 1])*c)],
           by=[induction(), instances(6, n=(1, 2), q=(1, 2), horizon=2)]),
-      note="Psi_k is the inverse of Phi(t_k, t_0), and the range of Reach_N is what the inputs up to t_N can add to the state; an initial state can be brought "
-           "to zero exactly if Phi(t_N, t_0) times it lies there. There are no inputs after t_N. In the counterexample Phi_1 exchanges the two coordinates, G_0 = e_1 and "
-           "G_1 = e_2, so that both inputs add to the second coordinate, while W_c = I. In the repair the inputs are u_i = -G_i'Psi_{i+1}'c; with "
-           "c = W_c^{-1}xi they bring the initial state xi to zero at t_k. For constant Phi and G both sums have the same rank.")
+      note="Psi_k is the inverse of Phi(t_k, t_0), and the range of Reach_N is what the inputs up to t_N can add to the state; an initial state can be "
+           "brought to zero exactly if Phi(t_N, t_0) times it lies there. There are no inputs after t_N. In the counterexample Phi_1 exchanges the two "
+           "coordinates, G_0 = e_1 and G_1 = e_2, so that both inputs add to the second coordinate, while W_c = I. In the repair the inputs are u_i = "
+           "-G_i'Psi_{i+1}'c; with c = W_c^{-1}xi they bring the initial state xi to zero at t_k. For constant Phi and G both sums have the same rank.")

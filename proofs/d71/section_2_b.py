@@ -58,4 +58,5 @@ claim("D71-S12", "regular processes and undriven modes",
               example(n=2, E=[[1, 0], [1, 1]], lam=[3, 2], H=[[0, 0], [0, 1]]), instances(8, n=(1, 2, 3))]),
       note="For a process with n different real eigenvalues, all unstable or zero; the columns of E are the eigenvectors of A, those of the inverse of E' the "
            "eigenvectors of A'. All modes are driven exactly if H, AH, ..., A^{n-1}H span the space, that is if the sum R_c of the A^k H A'^k is nonsingular. "
-           "In the counterexample the eigenvectors (1, 0) and (1, 1) of A are no null vectors of H = diag(1, 0), but (0, 1) is one and an eigenvector of A' at 2.")
+           "In the counterexample the eigenvectors (1, 0) and (1, 1) of A are no null vectors of H = diag(1, 0), but (0, 1) is one and an eigenvector of A' "
+           "at 2.")

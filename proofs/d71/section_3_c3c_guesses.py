@@ -111,7 +111,8 @@ CLOSED = Phi*(I - GAIN*M)
 TERMS = [T(N)*Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi)*N, T(N)*Phi*GAIN*V*T(GAIN)*T(Phi)*N, T(N)*H*N]
 GONE = Zero(n, q)
 SUM_GONE = (TERMS[0] + TERMS[1] + TERMS[2])*Identity(q) == Zero(q, q)
-KEPT = [P == Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi) + Phi*GAIN*V*T(GAIN)*T(Phi) + H, SUM_GONE, V*T(GAIN)*T(Phi)*N == Zero(p, q), T(GAIN)*T(Phi)*N == Zero(p, q), P*T(I - GAIN*M)*T(Phi)*N == GONE]
+KEPT = [P == Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi) + Phi*GAIN*V*T(GAIN)*T(Phi) + H, SUM_GONE,
+        V*T(GAIN)*T(Phi)*N == Zero(p, q), T(GAIN)*T(Phi)*N == Zero(p, q), P*T(I - GAIN*M)*T(Phi)*N == GONE]
 #: in the basis E, the first coordinate undriven and stable, the others driven or not
 QUIET = {Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E), M: matrix_of(i, j, p, n, when(i == j + 1, 1, 0))*inv(E),
          P: E*matrix_of(i, j, n, n, when((i == j) & (i > q), 1 + c[i]**2, 0))*T(E), N: inv(T(E))*matrix_of(i, j, n, q, when(i == j, 1, 0)),
@@ -125,9 +126,9 @@ claim("D71-Q2", "null vectors of the stable equilibrium",
           example(n=1, p=1, q=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], P=[[0]], N=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[3]], N=[[1]]),
           instances(8, n=(2, 3), p=(1, 2), q=(1,), using={E: nonsingular(n), c: vector(n)}, made_by=QUIET)],
-      note="The null vectors of P are null vectors of H, and Phi' keeps their space and acts there like the adjoint of B - PD = Phi(I - K_e M). If J is outside "
-           "the unit circle the eigenvalues of B - PD are inside, so an eigenvector of Phi' in that space is an undriven stable mode; an invariant space other "
-           "than zero has one. So what the examples indicate is right: without such a mode P is positive definite.")
+      note="The null vectors of P are null vectors of H, and Phi' keeps their space and acts there like the adjoint of B - PD = Phi(I - K_e M). If J is "
+           "outside the unit circle the eigenvalues of B - PD are inside, so an eigenvector of Phi' in that space is an undriven stable mode; an invariant "
+           "space other than zero has one. So what the examples indicate is right: without such a mode P is positive definite.")
 
 # --- the form F*Gamma -------------------------------------------------------------------------------------------------------
 
@@ -162,5 +163,5 @@ claim("D71-S48", "the form F*Gamma",
                     inside=[within(0, unique=(T(inv(J)), inv(J))), within(1, stein=T(inv(J)))]),
               example({**INSIDE, "F": [["-1/2"]], "Gam": [[1]], "J": [["1/2"]]}), example({**INSIDE, "F": [[-1]], "Gam": [[1]], "J": [[2]]}),
               instances(4, n=(1,), p=(1,), q=(1,), **ALONE), instances(4, n=(2,), p=(2,), q=(2,), **ALONE)]),
-      note="F = F1 + iF2 and so on; the imaginary part of F*Gamma is F1'G2 - F2'G1. The counterexample has the undriven modes 1 + 2i and 1 - 2i in J and conjugate columns in T. "
-           "In the repair the transpose stands for the conjugate transpose, and the matrices are real of every size.")
+      note="F = F1 + iF2 and so on; the imaginary part of F*Gamma is F1'G2 - F2'G1. The counterexample has the undriven modes 1 + 2i and 1 - 2i in J and "
+           "conjugate columns in T. In the repair the transpose stands for the conjugate transpose, and the matrices are real of every size.")

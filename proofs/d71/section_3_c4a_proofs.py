@@ -58,7 +58,8 @@ EIGEN = given("Kv = mu v", K*v == v*mu)
 BRACKET = Identity(n) + (d**2*mu*mk*mk/Nk)*v*T(v)*T(D)
 INSERTED = [let(ell, d*mk*v), let(r, (d*mk/Nk)*v), let(nxt, inv(Identity(n) + K*r*T(ell)*T(D))*K*r), let(w, inv(BRACKET)*v)]
 ONE = {"n": 1, "K": [[2]], "D": [[1]], "v": [1], "mu": 2, "mk": 1, "Nk": 1, "d": 1}
-MAKE_K = instances(8, n=(1, 2, 3), using={L: nonsingular(n), R: matrix(n, n)}, made_by={K: (mu*v*T(v) + R*(T(v)*v*Identity(n) - v*T(v)))*inv(T(v)*v*Identity(n))})
+MAKE_K = instances(8, n=(1, 2, 3), using={L: nonsingular(n), R: matrix(n, n)},
+                   made_by={K: (mu*v*T(v) + R*(T(v)*v*Identity(n) - v*T(v)))*inv(T(v)*v*Identity(n))})
 
 
 def next_r(power):
@@ -72,8 +73,8 @@ claim("D71-E3.170", "r_k put into its recursion",
       repair=repair("index", "the factor is mu^{k+1}, as (3.174) has it: (B - P_e D) multiplies mu^k v by mu",
                     next_r(mk*mu), sizes=["n"], over=RUN, where=INSERTED, given=[EIGEN],
                     by=[order(lemmas=[K*r*T(ell)*T(D) == (d**2*mu*mk*mk/Nk)*v*T(v)*T(D)]), example({**ONE, "K": [[3]]}), MAKE_K]),
-      note="r_{k+1} = [I + KU_k*D*]^{-1}K r_k with U_k* = r_k l_k*; mk stands for mu^k, Nk for the denominator of (3.169), d for delta and D for any matrix. In "
-           "the counterexample n = 1, mu = 2, and all others are 1: r_{k+1} = 2/3 and w = 1/3.")
+      note="r_{k+1} = [I + KU_k*D*]^{-1}K r_k with U_k* = r_k l_k*; mk stands for mu^k, Nk for the denominator of (3.169), d for delta and D for any matrix. "
+           "In the counterexample n = 1, mu = 2, and all others are 1: r_{k+1} = 2/3 and w = 1/3.")
 
 ALPHA = T(v)*T(D)*v
 NEXT_N = Nk*Identity(1) + d**2*mu*mk*mk*ALPHA

@@ -77,7 +77,8 @@ def all_grow(name):
 claim("D71-F3.6a", "how long the elements grow",
       all_grow(XA) & all_grow(XB), where=BOTH_RUNS, by=[evaluation()],
       repair=repair(
-          "other", "x_22 falls from the first step on; x_11, and with it the largest element 9x_11 of U_k, grows up to the sample k = 8 for a = 0.01 and k = 4 for a = 0.1",
+          "other", "x_22 falls from the first step on; x_11, and with it the largest element 9x_11 of U_k, grows up to the sample k = 8 for a = 0.01 and k = "
+                   "4 for a = 0.1",
           forall(k, 0, 7, grows(XA, k, 1, 1)) & (XA[9][1, 1] < XA[8][1, 1]) & forall(k, 0, 3, grows(XB, k, 1, 1)) & (XB[5][1, 1] < XB[4][1, 1])
           & forall(k, 0, 9, (XA[k + 1][2, 2] < XA[k][2, 2]) & (XB[k + 1][2, 2] < XB[k][2, 2])),
           where=BOTH_RUNS, by=[evaluation()]),

@@ -97,9 +97,11 @@ def turned(at):
     return inv(I + S_TERM*at)*T(Phi)
 
 
-NOW = [let(Y0, turned(P0)), let(Y1, turned(step(P0))), let(Fa, kronecker(K, Y0)), let(Fb, kronecker(K, Y1)), let(Fc, kronecker(T(Y0), K)), let(Fd, kronecker(T(Y1), K))]
+NOW = [let(Y0, turned(P0)), let(Y1, turned(step(P0))), let(Fa, kronecker(K, Y0)), let(Fb, kronecker(K, Y1)),
+       let(Fc, kronecker(T(Y0), K)), let(Fd, kronecker(T(Y1), K))]
 #: a random walk mode, undriven and observable, and a stable mode; U_0 = I
-WALK = {"n": 2, "p": 1, "Phi": [[1, 0], [-1, "-1/2"]], "H": [[0, 0], [0, "7/8"]], "M": [[-1, -1]], "V": [[1]], "P": [[0, 0], [0, 1]], "P0": [[1, 0], [0, 2]], "nd": [1, 0],
+WALK = {"n": 2, "p": 1, "Phi": [[1, 0], [-1, "-1/2"]], "H": [[0, 0], [0, "7/8"]], "M": [[-1, -1]], "V": [[1]], "P": [[0, 0], [0, 1]], "P0": [[1, 0], [0, 2]],
+        "nd": [1, 0],
         "Sa": [["1755030867640/332315616321", "-269961961096/110771872107", "291223952/2840304413", "-176738640/2840304413"],
                 ["-269961961096/110771872107", "806950741720/332315616321", "-176738640/2840304413", "120416336/2840304413"],
                 ["291223952/2840304413", "-176738640/2840304413", "2088896/2006337", "-16448/668779"],
@@ -135,5 +137,5 @@ claim("D71-Q5.b", "the function with the matrix of the step",
           by=[example(n=1, F=[["1/2"]], S=[[1]], w=[1]), example(n=1, F=[["3/5"]], S=[["25/16"]], w=[2]),
               example(n=2, F=[[0, 2], [0, 0]], S=[[1, 0], [0, 5]], w=[1, 1]), example(n=2, F=[[0, 0], [3, 0]], S=[[10, 0], [0, 1]], w=[2, -1]),
               instances(8, n=(1, 2, 3), made_by={F: Zero(n, n), S: Identity(n)})]),
-      note="For a simple mode. With the printed product, Sa and Sb, the function grows from 6.2 to 14.5 in the first step from U_0 = I, with the one for stacked "
-           "columns, Sc and Sd, from 7.2 to 11.6. In the repair F stands for F(mu(t_k)), S for S(t_k) and n for the length of mu.")
+      note="For a simple mode. With the printed product, Sa and Sb, the function grows from 6.2 to 14.5 in the first step from U_0 = I, with the one for "
+           "stacked columns, Sc and Sd, from 7.2 to 11.6. In the repair F stands for F(mu(t_k)), S for S(t_k) and n for the length of mu.")

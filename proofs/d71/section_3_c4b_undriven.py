@@ -128,8 +128,9 @@ claim("D71-E3.215", "the matrix of the stacked deviation",
       repair=repair("order of factors", "for stacked columns the product is Y' x (B - P_e D), with Y transposed and first",
                     W1 == F0*W0, sizes=["n"], over=STACK, where=moved(kronecker(T(Y), K)),
                     by=[identity(n=(1, 2)), instances(8, n=(1, 2))]),
-      note="K is B - P_e D, Lk is DP_e - C, D any matrix, Y the inverse of Lk + DU_k, and A x B has the blocks a_{ij}B. The other order, Y x (B - P_e D), lacks the transpose as well. "
-           "F(0) is in the same way the product of the conjugate of B - P_e D with B - P_e D; its eigenvalues are those of the printed one.")
+      note="K is B - P_e D, Lk is DP_e - C, D any matrix, Y the inverse of Lk + DU_k, and A x B has the blocks a_{ij}B. The other order, Y x (B - P_e D), "
+           "lacks the transpose as well. F(0) is in the same way the product of the conjugate of B - P_e D with B - P_e D; its eigenvalues are those of the "
+           "printed one.")
 
 # --- the stable equilibrium -----------------------------------------------------------------------------------------------
 
@@ -142,7 +143,8 @@ UNDRIVEN = [standing("an undriven unstable mode", (T(Phi)*u == l*u) & (H*u == Ze
 INSIDE = standing("B - PD is inside the circle", schur(CLOSED))
 #: modes 2 and 1/2, both undriven
 BOTH = example(n=2, p=1, Phi=[[2, 0], [0, "1/2"]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]], P=[[3, 0], [0, 0]], u=[1, 0], l=2)
-WHOLE = "a stable mode may be undriven beside the unstable one, and then every nonnegative equilibrium is singular (Theorem 3.20); without one P_e1 is positive definite"
+WHOLE = ("a stable mode may be undriven beside the unstable one, and then every nonnegative equilibrium is singular (Theorem 3.20); without one P_e1 is "
+         "positive definite")
 GAIN = gain()
 TERMS = [T(N)*Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi)*N, T(N)*Phi*GAIN*V*T(GAIN)*T(Phi)*N, T(N)*H*N]
 GONE = Zero(n, q)
@@ -165,9 +167,9 @@ def only_stable_modes():
                       instances(8, n=(2, 3), p=(1, 2), q=(1,), using={E: nonsingular(n), c: vector(n)}, made_by=QUIET)])
 
 
-STABLE_NOTE = ("The part on P_e1, the nonnegative equilibrium with B - PD inside the unit circle. The counterexample is Phi = diag(2, 1/2), H = 0, M = [1, 1], V = 1 "
-               "with P_e1 = diag(3, 0) and a regular stable mode. The repair says that null vectors of P are null vectors of H in a space on which Phi' acts "
-               "like the adjoint of B - PD, as in D71-Q2: undriven stable modes. ")
+STABLE_NOTE = ("The part on P_e1, the nonnegative equilibrium with B - PD inside the unit circle. The counterexample is Phi = diag(2, 1/2), H = 0, M = [1, "
+               "1], V = 1 with P_e1 = diag(3, 0) and a regular stable mode. The repair says that null vectors of P are null vectors of H in a space on which "
+               "Phi' acts like the adjoint of B - PD, as in D71-Q2: undriven stable modes. ")
 
 claim("D71-Q4.b", "the stable equilibrium beside an undriven unstable mode",
       pd(P),

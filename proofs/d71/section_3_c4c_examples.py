@@ -78,9 +78,9 @@ claim("D71-E3.248", "the component along an undriven unstable mode",
           HAS_V & GROWTH,
           sizes=["n", "p"], over=ACTUAL, where=WHERE, given=[*MODE, SIMPLE],
           by=[example(SHEAR), example({**PLAIN, "lam": 3}), example({**PLAIN, "P": [[1]], "lam": 1}), example({**PLAIN, "nd": [0]}), example(PLAIN), CORNERED]),
-      note="Real lambda; alpha_k is n*P_a(t_k)n, as n*v_k = 1 makes it. A vector v_k with Phi(I - K_k M)v_k = lambda v_k and n*v_k = 1 exists exactly if n* adds one to the "
-           "rank of Phi(I - K_k M) - lambda I. The counterexample is Phi = [[2, 1], [0, 2]], H = 0, M = [1, 0] and P_0 = 0, so that K_k = 0; the text asks "
-           "for a simple mode in the random walk case alone.")
+      note="Real lambda; alpha_k is n*P_a(t_k)n, as n*v_k = 1 makes it. A vector v_k with Phi(I - K_k M)v_k = lambda v_k and n*v_k = 1 exists exactly if n* "
+           "adds one to the rank of Phi(I - K_k M) - lambda I. The counterexample is Phi = [[2, 1], [0, 2]], H = 0, M = [1, 0] and P_0 = 0, so that K_k = 0; "
+           "the text asks for a simple mode in the random walk case alone.")
 
 # --- the bound in the proof of Theorem 3.25 --------------------------------------------------------------------------------
 
@@ -159,7 +159,9 @@ Y_K = rows([[k**2*VARIANCE + 2*k*COVARIANCE + ninth, k*VARIANCE + COVARIANCE], [
 
 claim("D71-F3.12", "the actual covariance in the first case",
       exists(k, 0, 40, trace(Pa[k]) < rational("13/36")), where=RUNS, by=[evaluation()],
-      repair=repair("other", "P_k converges to 0, but P_a(t_k) to [[4, 6], [6, 9]]/36: the gain is blind to a direction in which P_0 vanishes and P_a(t_0) does not",
+      repair=repair("other", "P_k converges to 0, but P_a(t_k) to [[4, 6], [6, 9]]/36: the gain is blind to a direction in which P_0 vanishes and P_a(t_0) "
+                             "does not",
                     forall(k, 0, 40, (Pa[k] == TT*Y_K*T(TT)) & (trace(Pa[k]) > rational("13/36"))), where=[*RUNS, *CLOSED_FORM], by=[evaluation()]),
-      note="Read as: the trace of P_a falls below 13/36, here within the first 40 steps. The repair gives P_a(t_k) = TY_kT' in closed form, with the sums N1 and N2 of "
-           "the first k numbers and squares: the variance of x_2 times k^2 tends to 1/4, its covariance with c times k to -1/6, and so Y_k to diag(1/36, 0); the trace of the limit is 13/36.")
+      note="Read as: the trace of P_a falls below 13/36, here within the first 40 steps. The repair gives P_a(t_k) = TY_kT' in closed form, with the sums N1 "
+           "and N2 of the first k numbers and squares: the variance of x_2 times k^2 tends to 1/4, its covariance with c times k to -1/6, and so Y_k to "
+           "diag(1/36, 0); the trace of the limit is 13/36.")

@@ -72,8 +72,8 @@ claim("D71-S69", "the equation cited for the limit of the actual covariance",
                                            M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
                                            P: E*matrix_of(i, j, n, n, when(i == j, c[i]**2, 0))*T(E), H: P - Phi*(P - gain()*M*P)*T(Phi),
                                            Ha: H, Va: V, Pae: P})]),
-      note="Read as: the matrix of (3.101) is the limit, at which P_a stays. In the counterexample n = 1, P = 1 and H_a = H, V_a = V; R is 3 and P_ae is 1. The other parts of "
-           "the item are Theorems 3.24 and 3.25.")
+      note="Read as: the matrix of (3.101) is the limit, at which P_a stays. In the counterexample n = 1, P = 1 and H_a = H, V_a = V; R is 3 and P_ae is 1. "
+           "The other parts of the item are Theorems 3.24 and 3.25.")
 
 # --- stable equilibria -----------------------------------------------------------------------------------------------------
 
@@ -90,8 +90,8 @@ def stable_equilibrium():
                       example(phi=1, m=1, v=1, h=0, r=0), instances(made_by=one_state.FROM_Q, using={one_state.q: scalar()})])
 
 
-ONE_STATE_NOTE = ("For one state: observable or stable are the processes without an unobservable random walk or unstable mode. The counterexample is phi = m = v = 1, h = 0, where 0 is the only "
-                  "equilibrium and values below it leave; see D71-S26 for what stable means. The repair is for one state.")
+ONE_STATE_NOTE = ("For one state: observable or stable are the processes without an unobservable random walk or unstable mode. The counterexample is phi = m "
+                  "= v = 1, h = 0, where 0 is the only equilibrium and values below it leave; see D71-S26 for what stable means. The repair is for one state.")
 
 for id_, title in (("D71-S15", "when there is a stable equilibrium"), ("D71-S75", "observable modes and a stable equilibrium")):
     claim(id_, title, one_state.STABLE,
@@ -115,7 +115,8 @@ WALK = [given("random walk", s**2 == 1), given("undriven", (T(Phi)*nd == s*nd) &
         given("unobservable", (Phi*v == s*v) & (M*v == Zero(p, 1)))]
 SOLUTION = [rec(P, k, P0, step(P[k])), let(Var, T(nd)*P0*nd)]
 CONSTANT = always(k, T(nd)*P[k]*nd == Var)
-CORRELATED = {"n": 2, "p": 1, "Phi": [[1, 0], [0, "1/2"]], "H": [[0, 0], [0, 0]], "M": [[0, 1]], "V": [[1]], "P0": [[1, "1/2"], ["1/2", 1]], "nd": [1, 0], "v": [1, 0], "s": 1}
+CORRELATED = {"n": 2, "p": 1, "Phi": [[1, 0], [0, "1/2"]], "H": [[0, 0], [0, 0]], "M": [[0, 1]], "V": [[1]], "P0": [[1, "1/2"], ["1/2", 1]],
+              "nd": [1, 0], "v": [1, 0], "s": 1}
 PLAIN = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[0]], "V": [[1]], "P0": [[3]], "nd": [1], "v": [1], "s": 1, "b": 3}
 REST = n - 1
 
@@ -123,18 +124,20 @@ claim("D71-S72", "the variance of a random walk mode that is neither driven nor 
       CONSTANT, sizes=["n", "p"], over=MODE, where=SOLUTION, given=WALK,
       by=[example(CORRELATED), instances(n=(1,), p=(1,), horizon=2)],
       repair=repair(
-          "missing hypothesis", "the variance falls if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of the "
-          "vector of the mode",
+          "missing hypothesis", "the variance falls if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
+                                "the vector of the mode",
           always(k, (P[k]*nd == b*v) & (T(nd)*P[k]*nd == Var)), sizes=["n", "p"], over={**MODE, b: scalar()}, where=SOLUTION,
           given=[*WALK, given("uncorrelated", P0*nd == b*v)],
-          by=[induction(), example({**CORRELATED, "b": 1}), example({**PLAIN, "Phi": [[2]], "s": 2}), example({**PLAIN, "H": [[1]]}), example({**PLAIN, "M": [[1]]}),
+          by=[induction(), example({**CORRELATED, "b": 1}), example({**PLAIN, "Phi": [[2]], "s": 2}), example({**PLAIN, "H": [[1]]}),
+              example({**PLAIN, "M": [[1]]}),
               example({**PLAIN, "b": 2}),
               instances(6, n=(2, 3), p=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
-                        made_by={s: 1, Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E), nd: inv(T(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
+                        made_by={s: 1, Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E),
+                                 nd: inv(T(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
                                  v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), b: r**2, H: Zn, M: hstack(Zero(1, 1), c)*inv(E),
                                  P0: E*block([[r**2*Identity(1), Zero(1, REST)], [Zero(REST, 1), D*T(D)]])*T(E)})]),
-      note="The variance of the mode is n'P_k n with Phi'n = sn, s = 1 or -1. In the counterexample the other mode, 1/2, is measured, and the first measurement lowers the variance from 1 to 7/8. "
-           "That the equilibria form a continuum is not stated here.")
+      note="The variance of the mode is n'P_k n with Phi'n = sn, s = 1 or -1. In the counterexample the other mode, 1/2, is measured, and the first "
+           "measurement lowers the variance from 1 to 7/8. That the equilibria form a continuum is not stated here.")
 
 # --- the definition that is recalled --------------------------------------------------------------------------------------
 
@@ -148,11 +151,13 @@ claim("D71-S76", "completely observable modes, as recalled",
       iff(OBSERVABLE, IN_RANGE),
       sizes=["n", "p", "q"], over=SEEN, given=[INDEPENDENT],
       by=[example(n=2, p=1, q=1, Pd=[[1], [-1]], Ti=[[1], [0]]), instances(n=(1,), p=(1,), q=(1,))],
-      repair=repair("other", "the definition of Chapter I is that no vector of the mode but 0 is in the null space of P_d'; a mode inside the range of P_d has that "
-                    "property, but not the other way round",
+      repair=repair("other", "the definition of Chapter I is that no vector of the mode but 0 is in the null space of P_d'; a mode inside the range of P_d "
+                             "has that property, but not the other way round",
                     OBSERVABLE, sizes=["n", "p", "q"], over={**SEEN, X: matrix(p, q)},
                     given=[given("the columns of T_i are independent", rank(Ti) == q), given("inside the range", Ti == Pd*X)],
-                    by=[order([T(Ti)*Ti]), example(n=1, p=1, q=1, Pd=[[1]], Ti=[[0]], X=[[0]]), example(n=2, p=1, q=1, Pd=[[1], [-1]], Ti=[[1], [1]], X=[[0]]),
+                    by=[order([T(Ti)*Ti]), example(n=1, p=1, q=1, Pd=[[1]], Ti=[[0]], X=[[0]]),
+                        example(n=2, p=1, q=1, Pd=[[1], [-1]], Ti=[[1], [1]], X=[[0]]),
                         instances(8, n=(2, 3), p=(2, 3), q=(1, 2), made_by={Ti: Pd*X})]),
-      note="P_d is n x p here, with any p. The columns of T_i span the mode; it meets the null space of P_d' in 0 only exactly if P_d'T_i has independent columns. The counterexample is realized "
-           "by Phi = [[1, 1], [0, 2]] and M = [1, -1]: the mode 2 with the vector (1, 1) is unobservable, P_d has the columns (1, -1) and (1, -1), and the mode 1, with the vector (1, 0), is observable.")
+      note="P_d is n x p here, with any p. The columns of T_i span the mode; it meets the null space of P_d' in 0 only exactly if P_d'T_i has independent "
+           "columns. The counterexample is realized by Phi = [[1, 1], [0, 2]] and M = [1, -1]: the mode 2 with the vector (1, 1) is unobservable, P_d has the "
+           "columns (1, -1) and (1, -1), and the mode 1, with the vector (1, 0), is observable.")
