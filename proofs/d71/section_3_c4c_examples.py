@@ -29,14 +29,18 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonsingular,
+    pd,
     positive,
     positive_definite,
     positive_semidefinite,
+    prints,
+    psd,
     rank,
     rational,
     rec,
     rows,
     scalar,
+    schur,
     sequence,
     sum_of,
     symbols,
@@ -45,7 +49,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.d71.notation import K, M, P, Phi, V, gain, i, j, k, n, p
+from proofs.d71.notation import H, K, M, P, Phi, V, gain, i, j, k, n, p, step
 
 E, c, X, Y, Ha, Va, Pa, lam, nd, Acl, LESS, D2 = symbols("E c X Y Ha Va Pa lam nd Acl LESS D2")
 I = Identity(n)
@@ -128,9 +132,56 @@ claim("D71-S67", "the initial value of the second case",
                     (Pa0 == E11) & (rank(vstack(rows([[1, 0, 0, 0]]), rows([[4, 6, 6, 9]]))) == 2) & (P0 == 10*FORM), where=SECOND, by=[evaluation()]),
       note="Pa0 is P_a(t_0) of the second case, (3.268b). The rank says that a matrix, written as a row, is no multiple of [[4, 6], [6, 9]].")
 
+# --- Examples 3.3 and 3.4: a stable mode, and an undriven unstable or random walk mode ---------------------------------------
+
+Pe1, Pe2, root, TT = symbols("Pe1 Pe2 root TT")
+HALF, THREE_HALVES = rational("1/2"), rational("3/2")
+NOISE = rows([[4, 6], [6, 9]])
+TWO_MODES = [let(TT, rows([[2, -1], [3, 0]])), let(H, NOISE), let(M, rows([[-1, 1]])), let(V, rows([[1]]))]
+NULL = rows([[3], [-2]])
+GROWING = [let(Phi, rows([[THREE_HALVES, -rational("2/3")], [0, HALF]])), *TWO_MODES]
+WALKING = [let(Phi, rows([[1, -rational("1/3")], [0, HALF]])), *TWO_MODES]
+#: in the field of the square root of 65
+ROOTS = [let(Pe1, rows([[1609 + 9*root, 1431 - 9*root], [1431 - 9*root, 1449 + 9*root]])*rational("1/128")),
+         let(Pe2, ((1 + root)/8)*NOISE)]
+#: root is the square root of 65
+IN_FIELD = {"over": {root: scalar()}, "given": [given("a root", root**2 == 65), given("the positive one", root > 0)],
+            "by": [example(root=[0, 1], field=[["-65", "0", "1"], "8", "9"]), example(root=[0, 1], field=[["-65", "0", "1"], "-9", "-8"]), example(root=8)]}
+
+
+def modes(other):
+    """The eigenvectors, what drives them and what the measurement sees of them."""
+    return ((Phi*TT == TT*diag(HALF, other)) & (M*TT == rows([[1, 1]])) & (T(Phi)*NULL == other*NULL) & (H*NULL == Zero(2, 1))
+            & (T(Phi)*rows([[0], [1]]) == HALF*rows([[0], [1]])) & (H*rows([[0], [1]]) == rows([[6], [9]])))
+
+
+def closed(at):
+    return Phi*(Identity(2) - gain(at)*M)
+
+
+claim("D71-E3.261", "the modes of Example 3.3", modes(THREE_HALVES), where=GROWING, by=[evaluation()],
+      note="The columns of T are the eigenvectors of Phi, (3, -2) and (0, 1) those of Phi'.")
+
+claim("D71-E3.262", "the stable equilibrium",
+      prints(Pe1, [["13.13719", "10.61281"], ["10.61281", "11.88719"]]) & (step(Pe1) == Pe1) & pd(Pe1) & schur(Acl),
+      where=[*GROWING, *ROOTS, let(Acl, closed(Pe1))], **IN_FIELD, note="In closed form over the rational numbers and the square root of 65. Stable: B - PD is inside the unit circle.")
+
+claim("D71-E3.263", "the unstable equilibrium",
+      prints(Pe2, [["4.53113", "6.79669"], ["6.79669", "10.19504"]]) & (step(Pe2) == Pe2) & psd(Pe2) & (Pe2*NULL == Zero(2, 1))
+      & (T(closed(Pe2))*NULL == THREE_HALVES*NULL),
+      where=[*GROWING, *ROOTS], **IN_FIELD,
+      note="B - PD has the eigenvalue 3/2, with (3, -2) from the left. That there is no third nonnegative equilibrium is not stated here.")
+
+claim("D71-E3.266", "the modes of Example 3.4", modes(rational(1)), where=WALKING, by=[evaluation()])
+
+claim("D71-X3.4", "the equilibrium of Example 3.4",
+      (step(Pe2) == Pe2) & psd(Pe2) & (Pe2*NULL == Zero(2, 1)) & (T(Acl)*NULL == NULL) & (trace(Acl) < 2) & (trace(Acl) > 0),
+      where=[*WALKING, *ROOTS, let(Acl, closed(Pe2))], **IN_FIELD,
+      note="P_e2 of Example 3.3 again. B - PD has the eigenvalue 1, once, as its trace is not 2. That there is no other nonnegative equilibrium is not stated here.")
+
 # --- Example 3.5 ------------------------------------------------------------------------------------------------------------
 
-TT, Lam, x, y, y11, y12, y21, y22, Kx = symbols("TT Lam x y y11 y12 y21 y22 Kx")
+Lam, x, y11, y12, y21, y22 = symbols("Lam x y11 y12 y21 y22")
 COORDINATES = [let(TT, rows([[2, -1], [3, 0]])), let(Lam, rows([[1, 1], [0, 1]])), let(Phi, TT*Lam*inv(TT)), let(M, rows([[-1, 1]])), let(V, rows([[1]]))]
 ENTRIES = {x: scalar(), y11: scalar(), y12: scalar(), y21: scalar(), y22: scalar()}
 ON_LINE = TT*rows([[x, 0], [0, 0]])*T(TT)
