@@ -456,7 +456,8 @@ INNER = {**MODEL, FF: matrix(n, q), GG: matrix(n, q), JJ: matrix(q, q), l: nonze
 SECOND_PART = given("(3.95)", Rp*vstack(FF, GG) == vstack(FF, GG)*JJ)
 ALSO_UNDRIVEN = given("an undriven mode", (T(Phi)*u == l*u) & (H*u == Zero(n, 1)) & (u != Zero(n, 1)))
 INNER_JOINED = {key: value for key, value in JOINED.items() if key != "P"}
-INNER_ONE = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "FF": [[0]], "GG": [[1]], "JJ": [["1/2"]], "l": 2, "u": [1], "bv": [1, 1]}
+INNER_ONE = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "FF": [[0]], "GG": [[1]], "JJ": [["1/2"]], "l": 2, "u": [1],
+             "bv": [1, 1]}
 
 claim("D71-E3.96", "the columns that belong to undriven modes",
       FF == Zero(n, q),
@@ -478,7 +479,8 @@ claim("D71-E3.96", "the columns that belong to undriven modes",
               instances(6, n=(2,), p=(2,), q=(1,), using={E: nonsingular(2), w: scalar(), c: scalar()},
                         made_by={V: Identity(2), M: inv(E), Phi: E*diag(l, 1)*inv(E), H: E*diag(0, H2)*T(E), u: inv(T(E))*rows([[1], [0]]),
                                  bv: diag(E, inv(T(E)))*rows([[l**2 - 1], [w + 1/w - 2], [2], [2]]), FF: Zero(2, 1), GG: c*u, JJ: rows([[1/l]])})]),
-      note="For one real undriven mode lambda. The counterexample is that of D71-T3.17, with J_2 = [[1/2, -1/4], [0, 1/2]]; its second column has F_2 = (0, -1/2).")
+      note="For one real undriven mode lambda. The counterexample is that of D71-T3.17, with J_2 = [[1/2, -1/4], [0, 1/2]]; its second column has "
+           "F_2 = (0, -1/2).")
 
 _W = 2 + c**2
 

@@ -164,7 +164,8 @@ claim("D71-E3.261", "the modes of Example 3.3", modes(THREE_HALVES), where=GROWI
 
 claim("D71-E3.262", "the stable equilibrium",
       prints(Pe1, [["13.13719", "10.61281"], ["10.61281", "11.88719"]]) & (step(Pe1) == Pe1) & pd(Pe1) & schur(Acl),
-      where=[*GROWING, *ROOTS, let(Acl, closed(Pe1))], **IN_FIELD, note="In closed form over the rational numbers and the square root of 65. Stable: B - PD is inside the unit circle.")
+      where=[*GROWING, *ROOTS, let(Acl, closed(Pe1))], **IN_FIELD, note="In closed form over the rational numbers and the square root of 65. Stable: B - PD "
+                                                                        "is inside the unit circle.")
 
 claim("D71-E3.263", "the unstable equilibrium",
       prints(Pe2, [["4.53113", "6.79669"], ["6.79669", "10.19504"]]) & (step(Pe2) == Pe2) & psd(Pe2) & (Pe2*NULL == Zero(2, 1))
@@ -177,7 +178,8 @@ claim("D71-E3.266", "the modes of Example 3.4", modes(rational(1)), where=WALKIN
 claim("D71-X3.4", "the equilibrium of Example 3.4",
       (step(Pe2) == Pe2) & psd(Pe2) & (Pe2*NULL == Zero(2, 1)) & (T(Acl)*NULL == NULL) & (trace(Acl) < 2) & (trace(Acl) > 0),
       where=[*WALKING, *ROOTS, let(Acl, closed(Pe2))], **IN_FIELD,
-      note="P_e2 of Example 3.3 again. B - PD has the eigenvalue 1, once, as its trace is not 2. That there is no other nonnegative equilibrium is not stated here.")
+      note="P_e2 of Example 3.3 again. B - PD has the eigenvalue 1, once, as its trace is not 2. That there is no other nonnegative equilibrium is not stated "
+           "here.")
 
 # --- Example 3.5 ------------------------------------------------------------------------------------------------------------
 
