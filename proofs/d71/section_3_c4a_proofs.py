@@ -17,6 +17,7 @@ from exactkf.evidence import example, instances, order
 from exactkf.language import (
     Identity,
     T,
+    always,
     given,
     inv,
     let,
@@ -25,6 +26,7 @@ from exactkf.language import (
     nonsingular,
     nonzero,
     positive_definite,
+    rec,
     scalar,
     symbols,
     vector,
@@ -97,3 +99,34 @@ claim("D71-E3.172", "the equation for w, and w",
                     by=[order(lemmas=[BRACKET*w == v]), instances(n=(1, 2, 3))]),
       note="Read as printed: premultiplying (3.171) by what stands in (3.71), f*Sf, gives (3.172). The two equations themselves are right; the vector that "
            "the scan of (3.172) calls x is w. (3.173) is written without its denominator, Nk + delta^2 mu alpha |mu|^{2k}.")
+
+# --- the rest of both proofs ----------------------------------------------------------------------------------------------
+
+k, ms, Ns, rs = symbols("k m N r")
+POWERS = [rec(ms, k, 1, mu*ms[k]), rec(Ns, k, 1, Ns[k] + d**2*mu*ms[k]*ms[k]*ALPHA)]
+R_START, R_STEP = d*v, inv(Identity(n) + K*rs[k]*T(d*ms[k]*v)*T(D))*K*rs[k]
+OVER_R = {K: matrix(n, n), D: matrix(n, n), v: vector(n), mu: nonzero(), d: scalar()}
+MADE = instances(6, n=(1, 2), horizon=3, using={L: nonsingular(n), R: matrix(n, n)},
+                 made_by={K: (mu*v*T(v) + R*(T(v)*v*Identity(n) - v*T(v)))*inv(T(v)*v*Identity(n))})
+
+claim("D71-E3.169", "r_k in closed form",
+      always(k, rs[k]*Ns[k] == d*ms[k]*v),
+      sizes=["n"], over=OVER_R, where=[*POWERS, rec(rs, k, R_START, R_STEP)], given=[EIGEN],
+      by=[example({**{key: value for key, value in ONE.items() if key not in ("mk", "Nk")}, "K": [[3]]}), MADE],
+      note="Real mu; m_k = mu^k and N_k is the denominator. U_k* = r_k l_k* with l_k = d m_k v.")
+
+claim("D71-E3.174", "the next r",
+      nxt*NEXT_N == d*mk*mu*v,
+      sizes=["n"], over=RUN, where=INSERTED, given=[EIGEN],
+      by=[order(lemmas=[K*r*T(ell)*T(D) == (d**2*mu*mk*mk/Nk)*v*T(v)*T(D)]), example({**ONE, "K": [[3]]}), MAKE_K],
+      note="Real mu; mk is mu^k and Nk the denominator of r_k.")
+
+claim("D71-E3.175", "the deviation in closed form",
+      always(k, (Ns[k] == 1 + d**2*mu*ALPHA*((ms[k]*ms[k] - 1)/(mu**2 - 1))) & ((d*ms[k]*v)*T((d*ms[k]/Ns[k])*v) == (d**2*ms[k]*ms[k]/Ns[k])*v*T(v))),
+      sizes=["n"], over={D: matrix(n, n), v: vector(n), mu: nonzero(), d: scalar()}, where=POWERS, by=[instances(8, n=(1, 2), horizon=3)],
+      note="Real mu, so that alpha* is alpha. N_k is 1/beta_k times d^2 mu^{2k}; |mu| is not 1.")
+
+claim("D71-E3.152", "the deviation as a product",
+      (K*S)*(R*inv(L + D*(S*R))) == K*(S*R)*inv(L + D*(S*R)),
+      sizes=["n"], over={K: matrix(n, n), D: matrix(n, n), L: matrix(n, n), R: matrix(n, n), S: matrix(n, n)}, by=[instances(8, n=(1, 2, 3))],
+      note="L is DP_e - C and K is B - P_e D; S and R stand for L_k and R_k, so that U_k is their product.")
