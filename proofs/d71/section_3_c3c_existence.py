@@ -68,7 +68,8 @@ claim("D71-E3.118", "an unobservable vector and Gamma",
           example({**HIDDEN, "r": 1, "N": [[1]], "Lam": [[2]], "Gam": [[1]], "J": [[3]]}),
           example({**HIDDEN, "r": 1, "N": [[1]], "Lam": [[2]], "Gam": [[1]], "F": [[0]], "J": [["1/2"]]}),
           instances(6, n=(2,), p=(1,), q=(1,), r=(1,), using={c: vector(1)},
-                    made_by={Phi: (1 + c[1]**2)*Identity(2), M: Zero(1, 2), H: Zero(2, 2), F: Zero(2, 1), J: (1/(1 + c[1]**2))*Identity(1), Lam: (1 + c[1]**2)*Identity(1)})],
+                    made_by={Phi: (1 + c[1]**2)*Identity(2), M: Zero(1, 2), H: Zero(2, 2), F: Zero(2, 1),
+                             J: (1/(1 + c[1]**2))*Identity(1), Lam: (1 + c[1]**2)*Identity(1)})],
       note="v has r columns, and lambda stands on the right as a matrix: v*Gamma J = (lambda*)^{-1}v*Gamma.")
 
 FORM = T(F)*Gam
