@@ -10,7 +10,7 @@ the gain does not act on n: n'P_a n grows by n'H_a n at each step.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -18,6 +18,7 @@ from exactkf.language import (
     always,
     block,
     diag,
+    function,
     given,
     inv,
     let,
@@ -28,7 +29,9 @@ from exactkf.language import (
     positive_semidefinite,
     rec,
     scalar,
+    sequence_of,
     signal_of,
+    sum_of,
     symbols,
     symmetric_matrix,
     vector,
@@ -64,13 +67,16 @@ claim("D71-E3.255", "the deviation from the limit",
       by=[order(), instances(8, n=(1, 2), p=(1, 2), made_by={Ha: Pae - Phi*((I - Ke*M)*Pae*T(I - Ke*M) + Ke*Va*T(Ke))*T(Phi)})],
       note="K is K_k and Ke is K_e.")
 
-#: column k of the sum: D_k carried on from t_{k+1}, by a recursion in the end point
-claim("D71-E3.257", "the deviation after k steps",
-      always(k, W[k] == Prod[k]*W0*T(Prod[k]) + Y[k]),
-      sizes=["n"], over={A: signal_of(matrix(n, n), 0), D: signal_of(symmetric_matrix(n), 0), W0: symmetric_matrix(n)},
-      where=[rec(Prod, k, I, A[k]*Prod[k]), rec(W, k, W0, A[k]*W[k]*T(A[k]) + D[k]), rec(Y, k, Zn, A[k]*Y[k]*T(A[k]) + D[k])],
-      by=[induction(), instances(6, n=(1, 2), horizon=3)],
-      note="A_k is Phi(I - K_k M), Prod_k is Phi_x(t_k, t_0) and Y_k is the sum in (3.257): a new term D_k comes in and all others are carried on by A_k.")
+Tr, aa, bb, m = symbols("Tr a b m")
+#: Phi_x(t_a, t_b)
+TRANSITION = function(Tr, [aa, bb], when(aa == bb, I, A(aa - 1)*Tr(aa - 1, bb)))
+
+claim("D71-E3.257", "the deviation after m steps",
+      W[m] == Tr(m, 0)*W0*T(Tr(m, 0)) + sum_of(i, 0, m - 1, Tr(m, i + 1)*D[i]*T(Tr(m, i + 1))),
+      sizes=["n", "m"], over={A: sequence_of(matrix(n, n), 0, m - 1), D: sequence_of(symmetric_matrix(n), 0, m - 1), W0: symmetric_matrix(n)},
+      where=[TRANSITION, rec(W, k, W0, A[k]*W[k]*T(A[k]) + D[k])],
+      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(8, n=(1, 2), m=(1, 2, 3))],
+      note="A_k is Phi(I - K_k M), and Tr(a, b) is Phi_x(t_a, t_b) = A_{a-1}...A_b.")
 
 ACTUAL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), P: positive_semidefinite(n),
           Ha: positive_semidefinite(n), Va: positive_semidefinite(p), Pa0: positive_semidefinite(n), nd: vector(n), lam: scalar()}
@@ -87,8 +93,6 @@ claim("D71-E3.247", "the component along a random walk mode",
       sizes=["n", "p"], over=ACTUAL, where=RUN, given=WALK,
       by=[induction(), example({**ONE, "Phi": [[2]]}), example({**ONE, "P": [[1]]}), example({**ONE, "Phi": [[2]], "lam": 2}), CORNERED],
       note="Real lambda, 1 or -1; alpha_k is n'P_a(t_k)n. The existence of v is not stated here.")
-
-t = symbols("t")
 
 claim("D71-S65", "growth along a random walk mode",
       always(k, T(nd)*Pa[k]*nd == T(nd)*Pa0*nd + k*(T(nd)*Ha*nd)),
