@@ -9,22 +9,9 @@ first step on, while x_11 = a k^2/N_k rises until N_k has grown too large.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, identity, instances
-from exactkf.language import (
-    Identity,
-    T,
-    Zero,
-    forall,
-    inv,
-    let,
-    matrix,
-    rank,
-    rational,
-    rec,
-    rows,
-    symbols,
-)
-from proofs.d71.notation import H, M, Phi, V, gram, k
+from exactkf.evidence import evaluation, example, identity, instances
+from exactkf.language import Identity, T, Zero, always, forall, iff, inv, let, matrix, nonneg, psd, rank, rational, rec, rows, sym, symbols, symmetric_matrix
+from proofs.d71.notation import H, M, P, Phi, V, gain, gram, k, step
 
 TT, Lam, S, X, U, a = symbols("TT Lam S X U a")
 third = rational("1/3")
@@ -83,3 +70,36 @@ claim("D71-F3.6a", "how long the elements grow",
           & forall(k, 0, 9, (XA[k + 1][2, 2] < XA[k][2, 2]) & (XB[k + 1][2, 2] < XB[k][2, 2])),
           where=BOTH_RUNS, by=[evaluation()]),
       note="XA and XB are the solutions for a = 0.01 and a = 0.1. Already between the first two samples x_22 falls from a to a/(1 + a), whatever a is.")
+
+# --- the equation and its solution ---------------------------------------------------------------------------------------
+
+QUIET = [let(P, Zero(2, 2)), let(U, TT*X*T(TT))]
+
+claim("D71-E3.221", "the deviation, and its coordinates",
+      (step(P + U) == Phi*U*inv(I2 + S*U)*T(Phi)) & (step(P + U) == TT*(Lam*X*inv(I2 + T(TT)*S*TT*X)*T(Lam))*T(TT)),
+      over={X: matrix(2, 2)}, where=[*DATA, *QUIET], by=[identity(), instances()],
+      note="With P_e = 0. The primes on the last Phi of (3.221) and on the last T of (3.222) are read into the scan; without the latter U_k would not be "
+           "symmetric.")
+
+claim("D71-S60", "the equilibrium of the example",
+      (step(P) == P) & (Phi*(I2 - gain(P)*M) == Phi),
+      where=[*DATA, let(P, Zero(2, 2))], by=[evaluation()],
+      note="B - PD is Phi at P = 0, and DP - C its inverse transposed. That there is no other equilibrium is not stated here.")
+
+FOUR = sym("FOUR")
+
+claim("D71-S62", "when U is nonnegative definite",
+      iff(psd(TT*X*T(TT)), FOUR),
+      over={X: symmetric_matrix(2)},
+      where=[*DATA, let(FOUR, (X[1, 1] >= 0) & (X[2, 2] >= 0) & (ENTRIES >= 0) & (X[1, 1]*X[2, 2] - X[1, 2]*X[2, 1] >= 0))],
+      by=[example(X=[[-1, 0], [0, 0]]), example(X=[[0, 0], [0, -1]]), example(X=[[1, 2], [2, 1]]), example(X=[[0, 0], [0, 0]]), example(X=[[1, -1], [-1, 1]]),
+          example(X=[[1, -2], [-2, 4]]), example(X=[[1, -2], [-2, 3]]), example(X=[[-1, 0], [0, -1]]), instances()],
+      note="FOUR stands for the four conditions; the third follows from the others.")
+
+Ns = sym("N")
+
+claim("D71-E3.227", "the solution from diag(0, a)",
+      always(k, (Ns[k]*X[k][1, 1] == a*k**2) & (Ns[k]*X[k][1, 2] == a*k) & (Ns[k]*X[k][2, 1] == a*k) & (Ns[k]*X[k][2, 2] == a)),
+      over={a: nonneg()}, where=[*DATA, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(X, k, rows([[0, 0], [0, a]]), Lam*X[k]*inv(I2 + T(TT)*S*TT*X[k])*T(Lam))],
+      by=[instances(12, horizon=5)],
+      note="N_k = 1 + a(1 + 4 + ... + k^2), so that x_11 = ak^2/N_k, x_12 = x_21 = ak/N_k and x_22 = a/N_k.")
