@@ -18,18 +18,23 @@ from exactkf.language import (
     Zero,
     forall,
     given,
+    hstack,
+    iff,
     inv,
     let,
     matrix,
     matrix_of,
     nonsingular,
     positive_semidefinite,
+    rank,
     rec,
+    scalar,
     symbols,
     vector,
+    vstack,
     when,
 )
-from proofs.d71.notation import H, N, Phi, i, j, k, n
+from proofs.d71.notation import H, N, Phi, i, j, k, n, p
 
 q, A, TT, Lam, S1, S2, T1, T2, v, mu, Up, Rd, E, c, X, D = symbols("q A TT Lam S1 S2 T1 T2 v mu Up Rd E c X D")
 I, Zn = Identity(n), Zero(n, 1)
@@ -67,3 +72,34 @@ claim("D71-E9.18", "null vectors of R_d",
           instances(6, n=(2, 3), N=(1, 2), using=CORNERED["using"], made_by={**CORNERED["made_by"], mu: matrix_of(i, j, 1, 1, X[1, 1])})],
       note="The first half: R_d v = 0 for an eigenvector v that H annihilates. The other half, with H(Phi')^j v = 0 for a null vector v of R_d, is part of "
            "D71-E3.60.")
+
+# --- the tests for a mode -------------------------------------------------------------------------------------------------
+
+lam, Pd, Down, RANGE, Cm = symbols("lam Pd Down RANGE Cm")
+#: Phi = T diag(lam I + N, D) T^{-1} with the mode of lam in the first q coordinates, and lam no eigenvalue of D
+CHAIN = matrix_of(i, j, n, n, when((i <= q) & (j <= q), when(i == j, lam, when(j == i + 1, c[i], 0)), when(i == j, lam + i, 0)))
+WITH_MODE = {TT: nonsingular(n), lam: scalar(), c: vector(n)}
+MODE_OF = [let(Phi, TT*CHAIN*inv(TT)), let(T1, matrix_of(i, j, n, q, TT[i, j]))]
+EYE = [[1, 0], [0, 1]]
+#: c = 0: two eigenvectors; c != 0: a Jordan block
+SHAPES = [{"n": 2, "q": 2, "TT": EYE, "lam": 3, "c": [chain, 0]} for chain in (0, 1)] + [{"n": 2, "q": 1, "TT": [[1, 1], [0, 1]], "lam": 1, "c": [0, 0]}]
+NOISES = ([[0, 0], [0, 0]], [[1, 0], [0, 0]], [[0, 0], [0, 1]], [[1, 1], [1, 1]], [[1, -1], [-1, 1]])
+
+claim("D71-T9.3", "when a mode is completely driven",
+      iff(rank(hstack(RANGE, T1)) == rank(RANGE), rank(vstack(T(Phi) - lam*I, H)) == n),
+      sizes=["n", "q"], over={**WITH_MODE, H: positive_semidefinite(n)}, where=[*MODE_OF, *SUM, let(RANGE, Rd[n])],
+      by=[*(example({**shape, "H": noise}) for shape in SHAPES for noise in NOISES), instances(8, n=(2, 3), q=(1, 2)),
+          instances(8, n=(2, 3), q=(1, 2), using={X: vector(n)}, made_by={H: X*T(X)})],
+      note="Real lambda. The mode is in the range of R_d exactly if it adds nothing to its rank, and no eigenvector of Phi' at lambda is a null vector of H "
+           "exactly if the two matrices together have rank n. c_i are the numbers next to the diagonal of Lambda_1.")
+
+OBSERVED = [rec(Down, k, I, Phi*Down[k]), rec(Pd, k, Zero(n, n), Pd[k] + T(Down[k])*T(Cm)*Cm*Down[k]), let(RANGE, Pd[n])]
+ROWS = ([[0, 0]], [[1, 0]], [[0, 1]], [[1, 1]], [[1, -1]])
+
+for id_, title in (("D71-T9.4", "when a mode is completely observable"), ("D71-T9.2", "the same in continuous time")):
+    claim(id_, title,
+          iff(rank(RANGE*T1) == q, rank(vstack(Phi - lam*I, Cm)) == n),
+          sizes=["n", "q", "p"], over={**WITH_MODE, Cm: matrix(p, n)}, where=[*MODE_OF, *OBSERVED],
+          by=[*(example({**shape, "p": 1, "Cm": row}) for shape in SHAPES for row in ROWS), instances(8, n=(2, 3), q=(1, 2), p=(1, 2))],
+          note="Real lambda; Cm is M, and Phi is A in continuous time. P_d and P_dP_d' have the same range, so that P_d' and the sum here have the same null "
+               "vectors; the mode meets that null space in 0 only exactly if the sum takes its basis T_1 to independent vectors.")
