@@ -35,8 +35,7 @@ from exactkf.language import (
     vector,
     vstack,
 )
-from proofs.d71.notation import H, M, P, Phi, V, gain, k, n, p, step
-from proofs.d71.section_3_c4b_undriven import kronecker, stacked
+from proofs.d71.notation import H, M, P, Phi, V, gain, k, kronecker, n, p, stacked, step
 
 K, U0, U1, W0, W1, P0, Sa, Sb, Sc, Sd, Fa, Fb, Fc, Fd, F, S, w = symbols("K U0 U1 W0 W1 P0 Sa Sb Sc Sd Fa Fb Fc Fd F S w")
 nd, Up, Rd = symbols("nd Up Rd")

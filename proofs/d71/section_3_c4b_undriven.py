@@ -39,13 +39,12 @@ from exactkf.language import (
     scalar,
     schur,
     standing,
-    sum_of,
     symbols,
     vector,
     vstack,
     when,
 )
-from proofs.d71.notation import H, M, P, Phi, V, gain, i, j, k, n, p, step
+from proofs.d71.notation import H, M, P, Phi, V, gain, i, j, k, kronecker, n, p, stacked, step
 
 q, L, N2, G, E, c, X = symbols("q L N2 G E c X")
 I = Identity(n)
@@ -97,20 +96,7 @@ claim("D71-E3.202", "the two state covariances",
 
 # --- deviations as vectors ------------------------------------------------------------------------------------------------
 
-K, Lk, D, U, Y, a, b, a1, b1 = symbols("K Lk D U Y a b a1 b1")
-
-
-def stacked(matrix_):
-    """The columns of an n x n matrix, one below the other."""
-    return matrix_of(i, j, n*n, 1, sum_of(a, 1, n, sum_of(b, 1, n, when(i == (b - 1)*n + a, matrix_[a, b], 0))))
-
-
-def kronecker(left, right):
-    """The blocks left_{ab} times the matrix on the right."""
-    return matrix_of(i, j, n*n, n*n, sum_of(a, 1, n, sum_of(a1, 1, n, when(i == (a - 1)*n + a1, sum_of(b, 1, n, sum_of(b1, 1, n, when(
-        j == (b - 1)*n + b1, left[a, b]*right[a1, b1], 0))), 0))))
-
-
+K, Lk, D, U, Y = symbols("K Lk D U Y")
 STACK = {K: matrix(n, n), Lk: nonsingular(n), D: matrix(n, n), U: matrix(n, n)}
 IS_Y = let(Y, inv(Lk + D*U))
 NEXT_U = symbols("NEXT_U VEC_U")
