@@ -71,7 +71,7 @@ AT_N = b*(T(n1)*RE*n1 + T(n2)*RE*n2 - T(n1)*IM*n2 + T(n2)*IM*n1)
 claim("D71-S57", "the variance along n",
       (AT_N == b*(CC*CC - SS*SS)) & (2*b*CC*SS == Zero(1, 1)),
       sizes=["n"], over=PAIRS, where=PARTS,
-      by=[example(n=2, v1=[1, 0], v2=[0, 1], n1=[0, -1], n2=[1, 0], b=1)],
+      by=[example(n=2, v1=[1, 0], v2=[0, 1], n1=[0, -1], n2=[1, 0], b=1), instances(n=(1,))],
       repair=repair("other", "n*P_k n is beta_k |v*n|^2; the square without the modulus is the same for real vectors only",
                     AT_N == b*(CC*CC + SS*SS), sizes=["n"], over=PAIRS, where=PARTS, by=[order(), instances(n=(1, 2, 3))]),
       note="v = v1 + iv2, n = n1 + in2 and v*n = CC + i SS; the real and the imaginary part of b(v*n)^2 are compared with n*(b vv*)n. The counterexample is "
