@@ -105,8 +105,8 @@ def test_past_the_time_limit_the_orbit_is_undecided(tmp_path):
 def test_what_is_found_before_the_time_limit_is_kept(tmp_path):
     """The decision is printed, the exit code is 1, and what is missing is said."""
     picture = tmp_path / "g.png"
-    done = run("--a", "1/2,1/3,1/4", "--g", "1/3,-1/2,1/4", "--picture", f"gamma={picture}", "--steps", 10000, "--time-limit", 15, "--json", tmp_path / "a.json",
-               "--certificate", tmp_path / "c.json")
+    done = run("--a", "1/2,1/3,1/4", "--g", "1/3,-1/2,1/4", "--picture", f"gamma={picture}", "--steps", 10000, "--time-limit", 15,
+               "--json", tmp_path / "a.json", "--certificate", tmp_path / "c.json")
     assert done.exit_code == 1, done.output
     assert "  Not finished: out of time after 15 s while drawing the gamma picture." in done.stdout
     assert f"{picture}: not written, out of time" in done.stderr and done.stderr.count("\n") == 1
