@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 import click
 
 from exactkf._errors import BadInput
+from exactkf.kernel.files import one_line, parsed
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 from exactkf.progress import Meter
 
@@ -35,23 +35,23 @@ def check_paths(paths: Iterable[Path]) -> int:
                     proved.add(certificate["id"])
             except Rejected as error:
                 rejected += 1
-                click.echo(f"{file}: does not replay: {error}")
+                click.echo(one_line(f"{file}: does not replay: {error}"))
             except (NotACertificate, BadInput) as error:
                 strange += 1
-                click.echo(f"exactkf: argument PATH = {str(file)!r}: {error}", err=True)
+                click.echo(one_line(f"exactkf: argument PATH = {str(file)!r}: {error}"), err=True)
             meter.step(file.name)
     for file, needed in granted.items():
         shown = " (a proof by that name replays here)" if needed in proved else ""
-        click.echo(f"{file}: replays assuming {needed}{shown} for its parametrisation to reach everything")
+        click.echo(one_line(f"{file}: replays assuming {needed}{shown} for its parametrisation to reach everything"))
     assuming = f", {len(granted)} of them assuming what is named above" if granted else ""
     click.echo(f"{len(files) - rejected - strange} of {len(files)} certificates replay{assuming}")
     return 1 if rejected else 2 if strange else 0
 
 
 def read_certificate(file: Path) -> Any:
-    """Read a JSON file; what is no JSON raises BadInput."""
+    """Read a JSON file; what is no JSON raises BadInput, what is read in two ways NotACertificate."""
     try:
-        return json.loads(file.read_text(encoding="utf-8"))
+        return parsed(file.read_text(encoding="utf-8"))
     except OSError as error:
         raise BadInput(f"cannot be read ({error.strerror or error}); pass a file that you may read") from error
     except (ValueError, RecursionError) as error:

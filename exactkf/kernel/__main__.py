@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
-import json
 import sys
 
+from exactkf.kernel.files import one_line, parsed
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 
 
@@ -15,15 +15,15 @@ def main(paths: list[str]) -> int:
     for path in paths:
         try:
             with open(path, encoding="utf-8") as file:
-                certificate = json.load(file)
+                certificate = parsed(file.read())
             replay(certificate)
             if needed := rests_on(certificate):
-                print(f"{path}: replays assuming {needed} for its parametrisation to reach everything")
+                print(one_line(f"{path}: replays assuming {needed} for its parametrisation to reach everything"))
         except Rejected as error:
-            print(f"{path}: rejected: {error}")
+            print(one_line(f"{path}: rejected: {error}"))
             worst = max(worst, 1)
         except (NotACertificate, OSError, ValueError, RecursionError) as error:
-            print(f"{path}: {error}", file=sys.stderr)
+            print(one_line(f"{path}: {error}"), file=sys.stderr)
             worst = 2
     return worst
 

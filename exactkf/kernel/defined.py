@@ -245,16 +245,16 @@ class Witness:
 
 
 def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:
-    """Whether a square matrix has ones on and zeros above its diagonal, at the point and whatever its indices are."""
-    def ones(region: Region, on: bool, splits: int = 0) -> bool:
+    """Whether a square matrix has ones on, zeros above and values below its diagonal, at the point and whatever its indices are."""
+    def ones(region: Region, wanted: int | None, splits: int = 0) -> bool:
         if region.empty:
             return True
         terms = _AtPoint(witness, region)
         try:
             x = terms.entry(matrix, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
         except Split as split:
-            return splits < _MOST_SPLITS and all(ones(part, on, splits + 1) for part in region.cases(split.form))
-        return not terms.field.factors and not (x - terms.number(int(on))).num
+            return splits < _MOST_SPLITS and all(ones(part, wanted, splits + 1) for part in region.cases(split.form))
+        return not terms.field.factors and (wanted is None or not (x - terms.number(wanted)).num)
 
     try:
         terms = _AtPoint(witness, Region(witness.sizes))
@@ -263,6 +263,7 @@ def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:
             return False
         gap: Form = {"column": 1, "row": -1}
         square = Region([*witness.sizes, {"row": 1, "": -1}, plus(rows, {"row": 1}, -1), {"column": 1, "": -1}, plus(rows, {"column": 1}, -1)])
-        return ones(square.and_(gap, plus({}, gap, -1)), True) and ones(square.and_(plus(gap, {"": 1}, -1)), False)
+        places = {1: (gap, plus({}, gap, -1)), 0: (plus(gap, {"": 1}, -1),), None: (plus(plus({}, gap, -1), {"": 1}, -1),)}
+        return all(ones(square.and_(*forms), wanted) for wanted, forms in places.items())
     except (Unknown, Undefined, KeyError):
         return False

@@ -27,7 +27,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, inverts, known
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -36,6 +36,7 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["Terms"]
 
+_LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
 
 
@@ -64,14 +65,15 @@ class Terms(Indefinite, Chains):
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.known = known(statement, self.definitions)
-        self.has_z, self.is_matrix = self.known.has_z, self.known.is_matrix
+        self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
+        self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
-        self.nested = 0
-        self.called: dict[tuple, tuple[Symbolic, set[tuple]]] = {}
+        self.nested = self.perhaps = 0
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -155,6 +157,8 @@ class Terms(Indefinite, Chains):
         if op == "neg":
             return -self.value(tree[1], env)
         if op == "^" and isinstance(tree[2], int):
+            if abs(tree[2]) > _LARGEST_POWER:
+                raise Unknown("too large a power")
             out, x = self.number(1), self.value(tree[1], env)
             for _ in range(abs(tree[2])):
                 out = out * x
@@ -176,7 +180,7 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
-        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
+        if op == "at" and self.known.is_named_matrix(tree[1]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
@@ -281,9 +285,15 @@ class Terms(Indefinite, Chains):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
+        self.need_smaller(tree)
         if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def need_smaller(self, tree: Any) -> None:
+        """No recursion that is looked at stands in a term that is not opened."""
+        if self.within and self.within[1].intersection(names(tree)):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
 
     def inverts(self, tree: Any) -> bool:
         """Whether a term contains an inverse."""
@@ -294,6 +304,8 @@ class Terms(Indefinite, Chains):
         if any(n.startswith("#") for form in key[1:] for n, _ in form):
             raise Unknown("an inverse that depends on the index of a sum")
         self.met.add(key)
+        if not self.perhaps:
+            self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
@@ -302,14 +314,17 @@ class Terms(Indefinite, Chains):
             return self.atom(("at", name, *map(form_key, args)))
         key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
-            met, self.met = self.met, set()
+            before = self.met, self.sure, self.perhaps
+            self.met, self.sure, self.perhaps = set(), set(), 0
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
             finally:
-                met |= self.met
-                self.met = met
-        out, met = self.called[key]
+                before[0].update(self.met)
+                self.met, self.sure, self.perhaps = before
+        out, met, sure = self.called[key]
         self.met |= met
+        if not self.perhaps:
+            self.sure |= sure
         return out
 
     def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
@@ -426,6 +441,8 @@ class Terms(Indefinite, Chains):
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
         if not self.is_matrix(tree):
+            if self.others(tree):
+                self._need_number(tree, env)
             return {"": 1}, {"": 1}
         op = tree[0]
         if op == "mat":
@@ -485,6 +502,13 @@ class Terms(Indefinite, Chains):
         for _, w in shapes[0]:
             width = plus(width, w)
         return height, width
+
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] in ("sum", "prod"):
+            env = {**env, tree[1]: {f"@{len(env)}": 1}}
+        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""

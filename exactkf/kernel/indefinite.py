@@ -30,6 +30,7 @@ from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["BOUND", "Indefinite"]
 
+_LONGEST = 1000  # terms that are written out
 BOUND = ("sum", "prod")  # atoms (kind, body, end), in whose body '#' is bound
 
 
@@ -40,6 +41,7 @@ class Indefinite:
     field: SymbolicField
     atoms: list[tuple]
     nested: int
+    perhaps: int
     within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
@@ -67,12 +69,14 @@ class Indefinite:
             length = {}
         if set(length) <= {""}:
             out = self.number(int(times))
-            for k in range(length.get("", 0) + 1):
+            for k in range(_written_out(length.get("", 0)) + 1):
                 x = body(self, self.region.reduce(plus(low, {"": k})))
                 out = out * x if times else out + x
             return out
         name = f"#{self.nested}"  # sums within this one have other names
+        empty = int(self.region.decide(plus(high, low, -1)) is not True)  # then what stands in the body need not have a value
         self.nested += 1
+        self.perhaps += empty
         j = {name: 1}
         outer = self.region
         self.region = outer.and_(plus(j, low, -1), plus(high, j, -1))
@@ -95,6 +99,7 @@ class Indefinite:
         finally:
             self.region = outer
             self.nested -= 1
+            self.perhaps -= empty
         if self.within and any(generic.num):  # only what it is made of is looked at
             return self.atom(("sum", (), ((name, 1),)))
         return self._quotient(generic, name, low, high) if times else self._indefinite(generic, name, low, high)
@@ -160,7 +165,7 @@ class Indefinite:
     def _from_constant(self, form: Form) -> tuple[Form, int]:
         """A form without its constant, and that."""
         form = self.region.reduce(form)
-        return {n: x for n, x in form.items() if n}, form.get("", 0)
+        return {n: x for n, x in form.items() if n}, _written_out(form.get("", 0))
 
     def _sum_to(self, made: tuple, high: Form) -> Symbolic:
         """The indefinite sum, by its value where the constant is zero and the terms from there."""
@@ -206,6 +211,13 @@ class Indefinite:
             *args, m = forms
             return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)
         return self._call(key[1], tuple(self.region.reduce(a) for a in forms), self.value)
+
+
+def _written_out(terms: int) -> int:
+    """A number of terms, none that nobody could wait for."""
+    if abs(terms) > _LONGEST:
+        raise Unknown("too long a sum to be written out")
+    return terms
 
 
 def _forms(key: Any) -> Iterator[Form]:

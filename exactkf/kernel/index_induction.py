@@ -26,7 +26,7 @@ Determinants, inverses and the like are not opened; what turns them into other t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import suppress
 from itertools import islice
 from typing import Any
@@ -284,7 +284,7 @@ class _Proof:
 
     def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations) -> bool:
         """What a polynomial is by the equations used here is not zero."""
-        known.again()
+        known.again(_places(p))
         equal = known.reduced(Symbolic(terms.field, dict(p), 1, ())).num
         return bool(equal) and self._is_not_zero(terms, equal)
 
@@ -340,7 +340,7 @@ class _Proof:
 
     def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> None:
         """Each wanted term is zero by the uses, and nothing divided by on the way is."""
-        granted = set(terms.met)
+        granted = set(terms.sure)
         if any(x.num for x in wanted):
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
@@ -364,7 +364,8 @@ class _Proof:
                     self.assumes = True
                 elif not self._equal_is_not_zero(terms, f, known):
                     raise Rejected(f"{place}: nothing tells that {text} is not zero")
-            self.not_zero.add(key)
+            else:  # whatever the indices are; the equations hold here
+                self.not_zero.add(key)
             if text not in self.denominators:
                 self.denominators.append(text)
 
@@ -381,6 +382,7 @@ class _Equations:
     def __init__(self, terms: Terms, rows: Iterator[Symbolic]) -> None:
         self.terms, self.rows = terms, rows
         self.read: list[Symbolic] = []
+        self.first: Collection[int] = ()
         self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
 
     def reduced(self, goal: Symbolic) -> Symbolic:
@@ -391,9 +393,9 @@ class _Equations:
                 break
         return goal
 
-    def again(self) -> None:
-        """Read all equations, and choose atoms once more, now that all denominators are known: those in them come last."""
-        self.rows, self.read, self.solved = iter([*self.read, *self.rows]), [], []
+    def again(self, first: Collection[int]) -> None:
+        """Read all equations, and choose atoms once more, now that all denominators are known: some come first, those in denominators last."""
+        self.rows, self.read, self.solved, self.first = iter([*self.read, *self.rows]), [], [], first
 
     def _values(self) -> Iterator[tuple[int, Symbolic]]:
         yield from list(self.solved)
@@ -401,7 +403,7 @@ class _Equations:
             self.read.append(row)
             for pivot, value in self.solved:
                 row = _eliminated(self.terms, row, value, pivot)
-            place = _pivot(self.terms, row)
+            place = _pivot(self.terms, row, self.first)
             if place is not None:
                 parts = _parts(row, place)
                 value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
@@ -472,7 +474,7 @@ def _places(*polys: Mapping[int, int]) -> set[int]:
     return {place for place, e in enumerate(exponents(used)) if e}
 
 
-def _pivot(terms: Terms, row: Symbolic) -> int | None:
+def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
     found = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
@@ -484,8 +486,8 @@ def _pivot(terms: Terms, row: Symbolic) -> int | None:
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((left, place in below, _FIRST.index(terms.atoms[place][0]), place))
-    return min(found)[3] if found else None
+                found.append((place not in first, left, place in below, _FIRST.index(terms.atoms[place][0]), place))
+    return min(found)[-1] if found else None
 
 
 def _eliminated(terms: Terms, x: Symbolic, value: Symbolic, place: int) -> Symbolic:

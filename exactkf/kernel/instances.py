@@ -13,7 +13,7 @@ from typing import Any
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import Listed, Signal, World, is_invertible, is_pd, is_psd, is_symmetric, truth
+from exactkf.kernel.meaning import Listed, Signal, World, count, indices, is_invertible, is_pd, is_psd, is_symmetric, truth
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown, fraction, rational
 from exactkf.kernel.symbolic import SymbolicField
 
@@ -40,11 +40,12 @@ def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number:
     values: dict[str, Any] = {}
     for name in statement["sizes"]:
         values[name] = data["sizes"][name]
-        if not isinstance(values[name], int) or values[name] < 0:
+        if type(values[name]) is not int or values[name] < 0:
             raise Undefined(f"size {name} is not a natural number")
     values["horizon"] = data["sizes"].get("horizon", 5)
     if type(values["horizon"]) is not int or values["horizon"] < 0:
         raise Undefined("the horizon is not a natural number")
+    indices(0, values["horizon"])
     for name, kind in statement["over"]:
         values[name] = _read_value(World({"where": statement["where"]}, values), kind, data["values"][name], read)
     return values
@@ -66,7 +67,7 @@ def _read_value(world: World, kind: Any, data: Any, read: Callable) -> Any:
         case "scalar" | "nonzero" | "positive" | "nonneg":
             return read(data)
         case "sequence":
-            return dict(zip(range(args[0], args[1] + 1), [read(x) for x in data], strict=True))
+            return dict(zip(indices(args[0], args[1]), [read(x) for x in data], strict=True))
         case "signal":
             return Listed((args[0] + k, read(x)) for k, x in enumerate(data))
         case "poly" | "monic":
@@ -130,7 +131,7 @@ def computed(world: World, kind: Any, tree: Any) -> Any:
         return Signal(world.integer(kind[1], {}), lambda k: world.value(tree[2], {tree[1]: k}))
     if kind[0] not in ("sequence", "sequence_of"):
         raise Unknown("a term with an index for a variable without one")
-    return {k: world.value(tree[2], {tree[1]: k}) for k in range(world.integer(kind[1], {}), world.integer(kind[2], {}) + 1)}
+    return {k: world.value(tree[2], {tree[1]: k}) for k in indices(world.integer(kind[1], {}), world.integer(kind[2], {}))}
 
 
 def _generic_variable(world: World, name: str, kind: Any, new: Callable[[str], Any]) -> Any:
@@ -142,23 +143,25 @@ def _generic_variable(world: World, name: str, kind: Any, new: Callable[[str], A
         return _generic_value(f"{name}_{k}", kind[-1][0], args, new)
     if kind[0] == "signal_of":
         return Signal(first, entry)
-    return {k: entry(k) for k in range(first, world.integer(kind[2], {}) + 1)}
+    return {k: entry(k) for k in indices(first, world.integer(kind[2], {}))}
 
 
 def _generic_value(name: str, kind: str, args: list[int], new: Callable[[str], Any]) -> Any:
+    if kind in ("matrix", "nonsingular", "diagonal", "symmetric", "psd", "pd"):
+        args = [count(n) for n in args]
     match kind:
         case "integer":
             raise Unknown(f"integer variable {name} needs a value")
         case "scalar" | "nonzero" | "positive" | "nonneg":
             return new(name)
         case "sequence":
-            return {k: new(f"{name}_{k}") for k in range(args[0], args[1] + 1)}
+            return {k: new(f"{name}_{k}") for k in indices(args[0], args[1])}
         case "signal":
             return Signal(args[0], lambda k: new(f"{name}_{k}"))
         case "poly":
-            return Laurent({k: new(f"{name}_{k}") for k in range(args[0] + 1)})
+            return Laurent({k: new(f"{name}_{k}") for k in indices(0, args[0])})
         case "monic":
-            return Laurent({k: new(f"{name}_{k}") if k < args[0] else 1 for k in range(args[0] + 1)})
+            return Laurent({k: new(f"{name}_{k}") if k < args[0] else 1 for k in indices(0, args[0])})
         case "matrix" | "nonsingular":
             return Matrix.build(args[0], args[-1], lambda i, j: new(f"{name}_{i + 1}{j + 1}"))
         case "diagonal":

@@ -14,10 +14,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-__all__ = ["MATRICES", "Known", "inverts", "known"]
+__all__ = ["MATRICES", "OF_PARTS", "Known", "inverts", "known", "names"]
 
 #: types of matrices
 MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
+_NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
+_OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
+#: operations that are numbers if these arguments are
+OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/": slice(1, 2), "^": slice(1, 2), "subst": slice(2, 3),
+            "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
 
 
 class Known:
@@ -26,7 +31,8 @@ class Known:
     Attributes
     ----------
     kinds : types of its variables
-    recursive, in_z, inverting : definitions that are recursive, whose value depends on z, that invert matrices
+    recursive, inverting : definitions that are recursive, that invert matrices
+    in_z : names whose value depends on z
     kept : recursions, with whether all their values are of one shape
     matrices, symmetric : matrix variables that are no columns, and those that are symmetric by their type
     """
@@ -34,16 +40,22 @@ class Known:
     def __init__(self, statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> None:
         self.statement, self.definitions = statement, definitions
         self.kinds = dict(statement["over"])
-        self.recursive, self.in_z = _recursive(definitions), _spread(definitions, _mentions_z)
+        polynomials = {name for name, kind in self.kinds.items() if kind[0] in ("poly", "monic")}
+        self.recursive = _recursive(definitions)
+        self.in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
         self.inverting = _spread(definitions, inverts)
         self.kept: dict[str, bool] = {}
         self.matrices = {name for name, kind in self.kinds.items() if kind[0] in MATRICES and kind[-1] != 1}
         self.symmetric = {name for name, kind in self.kinds.items() if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
-        self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(_names(tree)))
+        self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(names(tree)))
         self._with_letters: dict[int, tuple[Any, bool]] = {}
         self._with_z: dict[int, tuple[Any, bool]] = {}
         self._matrices: dict[int, tuple[Any, bool]] = {}
-        self.calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
+        self._others: dict[int, tuple[Any, bool]] = {}
+        self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
+        self._called = {name for name, kind in self.kinds.items() if kind[0] in ("sequence_of", "signal_of")}  # an entry is a matrix
+        self._no_numbers = _spread(definitions, self._other)
+        self.calls = {n: set(names(list(d))) & set(definitions) for n, d in definitions.items()}
 
     def has_z(self, tree: Any) -> bool:
         """Whether a term depends on z."""
@@ -56,7 +68,7 @@ class Known:
         if not self.matrices or isinstance(tree, int):
             return False
         if id(tree) not in self._with_letters:
-            self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(_names(tree))
+            self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(names(tree))
         return self._with_letters[id(tree)][1]
 
     def is_matrix(self, tree: Any) -> bool:
@@ -84,6 +96,27 @@ class Known:
             return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
+    def is_named_matrix(self, name: str) -> bool:
+        """Whether a name without indices stands for a matrix that is no column of numbers."""
+        d = self.definitions.get(name)
+        return name in self.matrices or d is not None and d[0] == "let" and not d[2] and self.is_matrix(d[3])
+
+    def others(self, tree: Any) -> bool:
+        """Whether a term may be something else than a number or a polynomial."""
+        if id(tree) not in self._others:
+            self._others[id(tree)] = tree, self._other(tree, self._no_numbers)
+        return self._others[id(tree)][1]
+
+    def _other(self, tree: Any, found: set[str]) -> bool:
+        if isinstance(tree, int):
+            return False
+        if tree[0] == "at" and self.is_named_matrix(tree[1]):  # an entry
+            return False
+        if tree[0] in ("sym", "at"):
+            return tree[1] in found | (self._named if tree[0] == "sym" else self._called)
+        parts = OF_PARTS.get(tree[0])
+        return tree[0] not in _OF_NUMBERS if parts is None else any(self._other(x, found) for x in tree[parts])
+
     def reached(self, start: str) -> set[str]:
         """Names that a definition leads to."""
         todo, seen = [start], set[str]()
@@ -108,17 +141,18 @@ def known(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Known
     return _last[0]
 
 
-def _names(tree: Any) -> Iterator[str]:
+def names(tree: Any) -> Iterator[str]:
+    """Names that occur in a term."""
     if isinstance(tree, list):
         if tree[:1] in (["sym"], ["at"]):
             yield tree[1]
         for x in tree:
-            yield from _names(x)
+            yield from names(x)
 
 
 def _recursive(definitions: Mapping[str, Any]) -> set[str]:
     """Recursions, and functions that lead back to themselves without passing a recursion."""
-    calls = {name: set(_names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
+    calls = {name: set(names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
     found = {name for name, d in definitions.items() if d[0] == "rec"}
     for name in calls:
         todo, seen = list(calls[name]), set[str]()
@@ -139,7 +173,7 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return False
     if tree[0] == "subst":
         return _mentions_z(tree[2], in_z)
-    if tree[0] == "charpoly" or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+    if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
     return any(_mentions_z(x, in_z) for x in tree[1:])
 

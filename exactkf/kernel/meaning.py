@@ -28,10 +28,11 @@ from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, r
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
 from exactkf.kernel.symbolic import Symbolic
 
-__all__ = ["Generic", "Listed", "Signal", "World", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
+__all__ = ["Generic", "Listed", "Signal", "World", "count", "indices", "is_invertible", "is_pd", "is_psd", "is_symmetric", "truth"]
 
 _LARGEST_POWER = 10**5  # an exponent, times the size of an integer
-_LARGEST_SIZE = 10**4
+_LARGEST_SIZE = 10**3
+_LONGEST_RANGE = 10**5
 _DEEPEST = 100  # levels of recursion a definition may take
 
 
@@ -236,7 +237,7 @@ class World:
 # ---------------------------------------------------------------------- operations that bind, choose or short-cut
 def _range(world: World, tree: Any, local: Mapping[str, Any]) -> Iterator[dict]:
     _, index, low, high, _body = tree
-    for k in range(world.integer(low, local), world.integer(high, local) + 1):
+    for k in indices(world.integer(low, local), world.integer(high, local)):
         yield {**local, index: k}
 
 
@@ -339,13 +340,13 @@ def _defined(world: World, tree: Any, local: Mapping[str, Any]) -> bool:
 def _mat(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
     _, i, j, nrows, ncols, body = tree
     make = Matrix.lazy if world.symbolic else Matrix.build  # an instance is outside if any entry has no value
-    return make(_count(world.integer(nrows, local)), _count(world.integer(ncols, local)),
+    return make(count(world.integer(nrows, local)), count(world.integer(ncols, local)),
                 lambda r, c: _scalar(world.value(body, {**local, i: r + 1, j: c + 1})))
 
 
 def _col(world: World, tree: Any, local: Mapping[str, Any]) -> Matrix:
     _, i, length, body = tree
-    return Matrix.build(_count(world.integer(length, local)), 1, lambda r, c: _scalar(world.value(body, {**local, i: r + 1})))
+    return Matrix.build(count(world.integer(length, local)), 1, lambda r, c: _scalar(world.value(body, {**local, i: r + 1})))
 
 
 def _entry(world: World, tree: Any, local: Mapping[str, Any]) -> Any:
@@ -383,7 +384,15 @@ def _need_near(indices: tuple) -> None:
         raise Unknown("an index that is too large for symbols")
 
 
-def _count(n: int) -> int:
+def indices(low: int, high: int) -> range:
+    """The integers from low to high, unless they are more than anybody could wait for."""
+    if high - low >= _LONGEST_RANGE:
+        raise Unknown("too long a range")
+    return range(low, high + 1)
+
+
+def count(n: int) -> int:
+    """A number of rows or columns."""
     if n < 0:
         raise Undefined("negative size")
     if n > _LARGEST_SIZE:
@@ -583,8 +592,8 @@ _PLAIN: dict[str, Callable] = {
     "z": lambda: Laurent({1: 1}),
     "+": _plus, "-": lambda x, y: x - y, "neg": lambda x: -x, "*": _times, "/": _over, "^": _power,
     "sqrt": _sqrt, "cospi": cosine, "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
-    "diag": _diag, "I": lambda n: Matrix.identity(_count(n)),
-    "O": lambda r, c: Matrix.build(_count(r), _count(c), lambda i, j: 0),
+    "diag": _diag, "I": lambda n: Matrix.identity(count(n)),
+    "O": lambda r, c: Matrix.build(count(r), count(c), lambda i, j: 0),
     "T": lambda m: _matrix(m).transpose(), "inv": lambda m: _square(m).inverse(), "det": lambda m: _square(m).determinant(),
     "tr": lambda m: sum((_square(m).rows[i][i] for i in range(_square(m).nrows)), 0),
     "rank": _rank, "charpoly": _charpoly, "kernel": lambda m: null_basis(_matrix(m)),

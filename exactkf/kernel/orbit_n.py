@@ -334,6 +334,7 @@ def _same(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
         return value == fraction(claimed)
+    _need(set(claimed) == {"minpoly", "interval"}, "a number of the limit is not a zero of a polynomial in an interval")
     p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
     _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
     return value > lo and value < hi and _eval(p, value) == 0

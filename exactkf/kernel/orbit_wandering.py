@@ -27,6 +27,9 @@ from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
 
 
+_LONGEST = 10**6  # states of an orbit modulo N
+
+
 def _residue(x: Any, N: int) -> int:
     x = Fraction(x)
     _need(gcd(x.denominator, N) == 1, f"{N} divides a denominator")
@@ -51,6 +54,7 @@ def check_never_escapes(Q: list, S: list, N: Any) -> None:
     seen = set()
     while (state := (*q, *s)) not in seen:
         seen.add(state)
+        _need(len(seen) < _LONGEST, "too long an orbit")
         _need(gcd(1 - s[-2] * s[-2], N) == 1, f"1 - g^2 is no unit modulo {N}")
         q, s = modular_step(q, s, N)
 

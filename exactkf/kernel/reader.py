@@ -36,6 +36,7 @@ from exactkf.kernel.words import ONE, Blocks, Poly, Relation, Size, Word, add, m
 __all__ = ["Reader", "hypotheses", "relations", "residual_blocks", "word_sizes"]
 
 _ONE_ROW: Size = (("", 1),)
+_LARGEST_POWER = 1000
 _NULLITY = "nullity of "  # begins the name of a size that is no size of the statement
 
 
@@ -243,8 +244,8 @@ class Reader:
             ((scalars, _),) = base
             return self._to_size(scalars, self.size(tree[2], local))
         base = self._inverse(base) if tree[2] < 0 else base
-        if tree[2] == 0:
-            raise Unknown("power zero")
+        if tree[2] == 0 or abs(tree[2]) > _LARGEST_POWER:
+            raise Unknown(f"power {tree[2]}")
         acc = base
         for _ in range(abs(tree[2]) - 1):
             acc = self._times(acc, base)

@@ -36,7 +36,7 @@ from typing import Any
 from exactkf.kernel.every_size import KINDS
 from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
-from exactkf.kernel.meaning import Generic, World
+from exactkf.kernel.meaning import Generic, World, indices
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
@@ -88,9 +88,11 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         raise NotACertificate(f"version {certificate.get('version')!r} of the certificate format; this checker reads version {VERSION}")
     if set(certificate) != set(_FIELDS) or not isinstance(certificate["kind"], str) or certificate["kind"] not in _KINDS:
         raise NotACertificate("fields or kind of the certificate are not those of version 1")
-    if digest(certificate) != certificate["digest"]:
-        raise Rejected("digest: the certificate was altered after it was written")
     try:
+        if not isinstance(certificate["id"], str):
+            raise NotACertificate("the id of a certificate is a string")
+        if digest(certificate) != certificate["digest"]:
+            raise Rejected("digest: the certificate was altered after it was written")
         with rationals(Fraction):
             evidence = certificate["evidence"]
             _well_formed(certificate)
@@ -179,7 +181,7 @@ def _integers(statement: Mapping[str, Any], sizes: Mapping[str, int]) -> Iterato
             return
         (name, (_, low, high)), *later = rest
         world = World(statement, values)
-        for k in range(world.integer(low, {}), world.integer(high, {}) + 1):
+        for k in indices(world.integer(low, {}), world.integer(high, {})):
             yield from extend({**values, name: k}, later)
 
     yield from extend(dict(sizes), [v for v in statement["over"] if v[1][0] == "integer"])
@@ -269,7 +271,7 @@ def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
             todo.extend((x, local) for x in tree[1:])
         elif op == "forall":
             low, high = (world.integer(x, local) for x in tree[2:4])
-            todo.extend((tree[4], {**local, tree[1]: k}) for k in range(low, high + 1))
+            todo.extend((tree[4], {**local, tree[1]: k}) for k in indices(low, high))
         with suppress(Unknown, Undefined):  # such as an absolute value
             if op in ("!=", "<", ">") and len(tree) == 3:
                 yield world.value(["-", *tree[1:]], local)
@@ -284,12 +286,15 @@ def _not_zero(statement: Mapping[str, Any], world: World) -> Iterator[Any]:
 def _identity(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     found: list[str] = []
     given_by = evidence.get("given_by") or {}
-    _need(bool(evidence.get("covered_by")) or _is_said(statement, given_by),
+    covered_by = evidence.get("covered_by") or ""
+    _need(isinstance(covered_by, str) and (covered_by.strip() != "" or _is_said(statement, given_by)),
           "a parametrisation needs the claim that says it reaches everything")
     parameters, own = evidence.get("parameters") or [], evidence.get("where") or []
     taken = {*statement["sizes"], *(d[1] for d in [*statement["where"], *own])}
     _need(not taken & set(given_by), "a parametrisation redefines a name")
     made = {**statement, "over": [*parameters, *statement["over"]], "where": [*statement["where"], *own]}
+    for case in _sizes(statement, evidence):
+        _need(any(True for _ in _integers({**statement, "over": parameters}, case)), f"a parameter has no value for {case}")
     for world, field in _cases(made, evidence, given_by):
         for d in own:  # definitions for the parametrisation alone: the statement must have a value without them
             del world.definitions[d[1]]
@@ -311,7 +316,7 @@ def _residuals(world: World, tree: Any, local: Mapping[str, Any] | None = None) 
             yield from _residuals(world, part, local)
     elif op == "forall":
         _, index, low, high, body = tree
-        for k in range(world.integer(low, local or {}), world.integer(high, local or {}) + 1):
+        for k in indices(world.integer(low, local or {}), world.integer(high, local or {})):
             yield from _residuals(world, body, {**(local or {}), index: k})
     elif op == "=":
         values = [world.value(x, local) for x in tree[1:]]
@@ -487,6 +492,7 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
     recursions = [d for d in statement["where"] if d[0] == "rec"]
     _need(bool(recursions), "no recursion")
     _need(_index_only(body, index), "the index is used other than as an index")
+    _need(set(evidence.get("support") or {}) <= {d[1] for d in recursions}, "exponents are given of what is no recursion")
     for d in recursions:
         _need(d[3] == 0 and len(d[4]) == 1, f"recursion {d[1]} does not start with one value at 0")
         _need(_index_only(d[5], d[2]), f"recursion {d[1]} uses its index other than as an index")

@@ -132,7 +132,8 @@ claim("BLZ94-SA1", "the last equation of (A-1a) at t + 1",
                     always(t, a[t + 1][n] == -gamma[t + 1][n]
                            - sum_of(i, 1, n - 1, gamma[t + 1][n - i] * alpha[t + 1][i]) + alpha[t + 1][n]),
                     **_ALONG, given=_SOME,
-                    by=[generic_index(*ONE_STEP, LOWEST_PHI, ALONG, **FOUR_ALPHA, uses=[use(9, t=t + 1, i=n), *LOWEST(t + 1)]),
+                    by=[generic_index(*ONE_STEP, LOWEST_PHI, ALONG, **FOUR_ALPHA, uses=[
+                        use(9, t=t + 1, i=n), *LOWEST(t + 1), use(9, t=t, i=1), use(7, k=n, t=t), use(6, k=n - 1, t=t)]),
                         instances(n=(2, 3, 4), horizon=3)]))
 
 claim("BLZ94-EA.2", "the last entry of a(t + 1)", always(t, a[t + 1][n] == (1 + gamma[t][1]) * alpha[t + 1][n]),

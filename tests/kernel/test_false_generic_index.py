@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""False statements at a generic index, with evidence made by hand: the checker rejects each, and accepts the true neighbour."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.kernel.test_false_claims import accepted, statement
+
+n, t, k, s, i, j, c, w = (["sym", name] for name in ("n", "t", "k", "s", "i", "j", "c", "w"))
+A, B, M = ["sym", "A"], ["sym", "B"], ["sym", "M"]
+SCALAR = [["c", ["scalar"]]]
+
+
+def at(name, *indices):
+    return ["at", name, *indices]
+
+
+def when(relation, x, y, then, other):
+    return ["if", [relation, x, y], then, other]
+
+
+# ---------------------------------------------------------------------- sizes
+@pytest.mark.parametrize("kind", [["symmetric", n], ["psd", n], ["nonsingular", n], ["diagonal", n]])
+def test_a_matrix_of_another_type_is_no_number(kind):
+    """Inverses of symmetric matrices do not commute, and such a matrix has not one row."""
+    over = [["A", kind], ["B", kind]]
+    commute = ["=", ["*", ["inv", A], ["inv", B]], ["*", ["inv", B], ["inv", A]]]
+    assert not accepted("generic index", statement(commute, over), {"lemmas": []})
+    assert not accepted("generic index", statement(["=", ["nrows", A], 1], over), {"lemmas": []})
+    assert accepted("generic index", statement(["=", ["nrows", A], n], [["A", ["matrix", n, n]]]), {"lemmas": []})
+
+
+@pytest.mark.parametrize("matrix", [
+    ["rows", [1, 2], [3, 4]], ["diag", 1, 2], ["if", ["=", 1, 1], A, A], ["sum", "i", 1, 2, A], at("S", 0), at("f", 1), ["+", at("S", 0), at("S", 1)],
+    ["*", ["mat", "i", "j", 1, 1, 2], at("S", 0)], ["recip", at("S", 0)], ["T", at("S", 0)], at("X", 0),
+])
+def test_a_term_that_may_be_a_matrix_is_no_number(matrix):
+    """Nor is a table, a case, a sum, an entry of a sequence of matrices."""
+    over = [["A", ["matrix", n, n]], ["S", ["signal_of", 0, ["matrix", n, n]]]]
+    where = [["let", "f", ["k"], at("S", k)], ["rec", "X", "t", 0, [at("S", 0)], at("X", t)]]
+    inverses = ["inv", matrix], ["inv", ["T", matrix]]
+    for says in (["=", ["nrows", matrix], 1], ["=", ["*", *inverses], ["*", *inverses[::-1]]]):
+        assert not accepted("generic index", statement(says, over, (), where), {"lemmas": []})
+
+
+def test_a_polynomial_has_coefficients():
+    """The determinant of (p) is p, and its coefficient of z need not vanish."""
+    made = statement(["=", ["coeff", ["det", ["sym", "p"]], 1], 0], [["p", ["poly", 2]]], sizes=[])
+    assert not accepted("generic index", made, {"lemmas": []})
+    assert not accepted("generic index", {**made, "over": [["p", ["monic", 2]]]}, {"lemmas": []})
+    assert accepted("generic index", {**made, "over": [["p", ["scalar"]]]}, {"lemmas": []})
+
+
+def test_a_reversed_number_is_a_polynomial():
+    """rev(c, n) = c z^n, though there is no z in it."""
+    for tree in (["rev", c, 2], at("f", 2)):
+        made = statement(["=", ["coeff", tree, 2], 0], SCALAR, (), [["let", "f", ["k"], ["rev", c, k]]])
+        assert not accepted("generic index", made, {"lemmas": []})
+        assert accepted("generic index", {**made, "says": ["=", ["coeff", tree, 2], c]}, {"lemmas": []})
+
+
+def test_blocks_have_all_their_columns():
+    """Two matrices with one column in common are not equal for that."""
+    first, zero = (["mat", "i", "j", n, n, x] for x in (when("=", j, 1, 0, 1), 0))
+    for row in ([], [["mat", "i", "j", 1, n, 0]], [["col", "i", 1, 0]]):
+        says = ["=", *(["block", [x], *([row] if row else [])] for x in (first, zero))]
+        assert not accepted("generic index", statement(says, []), {"lemmas": []})
+    assert not accepted("generic index", statement(["=", ["ncols", ["block", [first], [zero]]], 1], []), {"lemmas": []})
+    assert accepted("generic index", statement(["=", ["ncols", ["block", [first], [zero]]], n], []), {"lemmas": []})
+    assert accepted("generic index", statement(["=", ["block", [zero], [zero]], ["mat", "i", "j", ["+", n, n], n, 0]], []), {"lemmas": []})
+
+
+# ---------------------------------------------------------------------- recursions that define nothing
+def test_a_recursion_behind_a_determinant_defines_nothing():
+    """X[t + 1] = det(X[t + 1]) + 1 has no solution."""
+    def matrix(x):
+        return ["mat", "i", "j", 2, 2, when("=", i, j, when("=", i, 1, x, 1), 0)]
+
+    def step(index):
+        return [["rec", "X", "t", 0, [0], ["+", ["det", matrix(at("X", index))], 1]]]
+
+    fact = {"index": "s", "fact": "det", "by": ["I", 2], "says": ["=", ["det", matrix(at("X", s))], ["prod", "k", 1, 2, when("=", k, 1, at("X", s), 1)]]}
+    evidence = {"lemmas": [fact], "uses": [{"lemma": 0, "at": {"s": 1}, "times": ["neg", c]}]}
+    made = statement(["=", c, 0], SCALAR, (), step(["+", t, 1]))
+    assert not accepted("generic index", made, evidence)
+    assert accepted("generic index", {**made, "says": ["=", ["det", matrix(at("X", 1))], at("X", 1)], "where": step(t)}, {"lemmas": [fact], "uses": [
+        {"lemma": 0, "at": {"s": 1}}]})
+
+
+# ---------------------------------------------------------------------- what is not zero
+def test_a_determinant_that_vanishes_is_not_divided_by():
+    """That of [[1, w], [1/w, 1]] is zero, though there is a zero above the diagonal where w = 0."""
+    entry = at("w", 1)
+
+    def matrix(above, below):
+        return ["mat", "i", "j", 2, 2, when("=", i, j, 1, when("<", i, j, above, below))]
+
+    by = matrix(0, ["neg", ["/", 1, entry]])
+    fact = {"index": "s", "fact": "det", "by": by, "says": ["=", ["det", M], ["prod", "k", 1, 2, when("=", k, 1, 1, 0)]]}
+    over, evidence = [*SCALAR, ["w", ["matrix", n, 1]]], {"lemmas": [fact], "uses": [{"lemma": 0, "at": {"s": 0}, "times": ["/", c, ["det", M]]}]}
+    made = statement(["=", c, 0], over, (), [["let", "M", [], matrix(entry, ["/", 1, entry])]])
+    assert not accepted("generic index", made, evidence)
+    told = {**made, "says": ["=", ["/", c, ["det", M]], ["/", c, ["det", M]]]}
+    assert not accepted("generic index", told, {"lemmas": []})
+    assert accepted("generic index", {**told, "where": [["let", "M", [], matrix(entry, entry)]]}, {"lemmas": []})
+
+
+def test_what_is_not_zero_at_some_indices_may_be_zero_at_others():
+    """X = 1, 2, 2, .. divides by X - 1 from the second on: (X - 1) Z = 0 does not give Z = 0 at the first."""
+    X, less = at("X", k), ["-", at("X", k), 1]
+    where = [["rec", "X", "t", 0, [1, 2], at("X", t)], ["rec", "Z", "t", 0, [1], 0]]
+    two = {"index": "t", "from": 1, "says": ["=", at("X", t), 2], "uses": [{"lemma": 0, "at": {"t": t}}, {"definition": "X", "at": [["+", t, 1]]}]}
+    product = {"index": "t", "says": ["=", ["*", ["-", at("X", t), 1], at("Z", t)], 0]}
+    divides = {"index": "t", "direct": True, "says": ["forall", "k", 1, n, ["=", ["/", c, less], c]], "uses": [{"lemma": 0, "at": {"t": k}}]}
+    evidence = {"lemmas": [two, product, divides], "uses": [{"lemma": 1, "at": {"t": k}, "times": ["/", 1, less]}]}
+    made = statement(["forall", "t", 0, 0, ["forall", "k", 0, n, ["=", at("Z", k), 0]]], SCALAR, (), where)
+    assert not accepted("generic index", made, evidence)
+    assert accepted("generic index", {**made, "says": ["forall", "t", 0, 0, ["forall", "k", 1, n, ["=", X, 2]]]},
+                    {"lemmas": [two, product, divides], "uses": [{"lemma": 0, "at": {"t": k}}]})
+
+
+# ---------------------------------------------------------------------- inverses
+def test_an_inverse_in_an_empty_sum_need_not_exist():
+    """For t = 0 nothing in a sum from 1 to t has a value; from 0 to t something has."""
+    u, singular = ["sym", "u"], ["inv", ["mat", "i", "j", 2, 2, 0]]
+    cancelled = {"index": "s", "fact": "solve", "says": ["=", ["*", singular, u, 0], u]}
+    evidence = {"lemmas": [cancelled], "uses": [{"lemma": 0, "at": {"s": 0, "row": 1, "column": 1}}]}
+    over = [["w", ["signal", 0]], ["u", ["matrix", 2, 1]]]
+    for low, good in ((1, False), (0, True)):
+        total = ["sum", "k", low, t, ["*", ["entry", ["*", singular, u], 1], at("w", k)]]
+        made = statement(["forall", "t", 0, n, ["=", ["+", total, at("u", 1)], total]], over)
+        assert accepted("generic index", made, evidence) is good  # there is no instance of the second
+        nowhere = {"sizes": {"n": 0}, "values": {"w": [0], "u": [[1], [1]]}}
+        assert accepted("counterexample", made, {"instance": nowhere}) is not good
