@@ -196,8 +196,9 @@ class Chains:
             power: Form = _ONE
             if tree[0] == "^":
                 tree, power = tree[1], self.index(tree[2], env)
-                if not self.region.holds(power):
-                    raise Unknown("a power of a matrix with a negative exponent")
+                rows, cols = self.shape(tree, env)
+                if not self.region.holds(power) or self.region.reduce(plus(rows, cols, -1)):
+                    raise Unknown("a power with a negative exponent, or of a matrix that is not square")
             if power is not _ONE or tree[0] not in ("sym", "at"):  # a name has been looked at
                 self.need_smaller(tree)
             text, forms = opaque(tree, env, self.index)
