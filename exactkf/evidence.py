@@ -27,6 +27,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
@@ -44,7 +45,14 @@ class Evidence:
 
 
 def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
-    return {name: (value,) if isinstance(value, int) else tuple(value) for name, value in sizes.items()}
+    return {name: _whole_numbers(name, value) for name, value in sizes.items()}
+
+
+def _whole_numbers(name: str, value: Any) -> tuple[int, ...]:
+    values = (value,) if isinstance(value, int) or not isinstance(value, Iterable) else tuple(value)
+    if not values or not all(isinstance(v, int) and not isinstance(v, bool) for v in values):
+        raise BadInput(f"argument {name!r} = {value!r} is neither a whole number nor a list of them; write {name}=(1, 2, 3)")
+    return values
 
 
 def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", using: Mapping[Expr | str, tuple] | None = None,
@@ -326,6 +334,9 @@ def instances(count: int = 24, *, made_by: Mapping[Expr | str, Any] | None = Non
     **sizes
         Values of each size to draw from: ``n=(1, 2, 3)``.
     """
+    for name, number in (("count", count), ("horizon", horizon)):
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise BadInput(f"argument {name!r} = {number!r} is no number of {'instances' if name == 'count' else 'steps'}; give a whole number, 1 or more")
     aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
     return Evidence("instances", {"count": count, "sizes": _ranges(sizes), "made_by": _named(made_by), "using": aux, "horizon": horizon})
 

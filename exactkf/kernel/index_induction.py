@@ -359,13 +359,13 @@ class _Proof:
             given = self._is_granted(terms, f)
             if not given:
                 self.at_point.append(text)
-            if not self._is_not_zero(terms, f):
-                if given:  # by a hypothesis, which is used that way
-                    self.assumes = True
-                elif not self._equal_is_not_zero(terms, f, known):
-                    raise Rejected(f"{place}: nothing tells that {text} is not zero")
-            else:  # whatever the indices are; the equations hold here
-                self.not_zero.add(key)
+            if self._is_not_zero(terms, f):
+                if not given:  # whatever the indices are
+                    self.not_zero.add(key)
+            elif given:  # by a hypothesis, which is used that way
+                self.assumes = True
+            elif not self._equal_is_not_zero(terms, f, known):
+                raise Rejected(f"{place}: nothing tells that {text} is not zero")
             if text not in self.denominators:
                 self.denominators.append(text)
 

