@@ -64,6 +64,7 @@ class Chains:
     is_matrix: Callable[[Any], bool]
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
+    need_smaller: Callable[[Any], None]
     not_smaller: Callable[..., bool]
     deeper: Callable[..., Symbolic]
     _meet: Callable[..., None]
@@ -195,8 +196,11 @@ class Chains:
             power: Form = _ONE
             if tree[0] == "^":
                 tree, power = tree[1], self.index(tree[2], env)
-                if not self.region.holds(power):
-                    raise Unknown("a power of a matrix with a negative exponent")
+                rows, cols = self.shape(tree, env)
+                if not self.region.holds(power) or self.region.reduce(plus(rows, cols, -1)):
+                    raise Unknown("a power with a negative exponent, or of a matrix that is not square")
+            if power is not _ONE or tree[0] not in ("sym", "at"):  # a name has been looked at
+                self.need_smaller(tree)
             text, forms = opaque(tree, env, self.index)
             forms = [self.region.reduce(x) for x in forms]
             if self.inverts(tree):

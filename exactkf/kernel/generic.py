@@ -180,7 +180,7 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
-        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
+        if op == "at" and self.known.is_named_matrix(tree[1]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
@@ -285,11 +285,15 @@ class Terms(Indefinite, Chains):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if self.within and self.within[1].intersection(names(tree)):
-            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
+        self.need_smaller(tree)
         if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def need_smaller(self, tree: Any) -> None:
+        """No recursion that is looked at stands in a term that is not opened."""
+        if self.within and self.within[1].intersection(names(tree)):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
 
     def inverts(self, tree: Any) -> bool:
         """Whether a term contains an inverse."""
@@ -486,13 +490,6 @@ class Terms(Indefinite, Chains):
             raise Undefined("sizes do not fit")
         return shapes[0]
 
-    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
-        """A term that is not known to be a number is made of matrices of one row and column."""
-        if tree[0] in ("sum", "prod"):
-            env = {**env, tree[1]: {f"@{len(env)}": 1}}
-        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
-            raise Unknown("the size of a term that may be a matrix")
-
     def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Size of a block matrix, whose blocks fit."""
         shapes = [[self.shape(x, env) for x in row] for row in tree[1:]]
@@ -505,6 +502,13 @@ class Terms(Indefinite, Chains):
         for _, w in shapes[0]:
             width = plus(width, w)
         return height, width
+
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] in ("sum", "prod"):
+            env = {**env, tree[1]: {f"@{len(env)}": 1}}
+        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
