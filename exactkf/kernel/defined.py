@@ -31,7 +31,7 @@ from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any
 
-from exactkf.kernel.generic import Terms, connected
+from exactkf.kernel.generic import Terms
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.packed import Poly, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
@@ -62,7 +62,7 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
     if region.empty:
         return
     terms = make(region)
-    terms.within = terms.region.reduce(within), connected(terms.definitions, name)
+    terms.within = terms.region.reduce(within), terms.known.connected(name)
     try:
         if terms.is_matrix(tree):
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]

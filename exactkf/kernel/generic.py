@@ -21,18 +21,19 @@ Notation: a form is {parameter: integer} with '' for the constant; ``#0, #1, ..`
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.indefinite import BOUND, Indefinite
+from exactkf.kernel.known import OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
-__all__ = ["Terms", "connected"]
+__all__ = ["Terms"]
 
 _LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
@@ -62,14 +63,16 @@ class Terms(Indefinite):
         self.definitions = {d[1]: d for d in statement["where"]}
         self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
         self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.recursive, self.in_z, self.inverting, self.others, self.kept = _classified(statement, self.definitions)
+        self.known = known(statement, self.definitions)
+        self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
+        self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = self.perhaps = 0
-        self.seen: dict[int, tuple[Any, bool]] = {}
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -276,9 +279,9 @@ class Terms(Indefinite):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if self.within and self.within[1].intersection(_names(tree)):
+        if self.within and self.within[1].intersection(names(tree)):
             raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
-        if _inverts(tree, self.inverting):
+        if inverts(tree, self.inverting):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
 
@@ -290,17 +293,28 @@ class Terms(Indefinite):
         if not self.perhaps:
             self.sure.add(key)
 
-    def has_z(self, tree: Any) -> bool:
-        """Whether a term depends on z; a term that was looked at is kept, so that no other takes its id."""
-        if id(tree) not in self.seen:
-            self.seen[id(tree)] = tree, _mentions_z(tree, self.in_z)
-        return self.seen[id(tree)][1]
-
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
+        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        if key not in self.called:
+            before = self.met, self.sure, self.perhaps
+            self.met, self.sure, self.perhaps = set(), set(), 0
+            try:
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
+            finally:
+                before[0].update(self.met)
+                self.met, self.sure, self.perhaps = before
+        out, met, sure = self.called[key]
+        self.met |= met
+        if not self.perhaps:
+            self.sure |= sure
+        return out
+
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -399,23 +413,6 @@ class Terms(Indefinite):
         return read(body, env)
 
     # ------------------------------------------------------------------ matrices
-    def is_matrix(self, tree: Any) -> bool:
-        if isinstance(tree, int):
-            return False
-        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
-            return True
-        if tree[0] in ("^", "subst"):
-            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
-        if tree[0] in ("sym", "at"):
-            d = self.definitions.get(tree[1])
-            kinds = {name: kind[0] for name, kind in self.statement["over"]}
-            if tree[0] == "sym" and kinds.get(tree[1]) in ("vector", "matrix"):
-                return True
-            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
-        if tree[0] == "/":
-            return self.is_matrix(tree[1])
-        return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
-
     def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
         return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
 
@@ -445,9 +442,8 @@ class Terms(Indefinite):
                 total = plus(total, h)
             return total, widths[0]
         if op in ("sym", "at"):
-            kinds = dict(self.statement["over"])
-            if op == "sym" and tree[1] in kinds:
-                kind = kinds[tree[1]]
+            kind = self.known.kinds.get(tree[1])
+            if op == "sym" and kind:
                 return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
@@ -472,7 +468,7 @@ class Terms(Indefinite):
         """A term that is not known to be a number is made of matrices of one row and column."""
         if tree[0] in ("sum", "prod"):
             env = {**env, tree[1]: {f"@{len(env)}": 1}}
-        if tree[0] not in _OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[_OF_PARTS[tree[0]]]):
+        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
             raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
@@ -613,115 +609,3 @@ def _form_text(form: tuple) -> str:
     parts = [n.replace(INDEX, "t") if c == 1 else f"{c}{n.replace(INDEX, 't')}" for n, c in form if n]
     constant = dict(form).get("", 0)
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
-
-
-def _names(tree: Any) -> Iterator[str]:
-    if isinstance(tree, list):
-        if tree[:1] in (["sym"], ["at"]):
-            yield tree[1]
-        for x in tree:
-            yield from _names(x)
-
-
-_last: list[Any] = [None, ()]  # a statement with what `_classified` says of it: many are asked for in a row
-
-
-def _classified(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> tuple[set[str], set[str], set[str], Callable[[Any], bool], dict[str, bool]]:
-    """Recursive definitions, names whose value depends on z, definitions that invert matrices, what may be no number, and what is known of shapes."""
-    if _last[0] is not statement:
-        polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
-        in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
-        _last[:] = statement, (_recursive(definitions), in_z, _spread(definitions, _inverts), _no_numbers(statement, definitions), {})
-    return _last[1]  # type: ignore[no-any-return]
-
-
-def _no_numbers(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Callable[[Any], bool]:
-    """Whether a term may be something else than a number or a polynomial; what is told is kept with the term."""
-    kinds = {name: kind[0] for name, kind in statement["over"]}
-    named = {name for name, kind in kinds.items() if kind not in _NUMBERS}
-    called = {name for name, kind in kinds.items() if kind in ("sequence_of", "signal_of")}  # an entry is a matrix
-    told: dict[int, tuple[Any, bool]] = {}
-
-    def other(tree: Any, found: set[str]) -> bool:
-        if isinstance(tree, int):
-            return False
-        if tree[0] in ("sym", "at"):
-            return tree[1] in found | (named if tree[0] == "sym" else called)
-        parts = _OF_PARTS.get(tree[0])
-        return tree[0] not in _OF_NUMBERS if parts is None else any(other(x, found) for x in tree[parts])
-
-    definitions_too = _spread(definitions, other)
-
-    def others(tree: Any) -> bool:
-        if id(tree) not in told:
-            told[id(tree)] = tree, other(tree, definitions_too)
-        return told[id(tree)][1]
-
-    return others
-
-
-_NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
-_OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
-#: operations that are numbers if these arguments are
-_OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/": slice(1, 2), "^": slice(1, 2), "subst": slice(2, 3),
-             "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
-
-
-def _recursive(definitions: Mapping[str, Any]) -> set[str]:
-    """Recursions, and functions that lead back to themselves without passing a recursion."""
-    calls = {name: set(_names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
-    found = {name for name, d in definitions.items() if d[0] == "rec"}
-    for name in calls:
-        todo, seen = list(calls[name]), set[str]()
-        while todo:
-            x = todo.pop()
-            if x in calls and x not in seen:
-                seen.add(x)
-                todo.extend(calls[x])
-        if name in seen and definitions[name][2]:
-            found.add(name)
-    return found
-
-
-def _mentions_z(tree: Any, in_z: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    if tree[0] in ("coeff", "laurent"):
-        return False
-    if tree[0] == "subst":
-        return _mentions_z(tree[2], in_z)
-    if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
-        return True
-    return any(_mentions_z(x, in_z) for x in tree[1:])
-
-
-def _inverts(tree: Any, inverting: set[str]) -> bool:
-    if not isinstance(tree, list) or not tree:
-        return False
-    return tree[0] == "inv" or (tree[0] in ("sym", "at") and tree[1] in inverting) or any(_inverts(x, inverting) for x in tree)
-
-
-def connected(definitions: Mapping[str, Any], name: str) -> set[str]:
-    """Names that a definition leads to and that lead back to it."""
-    calls = {n: set(_names(list(d))) & set(definitions) for n, d in definitions.items()}
-
-    def reached(start: str) -> set[str]:
-        todo, seen = [start], set[str]()
-        while todo:
-            new = calls[todo.pop()] - seen
-            seen |= new
-            todo.extend(new)
-        return seen
-
-    return {n for n in reached(name) if name in reached(n)}
-
-
-def _spread(definitions: Mapping[str, Any], mentions: Callable[[Any, set[str]], bool]) -> set[str]:
-    """Definitions that mention something, or one that does."""
-    found: set[str] = set()
-    while True:
-        more = {name for name, d in definitions.items() if name not in found
-                and any(mentions(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
-        if not more:
-            return found
-        found |= more

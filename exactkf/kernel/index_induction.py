@@ -286,37 +286,81 @@ class _Proof:
         terms.always |= self.always
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
         try:
-            wanted = goal(terms)
-            granted = set(terms.sure)
-            known = [x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)]
-            for use in uses:
-                if "times" in use:  # a multiple of the first of its equations is taken off
-                    for x in islice(self._granted(terms, use, names, current, granted), 1):
-                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
+            self._follows(terms, goal(terms), uses, names, current, place)
         except Split as split:
             if splits >= _MOST_SPLITS:
                 raise Rejected(f"{place}: too many cases") from None
             for part in region.cases(split.form):
                 self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
-            return
+
+    def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> None:
+        """Each wanted term is zero by the uses, and nothing divided by on the way is."""
+        granted = set(terms.sure)
+        if any(x.num for x in wanted):
+            for use in uses:
+                if "times" in use:  # a multiple of the first of its equations is taken off
+                    for x in islice(self._granted(terms, use, names, current, granted), 1):
+                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
+        known = _Equations(terms, (x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)))
         for x in wanted:
-            rest = _reduced(terms, x, known)
-            if rest.num:
-                where = " and ".join(f"{terms.form_text(f)} >= 0" for f in region.forms)
+            if (rest := known.reduced(x)).num:
+                where = " and ".join(f"{terms.form_text(f)} >= 0" for f in terms.region.forms)
                 raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
-        for f in list(terms.field.factors):
+        for f in terms.field.factors:  # grows while it is gone through
             key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
             if key in self.not_zero:
                 continue
             text = terms.field.text(f)
             if not self.witness.is_not_zero(terms, f):
-                equal = _reduced(terms, Symbolic(terms.field, f, 1, ()), known, _places(f)).num  # what it is by the equations used here
+                known.again(_places(f))
+                equal = known.reduced(Symbolic(terms.field, f, 1, ())).num  # what it is by the equations used here
                 if not (equal and self.witness.is_not_zero(terms, equal)):
                     raise Rejected(f"{place}: nothing tells that {text} is not zero")
             else:  # whatever the indices are; the equations hold here
                 self.not_zero.add(key)
             if text not in self.denominators:
                 self.denominators.append(text)
+
+
+class _Equations:
+    """Equations x = 0, each solved for an atom that it contains linearly with a constant factor; read as far as they are needed.
+
+    Parameters
+    ----------
+    terms : what they are made of
+    rows : the x
+    """
+
+    def __init__(self, terms: Terms, rows: Iterator[Symbolic]) -> None:
+        self.terms, self.rows = terms, rows
+        self.read: list[Symbolic] = []
+        self.first: Collection[int] = ()
+        self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
+
+    def reduced(self, goal: Symbolic) -> Symbolic:
+        """The goal after one equation and the next has been used, until it is zero."""
+        for pivot, value in self._values():
+            goal = _eliminated(self.terms, goal, value, pivot)
+            if not goal.num:
+                break
+        return goal
+
+    def again(self, first: Collection[int]) -> None:
+        """Read all equations, and choose atoms once more, now that all denominators are known: some come first, those in denominators last."""
+        self.rows, self.read, self.solved, self.first = iter([*self.read, *self.rows]), [], [], first
+
+    def _values(self) -> Iterator[tuple[int, Symbolic]]:
+        yield from list(self.solved)
+        for row in self.rows:
+            self.read.append(row)
+            for pivot, value in self.solved:
+                row = _eliminated(self.terms, row, value, pivot)
+            place = _pivot(self.terms, row, self.first)
+            if place is not None:
+                parts = _parts(row, place)
+                value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
+                self.solved.append((place, value))
+                yield place, value
 
 
 def _is_determinant(part: Any) -> bool:
@@ -361,21 +405,6 @@ def _difference(terms: Terms, left: Any, right: Any, m: Form, env: Mapping[str, 
     if isinstance(left, list) and left[0] in ("nrows", "ncols"):
         return terms.number(int(not terms.region.zero(plus(terms.index(left, env), terms.index(right, env), -1))))
     return terms.value(left, env) - terms.value(right, env)
-
-
-def _reduced(terms: Terms, goal: Symbolic, known: list[Symbolic], first: Collection[int] = ()) -> Symbolic:
-    """The goal after each known equation has been solved for an atom that it contains linearly with a constant factor, one of the first if it can be."""
-    known = [x for x in known if x.num]
-    while known:
-        row = known.pop(0)
-        pivot = _pivot(terms, row, first)
-        if pivot is None:
-            continue
-        parts = _parts(row, pivot)
-        value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
-        goal = _eliminated(terms, goal, value, pivot)
-        known = [y for x in known if (y := _eliminated(terms, x, value, pivot)).num]
-    return goal
 
 
 def _parts(x: Symbolic, place: int) -> dict[int, dict[int, int]]:

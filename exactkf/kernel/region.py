@@ -83,6 +83,8 @@ class Region:
 
     def reduce(self, form: Form) -> Form:
         """The form with solved parameters inserted."""
+        if not self.solved:
+            return form
         for name in [n for n in form if n in self.solved]:
             form = self._put(form, name, self.solved[name])
         return form

@@ -10,18 +10,24 @@ the covariances of its noises add the skipped steps. It does not keep observabil
 rotation by a right angle seen in one coordinate every second time, A^2 = -I, and the other
 coordinate is never seen.
 
+Two of the examples need more than they say. A sequence that keeps for ever the value it begins with is stationary, but
+not ergodic, as Hypothesis H asks. For Z_n = (a rho_{n-1} + eps_n) Z_{n-1} + eta_n the second moment grows,
+E Z_n^2 = E Z_{n-1}^2 + 1 + a^2 E (rho_{n-1} Z_{n-1})^2, so that the parameters (a, 1, Z_{n-1}) are not stationary with finite
+variance for any a.
+
 Stability uses x_n = B_{n+1}* x_{n+1} and V_n = x_n* P_n x_n: by Lemma 2.7,
 V_{n+1} - V_n = x_{n+1}* T_{n+1} x_{n+1}, at least lambda |x_{n+1}|^2 >= (lambda/sigma) V_{n+1}
 where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, first, identity, induction, instances, order
+from exactkf.evidence import combination, example, first, identity, induction, instances, order
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
+    block,
     column,
     diagonal,
     eq,
@@ -75,7 +81,8 @@ claim("B93-S47", "the recursions under Hypothesis H",
       note="Conditionally on the past the parameters are constants, by H (i), everything is Gaussian, and the noises of time n have the independence that "
            "H (ii) states: U, V, E, N are the coefficients of X_(n-1), of the past observations and of the noises in a standard Gaussian vector, as in (5) "
            "and (6). The section 1 set-up does not state that independence, this one does.")
-not_checked("B93-S48", "independent noises and parameters satisfy H", MEASURE)
+not_checked("B93-S48", "independent noises and parameters satisfy H", "a statement about sigma-algebras and conditional laws; H (ii) and (iii) are about X_0 "
+            "as well, which the example leaves to the reader: it has to be Gaussian and independent of the noises, given the parameters")
 not_checked("B93-S49", "the parameters for all times", "the extension theorem for stationary processes; it has no exact instances")
 here, shifted, f_, g_ = symbols("here shifted f g")
 claim("B93-X2.1.1", "periodic parameters",
@@ -142,7 +149,22 @@ claim("B93-S53", "controllability and observability of the system suffice for th
            "The matrix A may be a rotation by a right angle and n = 2. In the repair A is the matrix of the sampled system, A^n here; d and q are any.")
 not_checked("B93-S54", "no uniform controllability", "what can be expected is not a mathematical assertion")
 not_checked("B93-S55", "the error covariance as a Markov chain", "a statement about transition probabilities and irreducibility; it has no exact instances")
-not_checked("B93-S56", "systems that fail satisfy H", MEASURE)
+q11, q12, q22, g1, g2 = symbols("q11 q12 q22 g1 g2")
+FAILING = {q11: nonneg(), q12: nonneg(), q22: nonneg(), g1: scalar(), g2: scalar()}
+FAILING_SETTING = [standing("probabilities", q11 + 2 * q12 + q22 == 1), standing("both states occur", (q11 + q12 > 0) & (q12 + q22 > 0)),
+                   given("g is invariant", q11 * g1 + q12 * g2 == (q11 + q12) * g1)]
+FOREVER = example(q11="1/2", q12=0, q22="1/2", g1=1, g2=0)
+claim("B93-S56", "a stationary sequence of two states is ergodic", g1 == g2, over=FAILING, given=FAILING_SETTING, by=[FOREVER, instances()],
+      repair=repair("missing hypothesis", "Hypothesis H asks for an ergodic sequence as well; a plant that stays for ever in the one of two states in which it "
+                                          "begins is stationary and not ergodic.",
+                    g1 == g2, over=FAILING, given=[*FAILING_SETTING, given("the state changes", q12 > 0)],
+                    by=[combination([(-1 / q12, "g is invariant", 1)]), FOREVER, example(q11=0, q12="1/2", q22=0, g1=1, g2=0),
+                        instances(using={be: nonneg(), ga: nonneg()},
+                                  made_by={q11: be / (be + ga + 2), q22: ga / (be + ga + 2), q12: 1 / (be + ga + 2), g2: g1})]),
+      note="For Markov sequences: q11, q12, q22 are the probabilities that the states at two times in a row are MM, MN and NN; in a stationary sequence NM is as "
+           "probable as MN. A function of the state, g1 at M and g2 at N, is invariant if its mean one time later, given the state M, is g1 again; in an "
+           "ergodic sequence only constants are. In section 2.1.2 the paper asks for an ergodic sequence, here for a stationary one. That the noises are "
+           "independent of the sequence is taken as said.")
 not_checked("B93-S57", "failing observations", "a reference to the results of section 2.2, with no assertion of its own")
 
 z0, z1, rho0, rho1, aa, eps1, eta1 = symbols("z0 z1 rho0 rho1 a eps1 eta1")
@@ -152,9 +174,24 @@ claim("B93-X2.1.4", "the autoregressive parameter as the state of a filter",
       where=[let(rho1, aa * rho0 + eps1), let(z1, rho1 * z0 + eta1), let(A, aa), let(F, 1), let(C, z0)],
       by=[identity(), instances()],
       note="z0 and z1 are Z_(n-1) and Z_n.")
-not_checked("B93-X2.1.4.2", "the autoregressive parameters are stationary",
-            "whether Z has a stationary law depends on the expectation of log|rho|, which a in (-1, 1) does not decide: with a near one rho_n has "
-            "a large variance and Z grows. The expectation of a logarithm is beyond exact instances")
+zz, rr, Mo, now = symbols("zz rr Mo now")
+MOMENTS = {aa: scalar(), zz: nonneg(), Mo: positive_semidefinite(3)}
+LATER = let(now, vstack(aa, 1, 1))
+NOISE_MOMENTS = given("eps_n and eta_n are standard, independent of the past and of each other", Mo == block([[Mo[1, 1], 0, 0], [0, zz, 0], [0, 0, 1]]))
+INSIDE = standing("a in (-1, 1)", (aa > -1) & (aa < 1))
+MOMENTS_MADE = {aa: c / (1 + c**2), Mo: block([[be**2, 0, 0], [0, zz, 0], [0, 0, 1]])}
+claim("B93-X2.1.4.2", "the autoregressive parameters are stationary", T(now) * Mo * now == zz, over=MOMENTS, where=[LATER], given=[NOISE_MOMENTS, INSIDE],
+      by=[example(a="99/100", zz=1, Mo=[[1, 0, 0], [0, 1, 0], [0, 0, 1]]), instances(using={be: scalar(), c: scalar()}, made_by=MOMENTS_MADE)],
+      repair=repair("missing hypothesis", "rho_n is stationary if it starts with the right variance, but the mean of Z_n^2 grows by at least one at each time: no "
+                                          "stationary Z has a finite second moment, and for a near one none exists.",
+                    (aa**2 * rr + 1 == rr) & (T(now) * Mo * now == zz + 1 + aa**2 * Mo[1, 1]), over={**MOMENTS, rr: nonneg()}, where=[LATER],
+                    given=[NOISE_MOMENTS, INSIDE, given("rho_(n-1) has the variance", rr == 1 / (1 - aa**2))],
+                    by=[combination([[(aa**2 - 1, "rho_(n-1) has the variance", 1)], [(T(now), NOISE_MOMENTS[0], now)]]),
+                        instances(using={be: scalar(), c: scalar()}, made_by={**MOMENTS_MADE, rr: 1 / (1 - aa**2)})]),
+      note="zz is the mean of Z_(n-1)^2 and Mo the second moments of rho_(n-1) Z_(n-1), eps_n Z_(n-1) and eta_n, of which Z_n is the combination with the "
+           "coefficients a, 1, 1; rr is the mean of rho_(n-1)^2. The parameter sequence is (a, 1, Z_(n-1)). A stationary law of Z, with infinite variance, "
+           "exists only if the mean of log|rho_n| is negative; for a near one, as in the counterexample, the variance 1/(1 - a^2) of rho_n makes it positive, "
+           "and |Z_n| tends to infinity.")
 
 # ---------------------------------------------------------------- weak observability and controllability
 Om, Xi, Ob, Co = symbols("Omega Xi Ob Co")
@@ -289,7 +326,8 @@ claim("B93-S77", "n steps have the form of one",
              rec(G_, t, Zero(d, d), Ts_[t] + Bs_[t] * G_[t] * T(Bs_[t]))],
       by=[induction(), instances(12, d=(1, 2), horizon=3)],
       note="So the sequence P_(nk) follows the recursion of Lemma 2.7 with the product of n matrices B for B and with the G_n of Lemma 2.8 for T, which may be "
-           "invertible where T is not. Times are counted from 0.")
+           "invertible where T is not. Times are counted from 0. What the text does not say is that blocks of n times need not be an ergodic sequence: for "
+           "parameters of period two there are two ways to cut the times into blocks of two, and n has to serve both.")
 
 a_, f0, c0 = symbols("a f c")
 QUARTER = matrix_of(i, j, 2, 2, when(i < j, 1, when(i > j, rational("1/4"), 0)))

@@ -148,7 +148,7 @@ claim("BLM91-R3.6.3", "forward and backward limits in the diamond", defined(bal[
       given=[IN, ROOT, standing("smaller root", abs(pp) < 1)],
       by=[example(m=2, alpha0="2/5", gamma0="2/5", p="1/2"), instances(m=(1, 2), **INSIDE)],
       repair=repair("missing hypothesis", "the backward orbit need not exist: (2/5, 2/5) has no preimage, the inverse formulas leading to (0, -1), where the map is not defined; "
-                    "where it exists, the limits are right", MOVE & BACK, **BOTH, given=[ROOT],
+                    "and (alpha_+, 0) is its own backward orbit; for all others the limits are right", MOVE & (pp ** (2 * m) * (pp * al0 - 1) / (al0 - pp) == (pp * bal[m] - 1) / (bal[m] - pp)), **BOTH, given=[ROOT],
                     by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3),
                                  fact="lines through a point of a conic reach every other point of it"),
                         instances(60, m=(1, 2, 3), using={y: scalar()}, made_by=LINES)]),

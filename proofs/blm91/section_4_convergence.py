@@ -65,11 +65,22 @@ claim("BLM91-E4.6", "the scalar gain", always(t, (Pi[t] == rows([[pit[t]]])) & (
 claim("BLM91-E4.7", "the scalar Riccati equation", always(t, Pi[t][1, 1] == pit[t]), over=SCALAR, where=FILTER1, by=[induction(also=[Pi[t] == rows([[pit[t]]])]), instances()], note="(1.4) for F = -a, h = 1, g = gamma_0.")
 claim("BLM91-E4.8", "alpha_0 is the first coordinate of (2.33)", (q[0][1] == al0) & (al0 - ga0 == a[1]) & (qs[0][1] == ga0), over={a: vector(1), g: vector(1)},
       where=[let(n, 1), *stripped(g + a, g), let(ga0, g[1]), let(al0, a[1] + ga0)], by=[identity(), instances()], note="The display defines alpha_0; checked is that it is q_0 of the algorithm.")
-POPOV = (let(al0, a + ga0), let(az, Z + a), let(num, az * recip(az) + ga0 * recip(az) + ga0 * az))
-claim("BLM91-S43", "the parameters of stochastic systems", iff(abs(al0) + abs(ga0) < 1, schur(az) & pos_on_circle(num)), over=SCALAR, where=POPOV,
-      by=[steps("BLM91-S26", facts=["a system (1.1) with positive real Phi_+ exists"], prose="the Popov condition is (1 - |alpha|)^2 > gamma^2, and |a| < 1 leaves the diamond"), instances(60),
-          instances(40, using={u: scalar(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}), example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="9/10", gamma0=0), example(a=1, gamma0=0), example(a="3/2", gamma0=-1), example(a=-1, gamma0=1)],
-      note="Come from a stochastic system is read as in Section II: |a| < 1 and the Popov condition, here multiplied by |z + a|^2. The closed diamond without strictness would have degenerate systems too.")
+#: noise covariance of (4.4) for the state variance pi_0 that makes its determinant -phi(pi_0) largest
+okay, noise = symbols("exists noise")
+SYSTEM_1 = (let(al0, a + ga0), let(x, (1 - al0**2 + ga0**2) / 2), let(noise, rows([[(1 - a**2) * x, ga0 + a * x], [ga0 + a * x, 1 - x]])), let(okay, (x >= 0) & psd(noise)))
+CORRELATED = {a: scalar(), ga0: nonzero()}
+DIAMOND_A = [instances(40, using={u: nonzero(), y: scalar()}, made_by={ga0: u / (1 + abs(u) + abs(y)), a: y / (1 + abs(u) + abs(y)) - ga0}),
+             instances(30, using={u: nonzero(), s1: nonzero()}, made_by={ga0: SHARE, a: SIGN * (1 - abs(ga0)) - ga0}), instances(40)]
+EDGES = [example(a=0, gamma0="1/2"), example(a=3, gamma0=1), example(a="1/2", gamma0="-1/2"), example(a="3/2", gamma0=-1), example(a=-1, gamma0=1), example(a=1, gamma0=1), example(a=-4, gamma0=2), example(a=-2, gamma0=2), example(a="1/4", gamma0="-9/8")]
+claim("BLM91-S43", "the parameters of stochastic systems", iff(okay, abs(al0) + abs(ga0) < 1), over=CORRELATED, where=SYSTEM_1, by=[EDGES[0], instances(40)],
+      repair=repair("boundary case", "the edges of the diamond come from systems too: y_t = (e_t + e_(t-1))/sqrt 2 has a = 0, gamma_0 = 1/2; systems fill the closed diamond, and the open one adds strictness in the Popov condition",
+                    iff(okay, abs(al0) + abs(ga0) <= 1), over=CORRELATED, where=SYSTEM_1,
+                    by=[steps("BLM91-E4.12", facts=["a symmetric 2x2 matrix is semidefinite when its determinant and its trace are not negative", "a quadratic polynomial takes its least value at its vertex"],
+                              prose="the determinant is -phi(pi_0), at the vertex ((1 - |alpha|)^2 - gamma^2)((1 + |alpha|)^2 - gamma^2)/4: negative in the corridors; elsewhere pi_0 and 1 - pi_0 are both nonnegative, "
+                                    "with |a| <= 1, in the closed diamond alone"), *DIAMOND_A, *EDGES]),
+      note="A system (4.4) is a state variance pi_0 >= 0 with semidefinite noise covariance; exists: so for pi_0 = (1 - alpha_0^2 + gamma_0^2)/2, and if not for this value, where the determinant is largest, then for none "
+           "(for |a| > 1 the variance is 0 and gamma_0 with it; beyond the pole, in II, both zeros of phi are at least 1). gamma_0 not 0: with gamma_0 = 0 the output is white and the state not needed. "
+           "Were stochastic system to mean |a| < 1 and the Popov condition (2.4), the statement would be that of Fig. 1, which holds; see S13.")
 MAP = (let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
 KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
 PHI = function(phi_, [y], y**2 - 2 * (1 - al0 / kap) * y + ga0**2)
@@ -105,10 +116,13 @@ claim("BLM91-S45", "|kappa| < 1 is the sign definite region", iff(small_, strict
       note="The regions without their boundary lines, which are |kappa| = 1.")
 ENTER = (*ORBIT, LAMBDA, let(hitsN, sum_of(t, 0, 40, when(abs(al[t]) + abs(ga[t]) < 1, 1, 0))), let(inside, abs(al[41]) + abs(ga[41]) < 1))
 SHADED = [standing("|kappa| < 1", lam**2 > rational("21/20")), standing("no escape", defined(al[42]))]
-claim("BLM91-S46", "data of the shaded region come to the diamond and stay", (hitsN >= 1) & inside, over={al0: nonzero(), ga0: nonzero()}, where=ENTER, given=SHADED,
-      by=[steps("BLM91-E5.1", "BLM91-X.1", prose="alpha_t tends to alpha_+ and gamma_t to 0 by T3.5.a.alt, and (alpha_+, 0) is inside the diamond, which is invariant by S27"),
-          instances(10, **IN_II), instances(8, **IN_III), instances(8, **IN_IV), instances(6, **IN_I)],
-      note="In the manner of Theorem 3.5, which sets the equilibria (gamma_0 = 0) apart: those with |alpha| > 1 stay where they are, outside the diamond, without escape. "
+APART = example(alpha0=2, gamma0=0)
+claim("BLM91-S46", "data of the shaded region come to the diamond and stay", (hitsN >= 1) & inside, over=POINT, where=ENTER, given=SHADED, by=[APART, instances(12, **IN_II)],
+      repair=repair("boundary case", "(alpha, 0) with |alpha| > 1 is at rest: it does not escape and stays outside the diamond; the unstable equilibria are to be excluded with the points that escape", (hitsN >= 1) & inside, over=POINT, where=ENTER,
+                    given=[*SHADED, given("not an unstable equilibrium", (ga0 != 0) | (abs(al0) < 1))],
+                    by=[steps("BLM91-E5.1", "BLM91-X.1", prose="alpha_t tends to alpha_+ and gamma_t to 0 by T3.5.a.alt, and (alpha_+, 0) is inside the diamond, which is invariant by S27"),
+                        instances(10, **IN_II), instances(8, **IN_III), instances(8, **IN_IV), instances(6, **IN_I), APART, example(alpha0="1/2", gamma0=0), example(alpha0=-3, gamma0=0)]),
+      note="The text excludes the points that escape and no others; Theorem 3.5, to which it refers, and Theorem 4.1 name the unstable equilibrium as an exception. "
            "Tried within 40 steps for |kappa| bounded away from 1, inside: still there at step 41. For alpha_0 = 0 the origin is reached in one step.")
 claim("BLM91-S47", "no convergence in the corridors", (ga[m] ** 2 == (al[m] - lam) ** 2 + (1 - lam**2)) & (1 > lam**2), sizes=["m"], over=POINT, where=[*ORBIT, LAMBDA], given=[given("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)],
       by=[steps("BLM91-E3.13", prose="gamma_t^2 is at least 1 - 1/kappa^2 > 0, so that no equilibrium (alpha, 0) is approached"), instances(30, m=(0, 1, 2, 3), using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})],

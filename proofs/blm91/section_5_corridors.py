@@ -99,10 +99,12 @@ claim("BLM91-S74", "slopes: periodic or dense, by theta", forall(t, 1, 6, iff(be
 ANGLE = {nn: integer(1, 23)}
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[t]), function(back, [t], Pw[t] == Pw[t][1, 1] * Identity(2)))
-claim("BLM91-S75", "when every line is back", forall(k, 1, 2 * d, iff(back(k), (k == d) | (k == 2 * d))), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
-      by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)],
-      note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity: first for k = d. The exponent p of the print, not defined where it stands, is read as the period of Theorem 3.7, which is d or 2d, "
-           "or as d; both serve, as k = 1, .., 2d shows. Evaluated for all angles with d <= 24, every d >= 2 among them.")
+claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), sizes=["d"], over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
+      by=[example(d=3, n_angle=1, p=2), instances(d=range(2, 9))],
+      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
+                    by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
+      note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity. p is not defined where it stands, and is read as any natural number; were it the period of Theorem 3.7, which is d or 2d, the "
+           "equation would be right. Evaluated for all angles with d <= 24, every d >= 2 among them.")
 claim("BLM91-S76", "no real zeros of phi for |kappa| > 1", phi_ > 0, over={**POINT, kap: scalar(), x: scalar()}, where=[PHI], given=[given("kappa", kap * (1 + al0**2 - ga0**2) == 2 * al0), given("|kappa| > 1", kap**2 > 1)],
       by=[steps(facts=["a quadratic polynomial with negative discriminant has no real zero"], prose="the discriminant is 4 alpha_0^2 (1/kappa^2 - 1)"),
           instances(60, using={u: scalar(), y: scalar(), s1: nonzero()}, made_by={kap: s1 + SIGN, x: u, al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * al0}),

@@ -39,7 +39,7 @@ claim("BLM91-X.12", "a fraction with denominator p between 1/4 and 1/2, in lowes
       note="p = 2j + 1, 4j, 8j + 2, 8j + 6 with j >= 1 are all p >= 3 but 6. The first four equations make q coprime to p; the others give 0 < p - 2q and 4q - p >= 0.")
 #: is there such a q for p
 SERVES = (*COPRIME, function(serves, [p], exists(q, 1, p - 1, coprime_(p, q) & MEANT)))
-READ = "The lemma names (5.6), a formula for escaping points; the double inequality of the case kappa > 1 is (5.9), with its lower bound pi/4, on which see E5.9."
+READ = "The lemma names (5.6), a formula for escaping points; the double inequality of the case kappa > 1 is (5.9), with its lower bound pi/4. (With the bound 1/4 in its print q = 1 would serve for p = 6 too: the misprint of E5.9, not counted twice.)"
 BEZOUT = ["Bezout: numbers of which a combination with integer coefficients is 1 are coprime"]
 ALL_P = "the four families of X.12 are all p >= 3 but 6, and their q serve"
 claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6", serves(p), over={p: integer(3, 60)}, where=SERVES, given=[given("p not 6", p != 6)],

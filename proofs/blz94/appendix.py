@@ -210,6 +210,7 @@ _SHIFT = {"sizes": ["n"], "over": GAMMA, "where": [*SHIFTED]}
 claim("BLZ94-EA.8", "phi_t^(1) from pi_{t+1} and rho_{t+1}",
       forall(t, 0, n, phi(1, t) == 1 / (2 * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))), **_SHIFT,
       by=[example(n=1, gamma=["1/2", "1/3"]), instances(n=(1, 2, 3))],
+      note="The factor is read as 1/(2(1 - gamma_0)). A printed z in the place of the 2 would make it right.",
       repair=repair("factor", "The factor is 1/(z(1 - gamma_0)): already for t = 0 the bracket is z(1 - gamma_0), and "
                               "phi_0^(1) = 1.",
                     forall(t, 0, n, phi(1, t) == 1 / (Z * (1 - gamma[0])) * (pi(0, t + 1) - Z * rho(0, t + 1))),

@@ -18,7 +18,7 @@ all t. For positive real v all of them are stable; without that hypothesis
 nothing keeps their zeros inside the unit circle.
 """
 
-from exactkf.claims import claim
+from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import (
     Identity,
@@ -268,12 +268,15 @@ _PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(
                           using={x: vector(n), y: vector(n)}, horizon=4)
 _ALONG = [*FAST, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))]
 claim("BLZ94-S6", "a_t(z) and b_t(z) are stable",
-      always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG, given=_PR,
-      by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step of Schur's algorithm"],
-                prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive real."),
-          _PR_INSTANCES],
-      note="The sentence has no hypothesis of its own, but a_0 = a and b_0 = b are arbitrary in this section. It is read for positive real v, as in the "
-           "work it cites and in the sentence after it.")
+      always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG,
+      by=[example(n=1, abar=[2], gbar=[1]), instances(n=(1, 2))],
+      note="The sentence has no hypothesis: the section gives up positive realness just before the observer form, and names it again in each sentence that "
+           "uses it, also in the one that follows. The algorithm starts from any a_0 = a and b_0 = b.",
+      repair=repair("missing hypothesis", "a_t and b_t are stable if v is positive real; without that already a_0 = z + 2 is not.",
+                    always(t, schur(apoly[t]) & schur(bpoly[t])), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=_ALONG, given=_PR,
+                    by=[steps("BLZ94-E2.18", facts=["for positive real v all |g_1(t)| < 1 (Schur), and a step of (2.16) is a step of Schur's algorithm"],
+                              prose="All r_t are positive, so D stays positive on the circle, and each step keeps v_t positive real."),
+                        _PR_INSTANCES]))
 
 claim("BLZ94-S7", "if v is positive real, so is every v_t",
       always(t, schur(apoly[t]) & pos_on_circle(symmetric_part(apoly[t], bpoly[t]))), sizes=["n"],

@@ -19,7 +19,7 @@ At an invariant U the closed loop F - k h' is the transposed inverse of S on U: 
 the roots of the limit polynomial are the inverses of the eigenvalues of S on U.
 """
 
-from exactkf.claims import claim
+from exactkf.claims import claim, repair
 from exactkf.evidence import example, identity, induction, instances, order
 from exactkf.language import (
     Identity,
@@ -38,11 +38,14 @@ from exactkf.language import (
     let,
     matrix,
     matrix_of,
+    nonneg_on_circle,
     nonsingular,
     nonzero,
+    pos_on_circle,
     rec,
     recip,
     scalar,
+    schur,
     sequence,
     standing,
     sum_of,
@@ -57,6 +60,7 @@ from exactkf.language import (
 from proofs.blz94.notation import (
     HALF,
     SHIFT,
+    D,
     F,
     J,
     P,
@@ -172,13 +176,20 @@ _ALPHA1 = (1 / v - u**2 * v) / (1 - u**2)
 _ORDER_ONE = {P: matrix_of(i, j, n, n, 1 - _ALPHA1 / v), a0: column(i, n, _ALPHA1 - u * (_ALPHA1 - v)),
               g0: column(i, n, u * (_ALPHA1 - v))}
 _NEXT_B = B * P * T(B) + (-g - B * P * h) / (1 - T(h) * P * h) * T(-g - B * P * h)
-claim("BLZ94-L6.2.1", "a and b exchanged: the same Riccati equation, and the same limit (6.2)",
-      (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0), sizes=["n"],
-      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
-      where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES],
-      note="Read with its proof: a and b change places, so that g = (b - a)/2 becomes -g, F becomes J - bh' (B here) and the a of (6.2) becomes b. The "
-           "step of the recursion is the same map, hence so is the solution from zero, and Lemma 6.1 remains true. With J - bh' and g the equation "
-           "would be that of another function v.")
+_OTHER_D = symmetric_part(monic_of(b0), monic_of(b0 + 2 * g0))
+claim("BLZ94-L6.2.1", "Lemma 6.1 with J - bh' in place of F = J - ah' and nothing else changed",
+      nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"], over={a0: vector(n), g0: vector(n)},
+      where=[let(b0, a0 + 2 * g0), let(D, symmetric_part(monic_of(a0), monic_of(b0)))],
+      given=[given("(b, b + 2g) stable", schur(monic_of(b0))), given("(b, b + 2g) positive", pos_on_circle(_OTHER_D)), standing("alpha_n != 0", a0[n] + g0[n] != 0)],
+      by=[example(n=1, abar=[2], gbar=["-9/16"]), instances(n=(1, 2), made_by={g0: 0 * a0, a0: column(i, n, w[i] / to_expr(4) ** i)}, using={w: vector(n)})],
+      note="A consequence: if the recursion with J - bh' and g converges from zero, so does (4.4), and then D is sign definite (Corollary 5.3). It converges if J - bh' "
+           "and g belong to a positive real function, that of b and b + 2g. In the example, n = 1, a = 2, b = 7/8, this is so, but D is not sign definite. "
+           "The proof exchanges a and b, which is more than the lemma says: g = (b - a)/2 changes its sign.",
+      repair=repair("sign", "With J - bh' in place of F also -g has to take the place of g, and b that of a in (6.2); then the recursion is the same, "
+                            "and so is the limit.",
+                    (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0), sizes=["n"],
+                    over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
+                    where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES]))
 
 # ---------------------------------------------------------------------- the closed loop, (6.27)-(6.33)
 claim("BLZ94-E6.27", "(6.2) written with J in place of F",

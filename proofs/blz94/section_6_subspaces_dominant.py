@@ -27,6 +27,7 @@ from exactkf.language import (
     hstack,
     iff,
     inside_roots,
+    integer,
     inv,
     kernel_basis,
     let,
@@ -145,15 +146,17 @@ claim("BLZ94-E6.22", "the exponents of the vectors of a Jordan block", forall(m,
                     forall(m, 1, p, p - 2 * u(m) + 1 == p - 2 * m + 1), sizes=["p"], where=_GRADE, by=[evaluation(p=range(1, 9)), instances(p=(1, 2, 3, 4))]))
 
 _BLOCKS = let(M, matrix_of(i, j, p + q, p + q, when(i == j, when(i <= p, u, v), when((j == i + 1) & (i != p), 1, 0))))
-_FIRST = let(E, matrix_of(i, j, p + q, k + l, when(j <= k, when(i == j, 1, 0), when(i == p + j - k, 1, 0))))
+#: exponents of the vectors of two blocks, and the projection onto those that come before a place in the list
+_LISTED = (function(w, [i], when(i <= p, p - 2 * i + 1, q - 2 * (i - p) + 1)),
+           let(E, matrix_of(i, j, p + q, p + q, when((i == j) & (w(i) > when(i <= p, k, l)), 1, 0))))
 claim("BLZ94-S49", "the first vectors span invariant subspaces",
-      (M * E == E * matrix_of(i, j, k + l, k + l, when(i == j, when(i <= k, u, v), when((j == i + 1) & (i != k), 1, 0)))), sizes=["p", "q", "k", "l"],
-      over={u: scalar(), v: scalar()}, where=[_BLOCKS, _FIRST],
-      given=[standing("k <= p, l <= q", (k <= p) & (l <= q))],
+      (M * E == E * M * E) & forall(i, 1, p, w(i) + w(p + 1 - i) == 0) & forall(i, 1, q, w(p + i) + w(p + q + 1 - i) == 0), sizes=["p", "q"],
+      over={u: scalar(), v: scalar(), k: integer(-4, 4), l: integer(-4, 4)}, where=[_BLOCKS, *_LISTED],
       by=[steps(prose="The exponents p - 2j + 1 fall along a block, so that v_1, ..., v_k of the list are first vectors of each block. What is left comes later in the list, so its eigenvalues "
                       "are not larger in modulus. More than two blocks are no different."),
-          instances(24, p=(1, 2, 3), q=(1, 2, 3), k=(0, 1, 2), l=(0, 1, 2))],
-      note="Two Jordan blocks, of sizes p and q; the first vectors of the list are the first k of one block and the first l of the other. The print is over the complex numbers.")
+          instances(24, p=(1, 2, 3), q=(1, 2, 3))],
+      note="Two Jordan blocks, of sizes p and q; w(i) is the exponent of the i-th vector, of (6.22) with m and g exchanged (E6.22), which sum to zero in a block. The first vectors of the list are "
+           "those whose exponents exceed a bound: k in the one block and l in the other, equal bounds but for ties if the moduli are equal. The print is over the complex numbers.")
 
 _CHI = charpoly(S)
 claim("BLZ94-S50", "eigenvalues of S in pairs; exponents for an eigenvalue of even multiplicity",

@@ -108,7 +108,8 @@ claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc",
                                                                                   "the circle have even multiplicity and belong to w half."),
           example(n=1, u=[2, 1], w=["1/2", 1], r=4), example(n=1, w=[2, 1], u=["1/2", 1], r="1/4"), example(n=1, u=["1/2", 1], w=["1/3", 1], r=1),
           instances(n=(1, 2), made_by={u: w, r: 1})],
-      note="The factor r in (7.1a) is twice the limit of r_t, compare (5.4) and (8.8).")
+      note="r_infinity is read as what the theorem calls it, a factor left undetermined. It is not the limit of r_t, which has the same letter in (5.4) and (8.8): "
+           "with that, a factor of two is missing on the right of (7.1a). The marks over b, which (7.1b) explains, are lost in (7.1a).")
 
 claim("BLZ94-X.4", "every (alpha, 0) is a fixed point", (alpha[1] == alpha0) & (gamma[1] == 0 * alpha0), sizes=["n"], over={alpha0: vector(n)},
       where=[let(gamma0, 0 * alpha0), *ORBIT], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],

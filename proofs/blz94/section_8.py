@@ -14,10 +14,12 @@ from exactkf.language import (
     always,
     charpoly,
     circle_roots,
+    coeff,
     column,
     coprime,
     cospi,
     defined,
+    det,
     exists,
     forall,
     function,
@@ -138,14 +140,21 @@ claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point o
                                   cofactors=[[(alpha[t] * lam / _RHO, 0, 1), ((p[t] * lam * (al - lam) - lam * al + 1) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]),
                         instances(20, horizon=3)]))
 
+_ROWS = [[coeff(x_, i_) for i_ in (0, 1)] for x_ in (D, symmetric_part(1, b), symmetric_part(a, 1))]
+claim("BLZ94-X.11", "n = 1: the minors that vanish where the invariant curve is singular",
+      (det(rows(_ROWS[1:])) == ga) & (2 * det(rows(_ROWS[:2])) == 1 - (al + ga) ** 2) & (2 * det(rows(_ROWS[::2])) == 1 - (al - ga) ** 2), over=POINT, where=D_ONE,
+      by=[identity(), instances()],
+      note="Not printed. The curve, the level set of D up to a factor, is smooth where D and its derivatives with respect to the coefficients of a and b, one a row, span the plane of "
+           "all D. The minors vanish together exactly for gamma = 0, alpha = 1 or -1.")
+
 claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots only at (1, 0) and (-1, 0)",
       iff((substitute(a, x) == 0) & (substitute(b, x) == 0) & (substitute(a, w) == 0), (ga == 0) & (al == -x) & (x == w)),
       over={**POINT, x: nonzero()}, where=[*D_ONE, let(w, 1 / x)],
-      by=[steps(prose="a(x) = b(x) = 0 gives gamma = 0 and alpha = -x; a polynomial of degree one has one root, so x = 1/x."),
+      by=[steps("BLZ94-X.11", prose="a(x) = b(x) = 0 gives gamma = 0 and alpha = -x; a polynomial of degree one has one root, so x = 1/x."),
           example({al: 1, ga: 0, x: -1}), example({al: -1, ga: 0, x: 1}), example({al: 1, ga: 1, x: 1}), example({al: 0, ga: 1, x: 1}),
           example({al: 0, ga: 1, x: -1}), example({al: -2, ga: 0, x: 2}), example({al: -2, ga: 0, x: "1/2"}), example({al: 2, ga: 0, x: 1}),
           example({al: 1, ga: 0, x: 1}), example({al: 1, ga: 2, x: 1}), example({al: 1, ga: -2, x: 1}), example({al: 2, ga: 0, x: 2}), instances(20)],
-      note="The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
+      note="That the curve is singular there and nowhere else is BLZ94-X.11. The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
 
 #: S of order one, (6.14)
 _S_ONE = (let(c, -al), let(S, rows([[1 / c, -1 / c], [ga**2 / c, c - ga**2 / c]])))
@@ -197,7 +206,7 @@ claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not esc
            "of the curve.")
 
 claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[let(q, 1), *_CURVE, *_RETURN], given=[standing("p > 2", p > 2)],
-      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on.")
+      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on. Period four needs 1/kappa = 0, the curve d_0 = 0 that (8.4) includes as kappa infinite; no finite kappa has it.")
 
 claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p", "q"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
@@ -228,15 +237,17 @@ claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
       where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE, rec(w, t, 1, w[t] - c * (x - c))],
       by=[induction(p=(1, 2), also=[gamma[t] ** 2 == (alpha[t] - c) ** 2],
                     cofactors=[[((1 + c * (alpha[t] - c)) / _RHO, 0, 1), ((c * w[t + 1] + x - c) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]), instances(p=(1, 2))],
-      note="c = kappa, and w_t = 1 - ct(x - c). Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is w_t = 0 for some t, a countable set. At (c, 0) the "
+      note="c = kappa, and w_t = 1 - ct(x - c). Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is w_t = 0 for some t, or x = 0: a countable set. At (c, 0) the "
            "Jacobian is diag(1, -c): both eigenvalues have modulus one. Near (c, 0), (alpha - c)^2 - gamma^2 takes both signs, so curves of all "
            "types come near.")
 
 claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order one",
-      (alpha[1] == column(i, n, when(i == 1, x / (1 - gamma0[n] ** 2), 0))) & (gamma[1][n] == -x * gamma0[n] / (1 - gamma0[n] ** 2)),
-      sizes=["n"], over={x: scalar(), gamma0: vector(n)}, where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT],
+      (alpha[1] == column(i, n, when(i == 1, x / (1 - gamma0[n] ** 2), 0))) & (gamma[1][n] == -x * gamma0[n] / (1 - gamma0[n] ** 2))
+      & (coeff(D, 1) * (1 + x**2 - gamma0[n] ** 2) == coeff(D, 0) * x) & forall(i, 2, n, coeff(D, i) == 0),
+      sizes=["n"], over={x: scalar(), gamma0: vector(n)},
+      where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0])))],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
-      note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1); the other entries of gamma "
+      note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1), on the curve with kappa = 2 d_1/d_0 = kappa_1; the other entries of gamma "
            "are earlier values of gamma_{n-1} after n - 1 steps.")
 
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",

@@ -38,6 +38,7 @@ from exactkf.language import (
       scalar,
       schur,
       standing,
+      substitute,
       sum_of,
       symbols,
       vector,
@@ -54,7 +55,8 @@ claim("BLZ94-E8.5", "(8.5) is (4.4) for n = 2",
       (alpha[1][1] == alpha0[1] / (1 - gamma0[2] ** 2) + gamma0[2] / (1 - gamma0[2] ** 2) * gamma0[1] / (1 - gamma0[1] ** 2) * alpha0[2])
       & (alpha[1][2] == alpha0[2] / (1 - gamma0[1] ** 2)) & (gamma[1][1] == gamma0[2])
       & (gamma[1][2] == -alpha[1][1] * gamma0[2] - alpha[1][2] * gamma0[1]), over={alpha0: vector(2), gamma0: vector(2)}, where=[let(n, 2), *ORBIT],
-      by=[identity(), instances()])
+      by=[identity(), instances()],
+      note="(8.5c) at t + 1, for t = 0, 1, ...; at t = 0 it would ask for gamma_(-1). gamma_0 and gamma_1 are data.")
 
 al1, al2, ga0, ga1 = symbols("alpha1 alpha2 gamma0 gamma1")
 _R1, _R2 = 1 - ga0**2, (1 - ga0**2) * (1 - ga1**2)
@@ -94,15 +96,17 @@ claim("BLZ94-F8.3b", "eigenvalues of S at the points of the triangle",
            "different below the parabola, none is above; on the boundary some are on the circle.")
 
 claim("BLZ94-F8.3c", "the other equilibria with the same D",
-      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(w) == 2),
-      over={x: nonzero(), y: nonzero()}, where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y))],
-      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1)],
+      (x**2 * q * recip(q) == f * recip(f)) & (x**2 * y**2 * w * recip(w) == f * recip(f)) & (inside_roots(q) == 1) & (outside_roots(q) == 1) & (outside_roots(w) == 2)
+      & (c**2 * e * recip(e) == p * recip(p)) & (outside_roots(e) == 2),
+      over={x: nonzero(), y: nonzero(), r: scalar(), s: nonzero()},
+      where=[let(f, (Z - x) * (Z - y)), let(q, (Z - 1 / x) * (Z - y)), let(w, (Z - 1 / x) * (Z - 1 / y)), let(c, r**2 + s**2), let(p, Z**2 - 2 * r * Z + c), let(e, Z**2 - 2 * r / c * Z + 1 / c)],
+      given=[given("x inside", abs(x) < 1), given("y inside", abs(y) < 1), given("the pair inside", r**2 + s**2 < 1)],
       by=[steps(facts=["a polynomial has one factorization into linear ones"],
-                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. A complex pair can only be "
-                      "replaced together."),
-          instances(20, using={u: nonzero(), v: nonzero()}, made_by={x: u / 7, y: v / 7}), example({x: 2, y: "1/2"}), example({x: "1/3", y: 2}),
-          example({x: "1/3", y: "1/2"})],
-      note="Real zeros x, y. For x = y, on the parabola, the two saddles are one.")
+                prose="Each zero of f may be replaced by its inverse: two saddles from x or y alone, one unstable from both. Of the complex zeros of p one alone cannot be replaced, "
+                      "as e has real coefficients."),
+          instances(20, using={u: nonzero(), v: nonzero(), k: scalar(), d: nonzero()}, made_by={x: u / 7, y: v / 7, r: k / 7, s: d / 7}), example({x: 2, y: "1/2", r: 0, s: "1/2"}), example({x: "1/3", y: 2, r: 0, s: "1/2"}),
+          example({x: "1/3", y: "1/2", r: 0, s: 2}), example({x: "1/3", y: "1/2", r: "-1/3", s: "1/2"})],
+      note="f has the real zeros x, y: below the parabola; p the complex zeros r + is, r - is: above it. For x = y, on the parabola, the two saddles are one.")
 
 _ROWS = rows([[1 + al1**2 + al2**2, al1 * (1 + al2), al2], [2 * al1, 1 + al2, 0], [2 * al2, al1, 1]])
 #: a and b with their coefficients; D and its derivatives with respect to these, one a row
@@ -142,16 +146,33 @@ claim("BLZ94-S65", "the invariant manifold of an interior point has no singular 
 claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
       by=[identity(), instances()], note="The determinant vanishes exactly on the three lines that bound the triangle.")
 
-claim("BLZ94-S64", "a = b occurs only at equilibria; a common root one outside of them", iff(a == b, (ga0 == 0) & (ga1 == 0)), over=_POINT2, where=_PHI2,
-      by=[steps(prose="b - a = 2 gamma_0 z + 2(gamma_1 + alpha_1 gamma_0). a(1) = b(1) = 0 holds for instance at (-1, 0, 0, 0) and at (-2, 1, 0, 0), and with "
-                      "gamma_0 = -gamma_1/(1 + alpha_1) and 1 + alpha_1 + alpha_2 + gamma_0 gamma_1 = 0."),
-          example({al1: 1, al2: 1, ga0: 0, ga1: 0}), example({al1: 1, al2: 1, ga0: 0, ga1: 1}), example({al1: 1, al2: 1, ga0: 1, ga1: -1}), instances()])
+_VALUES = let(w, rows([[1], [x + 1 / x], [x**2 + x**-2]]))
+#: points with a common root 1, with a common root -1, and the equilibria with a pair of reciprocal roots
+_AT_ONE = {x: 1 + 0 * u, al1: u + 0, ga1: v + 0, ga0: -v / (1 + u), al2: -1 - u - ga0 * ga1}
+_AT_MINUS_ONE = {x: -1 + 0 * u, al1: u + 0, ga0: v + 0, ga1: v * (1 - u), al2: -(1 + ga0) * (1 - ga1 - u)}
+_PAIR = {al1: -x - 1 / x, al2: 1 + 0 * x, ga0: 0 * x, ga1: 0 * x}
+claim("BLZ94-S64", "a common root 1 or -1, or a common pair of reciprocal roots, makes a point singular; the pair occurs at equilibria only",
+      (e * w == rows([[0]] * 5)) & ((x**2 == 1) | ((a == (Z - x) * (Z - 1 / x)) & (ga0 == 0) & (ga1 == 0))), over={**_POINT2, x: nonzero()},
+      where=[*_PHI2, _AB2[-1], _VALUES],
+      given=[given("common roots of a", (substitute(a, x) == 0) & (substitute(a, 1 / x) == 0)), given("common roots of b", (substitute(b, x) == 0) & (substitute(b, 1 / x) == 0))],
+      by=[steps(prose="Where a and b vanish at x and at 1/x, so do D and its derivatives, whose values at x are e times w; then they do not span the space of all D. If x and 1/x are different, a = b "
+                      "is the product of z - x and z - 1/x, and b - a = 2 gamma_0 z + 2(gamma_1 + alpha_1 gamma_0) is zero for gamma_0 = gamma_1 = 0 alone."),
+          instances(20, using={u: scalar(), v: nonzero()}, made_by=_AT_ONE), instances(20, using={u: scalar(), v: nonzero()}, made_by=_AT_MINUS_ONE), instances(20, made_by=_PAIR),
+          example({al1: -1, al2: 0, ga0: 0, ga1: 0, x: 1}), example({al1: 0, al2: -1, ga0: 0, ga1: 0, x: -1}), example({al1: 2, al2: 1, ga0: 0, ga1: 0, x: -1}),
+          example({al1: 0, al2: 0, ga0: 1, ga1: 0, x: 1}), example({al1: 0, al2: 2, ga0: 0, ga1: 0, x: 1}), example({al1: "5/2", al2: 1, ga0: 1, ga1: 0, x: "-1/2"})],
+      note="e has D and its derivatives with respect to the coefficients of a and b for rows. The points with x = 1 and gamma_1 = -gamma_0 (1 + alpha_1), alpha_2 = -1 - alpha_1 - gamma_0 gamma_1 "
+           "are no equilibria for gamma_0 != 0. x stands for -lambda.")
 
-claim("BLZ94-S67", "n = 2: no eigenvalue on the circle off the three lines", inside_roots(f) + outside_roots(f) == 2, over=_AL, where=[_W],
-      given=[given("not on the lines through the corners", ((1 + al2) ** 2 != al1**2) & (al2 != 1))],
-      by=[steps(prose="A zero 1 or -1 is 1 + v = -u or u; a pair on the circle is v = 1 with |u| < 2. The other eigenvalues of the derivative at (alpha, 0) are one, twice, so "
-                      "that the center manifold has the dimension of E."), *_EDGES, instances(20)],
-      note="f = z^2 + uz + v is the polynomial of the equilibrium (u, v). The lines extend beyond the triangle whose boundary the text names too.")
+claim("BLZ94-S67", "n = 2: no eigenvalue on the circle off the boundary of the triangle", inside_roots(f) + outside_roots(f) == 2, over=_AL, where=[_W],
+      given=[given("not on the boundary of the triangle", ~(_TRIANGLE & ~_INSIDE))],
+      by=[example({al1: -4, al2: 3}), example({al1: "1/2", al2: "1/4"}), example({al1: 0, al2: 3})],
+      note="f = z^2 + uz + v is the polynomial of the equilibrium (u, v); E is a center manifold of dimension two if f has no zero on the circle. The text names the lines through the corners and "
+           "the boundary of the triangle as if they were the same. With the boundary the sentence is false; with the lines it is right but for these words.",
+      repair=repair("boundary case", "All of the lines have to be excepted, not the sides of the triangle alone: at (-4, 3), where z^2 - 4z + 3 has the zeros 1 and 3, a center manifold has dimension three.",
+                    inside_roots(f) + outside_roots(f) == 2, over=_AL, where=[_W],
+                    given=[given("not on the lines through the corners", ((1 + al2) ** 2 != al1**2) & (al2 != 1))],
+                    by=[steps(prose="A zero 1 or -1 is 1 + v = -u or u; a pair on the circle is v = 1 with |u| < 2. The other eigenvalues of the derivative at (alpha, 0) are one, twice, so "
+                                    "that the center manifold has the dimension of E."), *_EDGES, instances(20)]))
 
 claim("BLZ94-S70", "dimensions of the center manifolds on the boundary of the triangle", x == y, over=_AL,
       where=[_W, let(x, circle_roots(f)), let(y, when(al2 == 1, 2, when((al1 == 0) & (al2 == -1), 2, 1)))],
@@ -192,7 +213,7 @@ claim("BLZ94-X8.1b", "|gamma_t| exceeds one exactly twice", (p == 2) & (q == 5),
       note="p counts up to time 12, and q = 5 is the first step with positive real data.")
 claim("BLZ94-X8.1c", "after six steps the data are positive real and remain so", p == 5, where=[*_CLOSED, let(p, sum_of(k, 6, 10, when(schur(a[k]) & pos_on_circle(D[k]), 1, 0)))],
       by=[steps(facts=_CLASSICAL), instances()],
-      note="p counts the positive real data among those of steps 6 to 10. Positive realness is kept by the algorithm, as the Schur parameters of v_t are later ones of v.")
+      note="p counts the positive real data among those of steps 6 to 10; those of step 5 are positive real already. Positive realness is kept by the algorithm, as the Schur parameters of v_t are later ones of v.")
 
 claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
       (k2 * (x**2 - 2) + k1 * x + 2 == 0) & (k2 * (y**2 - 2) + k1 * y + 2 == 0), over={k1: scalar(), k2: nonzero(), w: scalar()},
@@ -235,7 +256,7 @@ claim("BLZ94-S66", "which points of the manifold of an interior point tend to it
           instances(20, using={y: scalar()}, made_by={u: Z - y / (1 + y**2), v: u, w: u * (Z - p), r: when(abs(s) < 1, 2, 2 * s**2)}),
           example({u: [0, 1], v: ["4/5", 1], w: ["-1/6", "1/6", 1], s: "1/3", r: "8/5"}), example({u: [0, 1], v: ["4/5", 1], w: ["-1/6", "1/6", 1], s: 3, r: "72/5"}),
           example({u: [0, 1], v: [0, 1], w: ["-1/6", "1/6", 1], s: 3, r: 1}), example({u: [3, 1], v: [3, 1], w: [6, 5, 1], s: "-1/2", r: "1/2"})],
-      note="a = u(z)(z - s), b = v(z)(z - s), w the polynomial of the interior point. The points that are excepted are those with a common zero outside, the unstable equilibria "
+      note="a = u(z)(z - s), b = v(z)(z - s), w the polynomial of the interior point. The text refers to Section 6; Theorem 7.1 is meant. The points that are excepted are those with a common zero outside, the unstable equilibria "
            "and what tends to them, and those that escape.")
 
 claim("BLZ94-S71", "in the white region there are periodic points, dense orbits and finite escape",

@@ -123,6 +123,7 @@ from proofs.nwl92.notation_system import (
     l,
     made_blocks,
     n,
+    noise,
     noise_by_form,
     p,
     riccati,
@@ -473,6 +474,9 @@ def own_error(P):
 
 ERROR_1 = [error_of(best(Zero(n, n)), Zero(n, n))]
 CLOSED = T(T(L * A))
+#: systems with the solution P and the gains that belong to it
+SOLVED_GAINS = {**solved()[0], L: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.upper(l, p),
+                K: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.lower(l, p)}
 claim("NWL92-S40", "the covariance from zero is increasing, below the solution, and below that from any start",
       always(t, loewner(Pt[t], Pz[t])) & always(t, loewner(P, Pz[t])) & always(t, loewner(Py[t], Pz[t])), sizes=["l", "n", "p"],
       over={**LG, P: positive_semidefinite(n), P0: positive_semidefinite(n)},
@@ -483,27 +487,28 @@ claim("NWL92-S40", "the covariance from zero is increasing, below the solution, 
                     step=[order(own_error(Pz), own_error(Pt), later(Pt[t], Pz[t])),
                           order(own_error(Pz), [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])]),
                           order(own_error(Pz), own_error(Py), later(Py[t], Pz[t]))]),
-          instances(8, made_by={**solved()[0], L: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.upper(l, p),
-                                K: hstack(Identity(n), Zero(n, l + p - n)) * inv(sym("V")) * two.lower(l, p)}, using=solved()[1], horizon=3,
-                    l=(1, 2), p=(1, 2), n=(1, 2))],
+          instances(8, made_by=SOLVED_GAINS, using=solved()[1], horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
       note=("Pz is the covariance from P_0 = 0, Py the same one step later, Pt that from any P_0; L, K are gains with LE + KC = I, those of the solution "
             "among them. Increasing and bounded by P, Pz converges; its limit is a solution, and P is the only one (NWL92-S39)."))
 
 e, f, Mx, Mz, Pj, Pzj, Wj = symbols("e f Mx Mz Pj Pzj Wj")
 SANDWICH = [given("P_j^0 <= P_j", loewner(Pj, Pzj)), given("P_j <= W_j", loewner(Wj, Pj)), given("W_j near P", loewner(P + e * Mx, Wj)),
             given("P_j^0 near P", loewner(Pzj, P - f * Mz))]
-claim("NWL92-S41", "what lies between two sequences that tend to P tends to P",
-      loewner(P + e * Mx, Pj) & loewner(Pj, P - f * Mz), sizes=["n"],
-      over={P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n),
+OPTIMAL_GAINS = given("(2.25) for P", noise(P) * vstack(T(L), T(K)) == F_BLOCK * P)
+claim("NWL92-S41", "what lies between two sequences that tend to P tends to P, and how the lower one does",
+      (P - next_covariance(Pzj) == (L * A) * (P - Pzj) * T(best(Pzj) * vstack(A, Zero(p, n)))) & loewner(P + e * Mx, Pj) & loewner(Pj, P - f * Mz),
+      sizes=["l", "n", "p"],
+      over={**LG, P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n),
             Mz: positive_semidefinite(n), e: nonneg(), f: nonneg()},
-      given=SANDWICH,
-      by=[order([P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
-          instances(made_by={Wj: P + e * Mx - X0 * T(X0), Pzj: Wj - H0, Pj: Pzj + H0 * (1 / (1 + e0 * e0))},
-                    using={X0: matrix(n, 1), H0: positive_semidefinite(n), e0: scalar()}, n=(1, 2, 3)),
-          instances(made_by={Mx: X0 * T(X0), Mz: X1 * T(X1), Wj: P + e * Mx, Pzj: P - f * Mz, Pj: P}, using={X0: matrix(n, 1), X1: matrix(n, 1)}, n=(1, 2, 3))],
-      note=("At each j: e stands for c rho^j, f for what tends to zero as P_j^0 tends to P. So P_j tends to P, and from above as fast as W_j. From below it "
-            "is as fast as P_j^0, of which the paper says no more than that it tends to P; it does so exponentially, as P - P_(j+1)^0 = "
-            "(LA)(P - P_j^0)(L_j A)' by the argument of appendix B, with L_j A -> LA stable."))
+      given=[UNBIASED, OPTIMAL_GAINS, *SANDWICH],
+      by=[order([], [P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
+          instances(12, made_by={**SOLVED_GAINS, Wj: P + e * Mx - X1 * T(X1), Pzj: Wj - H0, Pj: Pzj + H0 * (1 / (1 + e0 * e0))},
+                    using={**solved()[1], P: positive_semidefinite(n), X1: matrix(n, 1), H0: positive_semidefinite(n), e0: scalar()},
+                    l=(1, 2), p=(1, 2), n=(1, 2)),
+          instances(8, made_by={**SOLVED_GAINS, Wj: P + e * Mx, Pzj: P - f * Mz, Pj: P}, using=solved()[1], l=2, p=(1, 2), n=2)],
+      note=("At each j, Pzj for P_j^0: e stands for c rho^j, f for what tends to zero as P_j^0 tends to P. So P_j tends to P, and from above as fast as W_j. "
+            "From below it is as fast as P_j^0, of which the paper says no more than that it tends to P. The first equation, by the argument of appendix B, "
+            "gives a rate: P - P_j^0 is (LA)^j P times the transposed product of the matrices L_i A, and these tend to the stable LA as P_i^0 tends to P."))
 
 CONSTANT = rec(Wt, t, P0, constant_gain(Wt[t]))
 CLOSED_W = CLOSED * (Wt[t] - Pt[t]) * T(CLOSED)

@@ -86,25 +86,44 @@ claim("NWL92-E5.3", "the pencil in the notation (5.2)",
          == block([[K_B, block([[Zero(l, l), Zero(l, p)], [Zero(p, l), Zero(p, p)]])], [Zero(n, n), T(F_B)]])),
       sizes=["l", "p", "n"], over=DATA, where=NOTATION, by=[instances(l=(1, 2), p=(1, 2), n=(1, 2))])
 
-W, U, Tb, Zr, Gi = symbols("W U T Zr Gi")
+W, U, Tb, Zr, Gi = symbols("W U Tb Zr Gi")
 L, N1, N2, X0, X1, X2, M0 = symbols("L N1 N2 X0 X1 X2 M0")
-RICCATI_Z = let(Zr, block([[K * P * T(K) + G, F], [T(F), Zero(n, n)]]))
-RIGHT = -(hstack(Zero(n, k), Identity(n)) * inv(Zr) * vstack(Zero(k, n), Identity(n)))
+B0, G0, V0 = symbols("B0 G0 V0")
+INNER_NOISE = K * P * T(K) + G
+RICCATI_Z = let(Zr, block([[INNER_NOISE, F], [T(F), Zero(n, n)]]))
 INVERSE = let(Gi, block([[W, U], [T(U), Tb]]))
 FULL_ROW = given("[F G] has full row rank", F * N1 + G * N2 == Identity(k))
+FULL_COLUMN = given("F has full column rank", L * F == Identity(n))
 ROW_INVERSE = {N1: matrix(n, k), N2: matrix(k, k)}
+LAST_ROWS, LAST_COLUMNS = hstack(Zero(n, k), Identity(n)), vstack(Zero(k, n), Identity(n))
+#: the columns of I - Gi Zr, which lie in the kernel of Zr, are zero
+KERNEL_A = hstack(Identity(k) - W * INNER_NOISE - U * T(F), -(W * F))
+KERNEL_B = hstack(-(T(U) * INNER_NOISE + Tb * T(F)), Identity(n) - T(U) * F)
+ENERGIES = [T(KERNEL_A) * G * KERNEL_A, T(KERNEL_A) * K * P * T(K) * KERNEL_A]
+ZERO_A, ZERO_B = Zero(k, k + n), Zero(n, k + n)
+RICCATI_MADE = {L: inv(T(F) * F) * T(F), N1: L, N2: one_inverse(G) * (Identity(k) - F * L), X1: T(upper(k, n)) * inv(Zr) * lower(k, n),
+                X2: T(lower(k, n)) * inv(Zr) * lower(k, n), W: T(upper(k, n)) * inv(Zr) * upper(k, n), U: X1, Tb: X2}
+OFF_RANGE = Identity(k) - F * (inv(T(F) * F) * T(F))
 claim("NWL92-E5.4", "the algebraic Riccati equation in the notation (5.2)",
-      iff(P == -(hstack(Zero(n, k), Identity(n)) * Gi * vstack(Zero(k, n), Identity(n))), P == RIGHT),
-      sizes=["k", "n"], over={**PENCIL, P: positive_semidefinite(n), W: symmetric_matrix(k), U: matrix(k, n), Tb: symmetric_matrix(n)},
-      where=[RICCATI_Z, INVERSE], given=[given("(2.20)", Zr * Gi * Zr == Zr)],
-      by=[instances(made_by={W: T(upper(k, n)) * inv(Zr) * upper(k, n), U: T(upper(k, n)) * inv(Zr) * lower(k, n),
-                             Tb: T(lower(k, n)) * inv(Zr) * lower(k, n)}, **SIZES),
-          instances(made_by={K: F * X0, G: F * (P - X0 * P * T(X0)) * T(F) + (Identity(k) - F * one_inverse(T(F) * F) * T(F)) * M0
-                             * (Identity(k) - F * one_inverse(T(F) * F) * T(F)), W: T(upper(k, n)) * inv(Zr) * upper(k, n),
-                             U: T(upper(k, n)) * inv(Zr) * lower(k, n), Tb: T(lower(k, n)) * inv(Zr) * lower(k, n)},
-                    using={X0: matrix(n, n), M0: positive_semidefinite(k)}, **SIZES)],
-      note=("The left side is (4.19), read with any (1)-inverse. That the 3-block matrix is invertible for a detectable and "
-            "stabilizable system is the denominator here."))
+      (Zr * Gi == Identity(k + n)) & iff(P == -(LAST_ROWS * Gi * LAST_COLUMNS), P == -X2),
+      sizes=["k", "n"],
+      over={**PENCIL, P: positive_semidefinite(n), W: symmetric_matrix(k), U: matrix(k, n), Tb: symmetric_matrix(n), L: matrix(n, k), **ROW_INVERSE,
+            X1: matrix(k, n), X2: matrix(n, n)},
+      where=[RICCATI_Z, INVERSE],
+      given=[given("(2.20)", Zr * Gi * Zr == Zr), given("(X1; X2) are the last columns of the inverse", Zr * vstack(X1, X2) == LAST_COLUMNS),
+             FULL_ROW, FULL_COLUMN],
+      by=[order([], [], ENERGIES, [], [], [], lemmas=[vstack(INNER_NOISE * KERNEL_A + F * KERNEL_B, T(F) * KERNEL_A) == Zero(k + n, k + n),
+                                                     T(KERNEL_A) * INNER_NOISE * KERNEL_A * Identity(k + n) == Zero(k + n, k + n),
+                                                     G * KERNEL_A == ZERO_A, KERNEL_A == ZERO_A, F * KERNEL_B == ZERO_A, KERNEL_B == ZERO_B]),
+          example(k=2, n=1, F=[[1], [0]], K=[[0], [0]], G=[[0, 0], [0, 0]], P=[[0]], W=[[0, 0], [0, 0]], U=[[1], [0]], Tb=[[0]], L=[[1, 0]], N1=[[0, 0]],
+                  N2=[[0, 0], [0, 0]], X1=[[1], [0]], X2=[[0]]),
+          instances(12, made_by={F: V0 * vstack(Identity(n), Zero(k - n, n)), **RICCATI_MADE},
+                    using={V0: nonsingular(k)}, k=(2, 3), n=(1, 2)),
+          instances(made_by={F: V0 * vstack(Identity(n), Zero(k - n, n)), P: B0 * T(B0), K: F * B0 * X0 * (1 / (1 + trace(X0 * T(X0)))) * inv(B0),
+                             G: F * P * T(F) - K * P * T(K) + OFF_RANGE * G0 * OFF_RANGE, **RICCATI_MADE},
+                    using={V0: nonsingular(k), X0: matrix(n, n), B0: nonsingular(n), G0: positive_definite(k)}, k=(2, 3), n=(1, 2))],
+      note=("The left side is (4.19), read with any (1)-inverse Gi, which is shown to be the inverse; X2 is the last block of the inverse in (5.4). Full rank, "
+            "which detectability and stabilizability give, is said through a left and a right inverse."))
 
 # ------------------------------------------------------------------ Lemma 5.1
 a, b, t0 = symbols("a b t0")
@@ -117,7 +136,6 @@ GRAM_INVERSE = inv(T(F) * F) * T(F)
 REST = Identity(k) - F * L
 SYSTEM_MADE = {L: GRAM_INVERSE + X1 * (Identity(k) - F * GRAM_INVERSE), K: F * X0 * (1 / (1 + trace(X0 * T(X0)))) + REST * X2,
                G: REST * M0 * T(REST) + G, N1: L, N2: one_inverse(G) * REST}
-G0 = sym("G0")
 SYSTEM_MADE = {**SYSTEM_MADE, G: REST * M0 * T(REST) + G0}
 SYSTEM_FREE = {X1: matrix(n, k), X0: matrix(n, n), X2: matrix(k, n), M0: positive_definite(k), G0: positive_semidefinite(k)}
 POINT = {a: (1 - t0 * t0) / (1 + t0 * t0), b: 2 * t0 / (1 + t0 * t0)}

@@ -129,12 +129,12 @@ FACTORS = ["prod", "k", 1, n, ["+", 1, at("w", k)]]
     ([["rec", "x", "k", 0, [0], NUMBER]], at("x", ["+", ["sym", "s"], 1]), (0, at("w", 1)), {"direct": True}, ["=", at("w", 1), 0]),
 ])
 def test_an_inverse_behind_a_name_need_not_exist(where, left, right, how, says):
-    """What is shown where an inverse behind a name exists, w = 0 among it, is not used where it does not."""
+    """What is shown where an inverse behind a name exists, w = 0 among it, is not used where it does not, nor when it is read again."""
     place = {"s": 0, "row": ["sym", "row"] if "fact" in how else 1, "column": 1}
     uses = [], [{"lemma": 0, "at": place}]
     lemmas = [CANCELLED, *({"index": "s", "says": ["=", left, x], "uses": used, **how} for x, used in zip(right, uses, strict=True))]
     made = statement(says, COLUMN, SOME, where)
-    assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [{"lemma": m, "at": {"s": n}} for m in (1, 2)]})
+    assert not accepted("generic index", made, {"lemmas": lemmas, "uses": [{"lemma": m, "at": {"s": n}} for m in (1, 2, 1, 2)]})
     assert accepted("generic index", {**made, "says": ["=", c, c], "over": [*COLUMN, ["c", ["scalar"]]]}, {"lemmas": lemmas})
 
 

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""What the definitions of a statement are, wherever they are used: recursive, polynomials in z, matrices, made with inverses.
+
+Main definitions
+----------------
+`Known`
+    What a statement alone decides.
+`known`
+    That of a statement, once for all terms that are read in a row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+__all__ = ["OF_PARTS", "Known", "inverts", "known", "names"]
+
+_NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
+_OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
+#: operations that are numbers if these arguments are
+OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/": slice(1, 2), "^": slice(1, 2), "subst": slice(2, 3),
+            "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
+
+
+class Known:
+    """What a statement alone decides; a term that was looked at is kept, so that no other takes its id.
+
+    Attributes
+    ----------
+    kinds : types of its variables
+    recursive, inverting : definitions that are recursive, that invert matrices
+    in_z : names whose value depends on z
+    kept : recursions, with whether all their values are of one shape
+    """
+
+    def __init__(self, statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> None:
+        self.statement, self.definitions = statement, definitions
+        self.kinds = dict(statement["over"])
+        polynomials = {name for name, kind in self.kinds.items() if kind[0] in ("poly", "monic")}
+        self.recursive = _recursive(definitions)
+        self.in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
+        self.inverting = _spread(definitions, inverts)
+        self.kept: dict[str, bool] = {}
+        self._with_z: dict[int, tuple[Any, bool]] = {}
+        self._matrices: dict[int, tuple[Any, bool]] = {}
+        self._others: dict[int, tuple[Any, bool]] = {}
+        self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
+        self._called = {name for name, kind in self.kinds.items() if kind[0] in ("sequence_of", "signal_of")}  # an entry is a matrix
+        self._no_numbers = _spread(definitions, self._other)
+        self.calls = {n: set(names(list(d))) & set(definitions) for n, d in definitions.items()}
+
+    def has_z(self, tree: Any) -> bool:
+        """Whether a term depends on z."""
+        if id(tree) not in self._with_z:
+            self._with_z[id(tree)] = tree, _mentions_z(tree, self.in_z)
+        return self._with_z[id(tree)][1]
+
+    def is_matrix(self, tree: Any) -> bool:
+        """Whether a term is a matrix, perhaps of one row and one column."""
+        if isinstance(tree, int):
+            return False
+        if id(tree) not in self._matrices:
+            self._matrices[id(tree)] = tree, self._of_matrices(tree)
+        return self._matrices[id(tree)][1]
+
+    def _of_matrices(self, tree: Any) -> bool:
+        if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
+            return True
+        if tree[0] in ("^", "subst"):
+            return self.is_matrix(tree[1 if tree[0] == "^" else 2])
+        if tree[0] in ("sym", "at"):
+            d, kind = self.definitions.get(tree[1]), self.kinds.get(tree[1])
+            if tree[0] == "sym" and kind and kind[0] in ("vector", "matrix"):
+                return True
+            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
+        if tree[0] == "/":
+            return self.is_matrix(tree[1])
+        return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
+
+    def others(self, tree: Any) -> bool:
+        """Whether a term may be something else than a number or a polynomial."""
+        if id(tree) not in self._others:
+            self._others[id(tree)] = tree, self._other(tree, self._no_numbers)
+        return self._others[id(tree)][1]
+
+    def _other(self, tree: Any, found: set[str]) -> bool:
+        if isinstance(tree, int):
+            return False
+        if tree[0] in ("sym", "at"):
+            return tree[1] in found | (self._named if tree[0] == "sym" else self._called)
+        parts = OF_PARTS.get(tree[0])
+        return tree[0] not in _OF_NUMBERS if parts is None else any(self._other(x, found) for x in tree[parts])
+
+    def reached(self, start: str) -> set[str]:
+        """Names that a definition leads to."""
+        todo, seen = [start], set[str]()
+        while todo:
+            new = self.calls[todo.pop()] - seen
+            seen |= new
+            todo.extend(new)
+        return seen
+
+    def connected(self, name: str) -> set[str]:
+        """Names that a definition leads to and that lead back to it."""
+        return {n for n in self.reached(name) if name in self.reached(n)}
+
+
+_last: list[Known] = []  # of one statement: many terms of it are read in a row
+
+
+def known(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Known:
+    """What a statement with these definitions decides."""
+    if not _last or _last[0].statement is not statement:
+        _last[:] = [Known(statement, definitions)]
+    return _last[0]
+
+
+def names(tree: Any) -> Iterator[str]:
+    """Names that occur in a term."""
+    if isinstance(tree, list):
+        if tree[:1] in (["sym"], ["at"]):
+            yield tree[1]
+        for x in tree:
+            yield from names(x)
+
+
+def _recursive(definitions: Mapping[str, Any]) -> set[str]:
+    """Recursions, and functions that lead back to themselves without passing a recursion."""
+    calls = {name: set(names(d[3])) & set(definitions) for name, d in definitions.items() if d[0] == "let"}
+    found = {name for name, d in definitions.items() if d[0] == "rec"}
+    for name in calls:
+        todo, seen = list(calls[name]), set[str]()
+        while todo:
+            x = todo.pop()
+            if x in calls and x not in seen:
+                seen.add(x)
+                todo.extend(calls[x])
+        if name in seen and definitions[name][2]:
+            found.add(name)
+    return found
+
+
+def _mentions_z(tree: Any, in_z: set[str]) -> bool:
+    if not isinstance(tree, list) or not tree:
+        return False
+    if tree[0] in ("coeff", "laurent"):
+        return False
+    if tree[0] == "subst":
+        return _mentions_z(tree[2], in_z)
+    if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
+        return True
+    return any(_mentions_z(x, in_z) for x in tree[1:])
+
+
+def inverts(tree: Any, inverting: set[str]) -> bool:
+    """Whether a term contains the inverse of a matrix, itself or by the names of definitions that do."""
+    if not isinstance(tree, list) or not tree:
+        return False
+    return tree[0] == "inv" or (tree[0] in ("sym", "at") and tree[1] in inverting) or any(inverts(x, inverting) for x in tree)
+
+
+def _spread(definitions: Mapping[str, Any], mentions: Callable[[Any, set[str]], bool]) -> set[str]:
+    """Definitions that mention something, or one that does."""
+    found: set[str] = set()
+    while True:
+        more = {name for name, d in definitions.items() if name not in found
+                and any(mentions(x, found) for x in ([d[3]] if d[0] == "let" else [*d[4], d[5]]))}
+        if not more:
+            return found
+        found |= more
