@@ -50,8 +50,9 @@ class Maker:
         leaf = "abcdefgh"[len(bound)]
         if depth < 1:
             return self.pick([["sym", "w"], ["sym", "v"], ["at", "Y", self.index(bound)], ["O", n, 1]])
-        return self.pick([[self.pick("+-"), self.column(depth - 1, bound), self.column(depth - 1, bound)], ["*", self.number(depth - 1, bound), self.column(0, bound)],
-                          ["*", self.matrix(depth - 1, bound), self.column(0, bound)], ["col", leaf, n, self.number(depth - 1, [*bound, leaf])]])
+        x, y = self.column(depth - 1, bound), self.column(depth - 1, bound)
+        return self.pick([[self.pick("+-"), x, y], ["*", self.number(depth - 1, bound), x], ["*", self.matrix(depth - 1, bound), x],
+                          ["col", leaf, n, self.number(depth - 1, [*bound, leaf])]])
 
     def matrix(self, depth, bound):
         first, second = "abcdefgh"[len(bound)], "ijklmnop"[len(bound)]
@@ -59,8 +60,9 @@ class Maker:
             return self.pick([*(["sym", x] for x in "ABSMD"), ["I", n], ["O", n, n], ["at", "Z", 0], ["rows", [1, 0], [2, 1]]])
         x, y = self.matrix(depth - 1, bound), self.matrix(depth - 1, bound)
         return self.pick([
-            [self.pick("+-*"), x, y], ["*", self.number(depth - 1, bound), x], ["T", x], ["inv", x], ["^", x, self.pick([2, -1, n])], ["block", [x], [y]],
-            ["mat", first, second, self.pick([n, 2, 1]), self.pick([n, 2, 1]), self.number(depth - 1, [*bound, first, second])], ["if", self.condition(bound), x, y],
+            [self.pick("+-*"), x, y], ["*", self.number(depth - 1, bound), x], ["T", x], ["inv", x], ["^", x, self.pick([2, -1, n])],
+            ["mat", first, second, self.pick([n, 2, 1]), self.pick([n, 2, 1]), self.number(depth - 1, [*bound, first, second])],
+            ["block", [x], [y]], ["if", self.condition(bound), x, y],
             ["*", self.column(depth - 1, bound), ["T", self.column(0, bound)]], ["diag", self.number(0, bound), self.number(0, bound)]])
 
     def polynomial(self, depth, bound):
