@@ -22,6 +22,8 @@ Everything is stated over the reals. The Jordan matrices J and K are the classic
 theorem's (over the complex numbers); the equations here hold for every Gamma and Y.
 """
 
+from math import comb
+
 from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, first, identity, induction, instances, order, steps
 from exactkf.language import (
@@ -292,8 +294,7 @@ def toeplitz(entries, height, width):
 
 
 _LAST = 3  # N^3 = 0 up to size 3
-_BINOMIAL = {(a, b): v for a, b, v in [(0, 0, 1), (1, 0, 1), (0, 1, 1), (2, 0, 1), (1, 1, 2), (0, 2, 1), (2, 1, 3),
-                                       (1, 2, 3), (2, 2, 6)]}
+_BINOMIAL = {(a, b): comb(a + b, a) for a in range(5) for b in range(_LAST)}
 
 claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
       (X == matrix_of(i, j, r, pp, first_row(j - i + 1))) & (X == matrix_of(i, j, r, pp, last_column(i + pp - j)))
@@ -308,7 +309,7 @@ claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
                                                                                           T(Np)) for a in range(_LAST)],
                        [((-1)**a*v/(w1 - w2)**(a + b + 1)*power(Nr, a), "two eigenvalues", power(Np, b)) for (a, b),
                         v in _BINOMIAL.items()]],
-                      r=(1, 2, 3), pp=(1, 2, 3)),
+                      r=range(1, 6), pp=(1, 2, 3)),  # r up to p + d of (3.41)
           instances(r=(1, 2, 3), pp=(1, 2, 3), using={c: vector(pp)}, made_by={X: toeplitz(c, r, pp), Y: Zero(r, pp)})],
       note="X between blocks of one eigenvalue, Y between blocks of two. The first equation says upper triangular "
            "Toeplitz (zero rows below "
