@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Replaying certificate files; of the package, only the checker is imported."""
+"""Replaying certificate files; of the package, only the checker and what reads files are imported."""
 
 from __future__ import annotations
 
@@ -10,12 +10,14 @@ from typing import Any
 import click
 
 from exactkf._errors import BadInput
+from exactkf.files import reaching
 from exactkf.kernel.files import one_line, parsed
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 from exactkf.progress import Meter
 
 __all__ = ["check_paths", "read_certificate"]
 
+_MOST_BYTES = 256 << 20
 _PROOFS = ("evaluation", "identity", "combination", "induction", "membership", "order", "word induction", "generic index", "positivity")
 
 
@@ -51,7 +53,13 @@ def check_paths(paths: Iterable[Path]) -> int:
 def read_certificate(file: Path) -> Any:
     """Read a JSON file; what is no JSON raises BadInput, what is read in two ways NotACertificate."""
     try:
-        return parsed(file.read_text(encoding="utf-8"))
+        with open(file, "rb") as stream:
+            data = stream.read(_MOST_BYTES + 1)  # a device such as /dev/zero has no end
+        if len(data) > _MOST_BYTES:
+            raise BadInput(f"is longer than {_MOST_BYTES >> 20} MB; pass a file that 'exactkf verify --certificates' wrote")
+        return parsed(data.decode("utf-8"))
+    except BadInput:
+        raise
     except OSError as error:
         raise BadInput(f"cannot be read ({error.strerror or error}); pass a file that you may read") from error
     except (ValueError, RecursionError) as error:
@@ -62,14 +70,15 @@ def _files(paths: Iterable[Path]) -> list[Path]:
     """Files named, and the .json files of folders named, each once."""
     files: dict[Path, None] = {}
     for path in paths:
-        if path.is_dir():
-            found = sorted(p for p in path.rglob("*.json") if p.is_file())
-            if not found:
-                raise BadInput(f"argument PATH = {str(path)!r} holds no .json file; "
-                               "write some with 'exactkf verify --certificates'")
-            files.update(dict.fromkeys(found))
-        elif path.exists():
-            files[path] = None
-        else:
-            raise BadInput(f"argument PATH = {str(path)!r} does not exist; pass certificate files or folders")
+        with reaching("PATH", path, "read"):
+            if path.is_dir():
+                found = sorted(p for p in path.rglob("*.json") if p.is_file())
+                if not found:
+                    raise BadInput(f"argument PATH = {str(path)!r} holds no .json file; "
+                                   "write some with 'exactkf verify --certificates'")
+                files.update(dict.fromkeys(found))
+            elif path.exists():
+                files[path] = None
+            else:
+                raise BadInput(f"argument PATH = {str(path)!r} does not exist; pass certificate files or folders")
     return list(files)

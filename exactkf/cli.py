@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -22,7 +24,8 @@ from exactkf._errors import ExactkfError
 
 __all__ = ["Setup", "main"]
 
-INTERRUPTED = 130
+INTERRUPTED = 130  # as a shell has it for Ctrl-C
+UNREAD = 141  # and for a reader that went away, `exactkf list | head`: no verdict was reported, so neither 0 nor 1
 
 
 @dataclass(frozen=True)
@@ -37,27 +40,72 @@ class _OneLine(click.Group):
     """A group whose errors are one line on stderr and exit code 2, never a traceback."""
 
     def main(self, *args: Any, **extra: Any) -> Any:
+        with redirect_stdout(_Output(sys.stdout) if sys.stdout is not None else None):
+            try:
+                code = self._code(*args, **extra)
+                click.echo(nl=False)  # flushes: what cannot be written is said now
+            except _Unwritten as error:
+                _forsake(sys.__stdout__)
+                code = UNREAD if error.broken else _fail(f"standard output cannot be written ({error}); choose another place for it")
+        sys.exit(code)
+
+    def _code(self, *args: Any, **extra: Any) -> int:
         try:
-            code = super().main(*args, **{**extra, "standalone_mode": False})
+            return super().main(*args, **{**extra, "standalone_mode": False}) or 0
         except click.exceptions.NoArgsIsHelpError as error:
             click.echo(error.format_message())
-            code = 0
+            return 0
         except click.Abort:
-            code = INTERRUPTED
+            return _fail("stopped", INTERRUPTED)
         except click.UsageError as error:
             command = f" {error.ctx.info_name}" if error.ctx and error.ctx.parent else ""
-            code = _fail(f"{error.format_message().rstrip('.')}; see 'exactkf{command} --help'")
+            return _fail(f"{error.format_message().rstrip('.')}; see 'exactkf{command} --help'")
         except (click.ClickException, ExactkfError) as error:
-            code = _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
-        except BrokenPipeError:  # the reader went away: `exactkf list | head`
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            code = 0
-        sys.exit(code or 0)
+            return _fail(error.format_message() if isinstance(error, click.ClickException) else str(error))
 
 
-def _fail(message: str) -> int:
-    click.echo(f"exactkf: {' '.join(message.split())}", err=True)
-    return 2
+class _Unwritten(Exception):
+    """Standard output cannot be written. No OSError: click ends with 1 at a broken pipe, which says that a claim fell short."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(error.strerror or str(error))
+        self.broken = isinstance(error, BrokenPipeError)
+
+
+class _Output:
+    """Standard output whose failure is told apart from all else that the system refuses."""
+
+    def __init__(self, stream: Any) -> None:
+        self._stream = stream
+
+    def write(self, text: str) -> int:
+        try:
+            return self._stream.write(text)
+        except OSError as error:
+            raise _Unwritten(error) from error
+
+    def flush(self) -> None:
+        try:
+            self._stream.flush()
+        except OSError as error:
+            raise _Unwritten(error) from error
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+def _fail(message: str, code: int = 2) -> int:
+    try:
+        click.echo(f"exactkf: {' '.join(message.split())}", err=True)
+    except OSError:  # nobody to say it to: the exit status still does
+        _forsake(sys.__stderr__)
+    return code
+
+
+def _forsake(stream: Any) -> None:
+    """Give up what a stream still holds: the interpreter writes it at its end, and would complain."""
+    if stream is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 class _Seconds(click.ParamType):
@@ -71,6 +119,17 @@ class _Seconds(click.ParamType):
         if not (math.isfinite(seconds) and seconds > 0):
             self.fail(f"{value!r} is not a number of seconds; give a finite one above 0", param, ctx)
         return seconds
+
+
+class _Steps(click.ParamType):
+    name = "steps"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        found = re.fullmatch(r"(\d{1,400})(?:(\^|e\+?)(\d{1,3}))?", str(value).strip().lower())
+        if not found:
+            self.fail(f"{value!r} is not a number of steps; give a nonnegative integer, such as 1000, 10^12 or 1e12", param, ctx)
+        base, sign, power = found.groups()
+        return int(base) if sign is None else int(base) ** int(power) if sign == "^" else int(base) * 10 ** int(power)
 
 
 def _running(command: Callable) -> Callable:
@@ -97,7 +156,7 @@ def main(ctx: click.Context) -> None:
     ctx.obj = ctx.obj or Setup()
 
 
-@main.command()
+@main.command(short_help="Verify claims and compare with the verdicts on record.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the results as JSON.")
@@ -116,7 +175,7 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
     return verify_command(Session.open(setup, words, how), json_file, certificates, fresh, recording)
 
 
-@main.command()
+@main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
 def check(paths: Sequence[Path]) -> int:
     """Replay certificates: files, or all .json files of folders.
@@ -128,7 +187,7 @@ def check(paths: Sequence[Path]) -> int:
     return check_paths(paths)
 
 
-@main.command()
+@main.command(short_help="Show a claim: statement, verdict, what was checked.")
 @click.argument("id")
 @_running
 @click.pass_obj
@@ -139,7 +198,7 @@ def show(setup: Setup, id: str, **how: Any) -> int:
     return show_command(Session.open(setup, [id], how))
 
 
-@main.command()
+@main.command(short_help="Prove a lemma for every matrix size, or refute it.")
 @click.argument("file", metavar="FILE", type=click.Path(path_type=Path))
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the outcome as JSON.")
 @click.option("--certificates", type=click.Path(path_type=Path), metavar="DIR", help="Put the certificates there.")
@@ -169,7 +228,7 @@ def list_(setup: Setup, words: Sequence[str]) -> int:
     return list_command(setup, words)
 
 
-@main.command()
+@main.command(short_help="Show wrong neighbours of claims and how each was caught.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.pass_obj
@@ -180,7 +239,7 @@ def mutate(setup: Setup, words: Sequence[str], **how: Any) -> int:
     return mutate_command(Session.open(setup, words, how))
 
 
-@main.command()
+@main.command(short_help="Write one HTML page with every claim.")
 @click.argument("words", metavar="[ID|KEY|KEY/section]...", nargs=-1)
 @_running
 @click.option("-o", "--output", type=click.Path(path_type=Path), default=Path("exactkf-report.html"), show_default=True,
@@ -194,7 +253,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
     return report_command(Session.open(setup, words, how), output, kept)
 
 
-@main.command()
+@main.command(short_help="Decide what the gain of a filter does.")
 @click.argument("file", required=False, type=click.Path(path_type=Path))
 @click.option("--alpha", help="Coordinates alpha_1, ..., alpha_n, separated by commas.")
 @click.option("--gamma", help="Schur parameters gamma_0, ..., gamma_{n-1}.")
@@ -203,7 +262,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--b", help="All coefficients of b(z), leading one first; v = b/(2a).")
 @click.option("--covariances", help="1, c_1, c_2, ...")
 @click.option("--pi0", help="Order one: decide the Riccati equation started there.")
-@click.option("--after", type=click.IntRange(min=0), metavar="T", help="Also the state after T steps, without stepping.")
+@click.option("--after", type=_Steps(), metavar="T", help="Also the state after T steps, such as 10^12, without stepping.")
 @click.option("--digits", type=click.IntRange(min=1, max=100000), default=20, show_default=True, help="Decimal digits of numbers shown.")
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON.")
 @click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE", help="Write the certificate, for 'exactkf check'.")
@@ -211,13 +270,14 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--picture", "pictures", multiple=True, metavar="KIND=FILE",
               help="Draw plane, gamma, alpha or spectrum as .png or .svg; may be repeated.")
 @click.option("--steps", type=click.IntRange(min=1, max=10000), default=60, show_default=True, help="Steps of the orbit in pictures.")
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; what is not found by then is said to be open.")
 def analyze(file: Path | None, **how: Any) -> int:
     """Decide what the gain of a filter does: converge, escape, repeat or wander.
 
     The filter comes in a .toml or .json FILE or in options. Numbers are fractions, decimals taken exactly,
     sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
 
-    Exit status: 0 if the orbit is decided, 1 if it is undecided, 2 if the call is wrong.
+    Exit status: 0 if the orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong.
     """
     from exactkf.dynamics.command import analyze_command
 

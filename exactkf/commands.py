@@ -16,7 +16,7 @@ from exactkf.claims import Claim, find, load
 from exactkf.cli import INTERRUPTED, Setup
 from exactkf.describe import describe_claim
 from exactkf.display import describe, summary
-from exactkf.files import check_folder, check_target, dump_json, write_text
+from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.output import contract, export_certificates
 from exactkf.progress import Meter
 from exactkf.record import NOT_ON_RECORD, Record, record_files
@@ -91,8 +91,9 @@ def verify_command(session: Session, json_file: Path | None, certificates: Path 
         record.write(session.registry, package)
         return 0
     short = [(r["id"], why) for r in results if (why := record.shortfall(r))]
+    found = {r["id"]: r for r in results}
     for id, why in short:
-        click.echo(f"fell short: {id}: {why}")
+        click.echo(f"fell short: {id}: {why}" + (f"; this run: {describe(found[id])}" if why == NOT_ON_RECORD else ""))
     if any(why == NOT_ON_RECORD for _, why in short):
         click.echo("--record enters what a run finds")
     click.echo(f"{len(results) - len(short)} of {len(results)} claims reached what is on record")
@@ -104,11 +105,13 @@ def _write(session: Session, results: Sequence[dict[str, Any]], json_file: Path 
     state = session.store.folder
     files = {r["id"]: [state / c for c in r["certificates"]] for r in results}
     if certificates:
-        files = export_certificates(results, state, certificates)
+        with reaching("--certificates", certificates):
+            files = export_certificates(results, state, certificates)
     if json_file:
         home = json_file.absolute().parent
         names = {id: [Path(os.path.relpath(f, home)).as_posix() for f in paths] for id, paths in files.items()}
-        write_text(json_file, dump_json(contract(results, session.registry, names)))
+        with reaching("--json", json_file):
+            write_text(json_file, dump_json(contract(results, session.registry, names)))
 
 
 def show_command(session: Session) -> int:
@@ -167,6 +170,7 @@ def report_command(session: Session, output: Path, kept: bool) -> int:
         results = [session.kept(c) or unfinished(c, "not run; 'exactkf verify' runs it") for c in session.chosen]
     else:
         results = session.results()
-    write_report(results, session.registry, output, session.setup.package)
+    with reaching("--output", output):
+        write_report(results, session.registry, output, session.setup.package)
     click.echo(f"wrote {output}")
     return 0

@@ -7,6 +7,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from exactkf._wording import number_of
 from exactkf.claims import Claim
 from exactkf.display import describe
 from exactkf.language import Statement
@@ -38,7 +39,7 @@ def _lines(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
             f"{mutants['made']} made, {mutants['rejected']} rejected, {mutants.get('equal', 0)} equal to the original, "
             f"{len(mutants.get('survivors', ()))} survived", *mutants.get("survivors", ()),
             f"{neighbours['accepted']} of {neighbours['made']} equal rewritings accepted"])
-    yield f"\n{result['checks']} checks in {result['seconds']:.3g} s, {len(result['certificates'])} certificates"
+    yield f"\n{number_of(result['checks'], 'check')} in {result['seconds']:.3g} s, {number_of(len(result['certificates']), 'certificate')}"
 
 
 def _paragraph(title: str, lines: Any) -> Iterator[str]:

@@ -29,9 +29,9 @@ def summary(results: Sequence[Mapping[str, Any]]) -> None:
     """Print the number of claims by paper, verdict and strength."""
     used = [c for c in _COLUMNS if any(column_of(r) == c for r in results)]
     table = Table(box=None, pad_edge=False, header_style="bold")
-    table.add_column("paper")
+    table.add_column("paper", no_wrap=True)
     for name in [*used, "total"]:
-        table.add_column(name, justify="right")
+        table.add_column(name, justify="right", overflow="fold")
     papers = list(dict.fromkeys(r["paper"] for r in results))
     for paper in papers:
         table.add_row(paper, *_counts([r for r in results if r["paper"] == paper], used))

@@ -20,15 +20,16 @@ Main definitions
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import cache
 from typing import Any
 
-from flint import fmpq, fmpz
+from flint import fmpq
 
-from exactkf.claims import Claim
+from exactkf._errors import BadInput
+from exactkf._wording import proof_in_words
+from exactkf.claims import Claim, checked_evidence, find, load
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.effort import counted
@@ -69,19 +70,48 @@ class Findings:
     sampler: Sampler | None = None
 
 
-def verify_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
+def verify_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
     """Verify one claim.
+
+    Parameters
+    ----------
+    claim : Claim or str
+        A claim, or the id of one of the papers', ``"BLZ94-E2.18"``.
+    seed : int
+        For random instances.
 
     Returns
     -------
     dict
         Plain JSON: the fields of the contract and what the report shows beside them.
+
+    Raises
+    ------
+    BadInput
+        If there is no such claim.
+
+    Examples
+    --------
+    >>> verify_claim("B93-S23")["strength"]
+    'proved'
     """
+    if isinstance(claim, str):
+        claim = _by_id(claim)
+    if not isinstance(claim, Claim):
+        raise BadInput(f"argument 'claim' = {claim!r} is no claim; pass an id such as 'BLZ94-E2.18', or what exactkf.claims.claim returns")
+    _check_seed(seed)
     started = time.perf_counter()
     if claim.statement is None:
         return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
     with rationals(fmpq), counted():  # the search; replaying goes back to Fraction by itself
         return _verify(claim, claim.statement, seed, started)
+
+
+def _by_id(id: str) -> Claim:
+    found = find([id], load())
+    if found[0].id != id:
+        raise BadInput(f"argument 'claim' = {id!r} names {len(found)} claims; pass the id of one")
+    return found[0]
 
 
 def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> dict[str, Any]:
@@ -99,15 +129,53 @@ def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> di
     return _result(claim, found, repaired, report, claim.repair, started)
 
 
-def verify_statement(statement: Statement, by: Sequence[Evidence], *, id: str = "lemma", title: str = "", seed: int = 0) -> dict[str, Any]:
-    """Verify a statement that belongs to no paper."""
-    return verify_claim(Claim(id, title or id, "", statement, tuple(by)), seed=seed)
+def verify_statement(statement: Statement, by: Evidence | Sequence[Evidence], *, id: str = "lemma", title: str = "", seed: int = 0) -> dict[str, Any]:
+    """Verify a statement that belongs to no paper.
+
+    Parameters
+    ----------
+    statement : Statement
+        What is asserted, see `exactkf.language.Statement`.
+    by : Evidence or sequence of Evidence
+        What to look for, strongest first, see `exactkf.evidence`.
+    id, title : str
+        How the result names it.
+    seed : int
+        For random instances.
+
+    Returns
+    -------
+    dict
+        Plain JSON: ``verdict``, ``strength``, ``sizes``, ``reason``, ``counterexample``, ``certificates``, ``mutants`` and more.
+
+    Raises
+    ------
+    BadInput
+        If the evidence does not fit the statement.
+
+    Examples
+    --------
+    >>> from exactkf.evidence import instances
+    >>> from exactkf.language import Statement, T, matrix, symbols
+    >>> n, P, Q = symbols("n P Q")
+    >>> result = verify_statement(Statement(T(P * Q) == T(P) * T(Q), over={P: matrix(n, n), Q: matrix(n, n)}, sizes=[n]), instances(n=(1, 2)))
+    >>> result["verdict"], result["counterexample"]["sizes"]["n"]
+    ('fails', 2)
+    """
+    if not isinstance(statement, Statement):
+        raise BadInput(f"argument 'statement' = {statement!r} is no statement; pass a Statement, or use prove_lemma for a text")
+    return verify_claim(Claim(id, title or id, "", statement, checked_evidence(statement, by)), seed=seed)
 
 
-def mutate_claim(claim: Claim, *, seed: int = 0) -> dict[str, Any]:
-    """The mutants of a claim (of its repair, where the print fails), one row each."""
+def _check_seed(seed: Any) -> None:
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise BadInput(f"argument 'seed' = {seed!r} is no seed; give a whole number, 0 or more")
+
+
+def mutate_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
+    """The mutants of a claim (of its repair, where the print fails), one row each; see `verify_claim`."""
     result = verify_claim(claim, seed=seed)
-    return {"id": claim.id, "verdict": result["verdict"], **result["mutants"], "rows": result["mutant_rows"]}
+    return {"id": result["id"], "verdict": result["verdict"], **result["mutants"], "rows": result["mutant_rows"]}
 
 
 def _count_survivors(found: Findings, report: MutantReport) -> None:
@@ -245,8 +313,10 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
     _every_size(id, data, by, found)  # the strongest there is
     for e in by:
         if e.kind in PROOFS and found.strength != "proved":
+            before = len(found.evidence)
             for certificate in candidates(id, data, e):
                 if _accept(certificate, found):
+                    del found.evidence[before:]  # what was tried on the way to a proof shows nothing
                     _credit(data, e, found)
                     break
     if found.strength in ("proved", "proved-sizes"):
@@ -271,48 +341,10 @@ def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) ->
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
-            terms = certificate["evidence"].get("terms", ())
-            found.evidence.append(_FOR_EVERY_SIZE[certificate["kind"]].format(sum(map(len, terms))) + _of_stable(certificate["evidence"])
-                                  + _over_primes(certificate["evidence"]))
+            found.evidence.append(proof_in_words(certificate))
             return
     for kind in dict.fromkeys(e.kind for e in by if e.kind == "order" and e.hints["sums"]):
         found.evidence.append(f"{kind}: the terms given do not prove it")
-
-
-def _over_primes(evidence: Any) -> str:
-    """The ring in which the multiples are taken, where that is not the integers."""
-    below = {Fraction(c).denominator for c in _coefficients(evidence)}
-    primes = sorted({int(p) for d in below for p, _ in fmpz(d).factor()})
-    return f", over Z[{', '.join(f'1/{p}' for p in primes)}]" if primes else ""
-
-
-def _of_stable(evidence: Any) -> str:
-    """What a proof makes of stable matrices."""
-    used = {key for part in evidence.get("parts", ()) for key in part} & {"stein", "unique", "solutions"}
-    return ", and Stein equations X = MXM' + Q of stable M, which have one solution, semidefinite for semidefinite Q" if used else ""
-
-
-def _coefficients(tree: Any, listed: bool = False) -> Iterator[str]:
-    """Coefficients of the multiples of assumptions in the evidence of a certificate."""
-    if isinstance(tree, dict):
-        for key, value in tree.items():
-            yield from _coefficients(value, key in ("terms", "blocks"))
-    elif isinstance(tree, list):
-        if listed and tree and isinstance(tree[0], str):
-            yield tree[0]
-            tree = [x for x in tree[2:3] if isinstance(x, dict)]  # an equation of numbers with its own proof
-        for value in tree:
-            yield from _coefficients(value, listed)
-
-
-_FOR_EVERY_SIZE = {
-    "membership": "for every size: {} multiples of the assumptions, expanded in words",
-    "order": "for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-             "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
-    "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "
-                      "and sums of terms that are semidefinite by their form",
-    "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
-}
 
 
 def _better(found: Findings, strength: str) -> bool:

@@ -27,6 +27,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
@@ -44,7 +45,14 @@ class Evidence:
 
 
 def _ranges(sizes: Mapping[str, Any]) -> dict[str, tuple[int, ...]]:
-    return {name: (value,) if isinstance(value, int) else tuple(value) for name, value in sizes.items()}
+    return {name: _whole_numbers(name, value) for name, value in sizes.items()}
+
+
+def _whole_numbers(name: str, value: Any) -> tuple[int, ...]:
+    values = (value,) if isinstance(value, int) or not isinstance(value, Iterable) else tuple(value)
+    if not values or not all(isinstance(v, int) and not isinstance(v, bool) for v in values):
+        raise BadInput(f"argument {name!r} = {value!r} is neither a whole number nor a list of them; write {name}=(1, 2, 3)")
+    return values
 
 
 def identity(*, given_by: Mapping[Expr | str, Any] | None = None, covered_by: str = "", using: Mapping[Expr | str, tuple] | None = None,
@@ -185,7 +193,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``det``                                 det(M) == prod(k, lo, hi, d)                              L, with LM triangular
     ``solve``                               inv(M) * v == x, or inv(M) == x
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
-    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x)                   degree of D
+    ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -196,9 +204,10 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     return made
 
 
-def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
+def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
     """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
-    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column.
+    ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column; or the hypothesis
+    of this label, in a proof that divides by nothing but what a hypothesis says is not zero.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
@@ -206,7 +215,7 @@ def use(number: int | Expr, /, *args: Any, times: Any = None, **places: Any) -> 
         place = {"place": {name: to_expr(x).tree for name, x in places.items()}} if places else {}
         return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
-    return {"lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
+    return {"given" if isinstance(number, str) else "lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
@@ -325,6 +334,9 @@ def instances(count: int = 24, *, made_by: Mapping[Expr | str, Any] | None = Non
     **sizes
         Values of each size to draw from: ``n=(1, 2, 3)``.
     """
+    for name, number in (("count", count), ("horizon", horizon)):
+        if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+            raise BadInput(f"argument {name!r} = {number!r} is no number of {'instances' if name == 'count' else 'steps'}; give a whole number, 1 or more")
     aux = {_name(k): tuple(v) for k, v in (using or {}).items()}
     return Evidence("instances", {"count": count, "sizes": _ranges(sizes), "made_by": _named(made_by), "using": aux, "horizon": horizon})
 

@@ -84,7 +84,7 @@ def export_certificates(results: Iterable[Mapping[str, Any]], state: Path, folde
         stem = file_stem(result["id"])
         fresh = [home / Path(name).name for name in result["certificates"]]
         for old in home.glob(f"{stem}-*.json"):
-            if old not in fresh and re.fullmatch(rf"{re.escape(stem)}-\d+-[a-z-]+\.json", old.name):
+            if old not in fresh and re.fullmatch(rf"{re.escape(stem)}-\d+-[a-z -]+\.json", old.name):
                 old.unlink()
         for name, target in zip(result["certificates"], fresh, strict=True):
             part = target.with_name(f".{target.name}.part")

@@ -37,12 +37,11 @@ def run(claims: Sequence[Claim], registry: Mapping[str, Claim], options: Options
         A result of the engine, its certificates as names of files in the state folder.
     """
     keys = {c.id: claim_key(c, registry, options.seed) for c in claims}
-    pending = []
-    for claim in claims:
-        kept = None if fresh else store.get(keys[claim.id])
-        if kept is None:
-            pending.append(claim)
-        else:
-            yield {**kept, "reused": True}
+    kept = {} if fresh else {c.id: found for c in claims if (found := store.get(keys[c.id]))}
+    pending = [c for c in claims if c.id not in kept]
+    if pending:
+        store.check_writable()
+    for result in kept.values():
+        yield {**result, "reused": True}
     for claim, result in work("verify_claim", pending, options, idle):
         yield store.put(keys[claim.id], result)

@@ -28,15 +28,16 @@ from pathlib import Path
 from typing import Any
 
 import exactkf
-from exactkf._errors import BadInput
 from exactkf.claims import Claim
 from exactkf.evidence import Evidence
-from exactkf.files import check_folder, dump_json, write_text
+from exactkf.files import check_folder, dump_json, reaching, write_text
 
 __all__ = ["Store", "claim_key", "code_digest", "state_folder"]
 
 # the parts of the package that can change a result, and those in them that cannot
-_ENGINE = ("_errors.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
+_ENGINE = ("_errors.py", "_wording.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
+_FIELDS = {"id", "paper", "section", "title", "verdict", "strength", "sizes", "reason", "repair", "certificates", "mutants", "checks", "seconds",
+           "evidence", "witness", "counterexample", "denominators", "neighbours", "note"}
 _PRINTING = ("latex.py", "latex_notation.py", "names.py", "notation.py", "text.py")
 
 
@@ -92,13 +93,18 @@ class Store:
     Parameters
     ----------
     folder : Path
-        Made when the first result is kept.
+        Made when the first result is kept. To look at what is kept, it need not be writable.
     """
 
     def __init__(self, folder: Path) -> None:
-        self.folder = check_folder(folder, "--state")
+        self.folder = folder
         self._results: dict[str, dict[str, Any]] = {}
-        self._read()
+        with reaching("--state", folder, "read"):
+            self._read()
+
+    def check_writable(self) -> None:
+        """Refuse a folder that results cannot be kept in, before any work is done."""
+        check_folder(self.folder, "--state")
 
     @property
     def file(self) -> Path:
@@ -106,13 +112,16 @@ class Store:
         return self.folder / "results.jsonl"
 
     def _read(self) -> None:
+        if self.folder.exists() and not self.folder.is_dir():
+            check_folder(self.folder, "--state")
         if not self.file.is_file():
             return
-        with open(self.file, encoding="utf-8") as lines:
+        with open(self.file, encoding="utf-8", errors="replace") as lines:
             for line in lines:
                 try:
                     entry = json.loads(line)
-                    self._results[entry["key"]] = entry["result"]
+                    if _is_result(entry["result"]):
+                        self._results[entry["key"]] = entry["result"]
                 except (ValueError, KeyError, TypeError):
                     continue  # a line cut short when the run was stopped
 
@@ -128,15 +137,13 @@ class Store:
 
     def put(self, key: str, result: Mapping[str, Any]) -> dict[str, Any]:
         """Keep a result; its certificates become files, named in the result that is returned."""
-        try:
+        with reaching("--state", self.folder):
             return self._put(key, result)
-        except OSError as error:
-            raise BadInput(f"argument --state = {str(self.folder)!r} cannot be written ({error.strerror or error}); choose another folder") from error
 
     def _put(self, key: str, result: Mapping[str, Any]) -> dict[str, Any]:
         names = []
         for number, certificate in enumerate(result["certificates"], 1):
-            stem = f"{file_stem(result['id'])}-{number}-{certificate.get('kind', 'certificate')}"
+            stem = f"{file_stem(result['id'])}-{number}-{certificate.get('kind', 'certificate').replace(' ', '-')}"
             name = f"certificates/{key[:16]}/{stem}.json"
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             write_text(self.folder / name, dump_json(certificate, indent=None))
@@ -155,6 +162,11 @@ class Store:
                 return ""
             file.seek(-1, os.SEEK_END)
             return "" if file.read(1) == b"\n" else "\n"
+
+
+def _is_result(data: Any) -> bool:
+    """Whether a line of the file has the fields of a result; one that was edited may not, and the claim runs again."""
+    return isinstance(data, dict) and _FIELDS <= data.keys() and isinstance(data["certificates"], list) and isinstance(data["mutants"], dict)
 
 
 def file_stem(id: str) -> str:

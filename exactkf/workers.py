@@ -22,13 +22,11 @@ import importlib
 import multiprocessing
 import os
 import queue
-import signal
-import threading
+import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import Future, TimeoutError
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -36,6 +34,7 @@ from typing import Any
 from pebble import ProcessExpired, ProcessPool
 
 from exactkf.claims import Claim, load
+from exactkf.signals import terminal_signals
 
 __all__ = ["Options", "default_jobs", "unfinished", "work"]
 
@@ -100,10 +99,9 @@ def _pool(function: str, waiting: deque[Claim], options: Options,
     pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("spawn"), initializer=_prepare,
                        initargs=(options.package, options.engine, options.memory_limit))
     try:
-        # a terminal sends Ctrl-C to the workers too: those begun here ignore it, and the pool ends them
-        with _signals({signal.SIGINT: signal.SIG_IGN}):
+        with terminal_signals(ignored=True):
             _ = pool.active  # asking starts it
-        with _signals({signal.SIGTERM: _stop}):
+        with terminal_signals(ignored=False):
             while pool.active and (waiting or running):
                 while waiting and len(running) < jobs + 1:
                     claim = waiting.popleft()
@@ -129,24 +127,6 @@ def _pool(function: str, waiting: deque[Claim], options: Options,
         pool.join()
 
 
-@contextmanager
-def _signals(changes: Mapping[int, Any]) -> Iterator[None]:
-    """Handle signals otherwise for a while; only the main thread can."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    old = {number: signal.signal(number, handler) for number, handler in changes.items()}
-    try:
-        yield
-    finally:
-        for number, handler in old.items():
-            signal.signal(number, handler)
-
-
-def _stop(*_: object) -> None:
-    raise KeyboardInterrupt
-
-
 def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:
     """What a worker returned, or why it did not."""
     try:
@@ -156,8 +136,8 @@ def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:
     except MemoryError:
         return unfinished(claim, _out_of_memory(options))
     except ProcessExpired as error:
-        # the exact arithmetic ends the process (signal 6) when memory runs out, the system does with signal 9
-        if error.exitcode == -9 or (error.exitcode == -6 and options.memory_limit):
+        # when memory runs out, the exact arithmetic ends the process (signal 6), the interpreter does (1), the system does (signal 9)
+        if error.exitcode == -9 or (error.exitcode in (-6, 1) and options.memory_limit):
             return unfinished(claim, _out_of_memory(options))
         return unfinished(claim, f"crashed: the worker ended with exit code {error.exitcode}")
     except Exception as error:
@@ -199,6 +179,7 @@ def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
             return  # the system has no such limit
         size = memory_limit * 2**20
         hard = resource.getrlimit(resource.RLIMIT_AS)[1]
+        sys.stderr = open(os.devnull, "w")  # noqa: SIM115  what an interpreter without memory says last; the result says it in one line
         resource.setrlimit(resource.RLIMIT_AS, (size if hard == resource.RLIM_INFINITY else min(size, hard), hard))
 
 

@@ -36,16 +36,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from flint import arb, arb_mat, fmpq
+from flint import arb, arb_mat, ctx, fmpq
 
 from exactkf._errors import BadInput, Unsupported
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide
 from exactkf.exact.balls import precision
+from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.orbit_n import reduce_pair
 from exactkf.theory._scalars import Scalar, check_length, unify
-from exactkf.theory.orbits import exact_orbit
-from exactkf.theory.power_method import Arrival, state_after, symplectic_matrix_of
+from exactkf.theory.fast_filter import step_ag
+from exactkf.theory.orbits import exact_orbit, orbit
+from exactkf.theory.power_method import Arrival, state_after
 
 __all__ = ["DigitsAhead", "ahead_lines", "digits_ahead", "state_ahead"]
 
@@ -76,7 +78,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
 
     Parameters
     ----------
-    a, g : sequences of rationals, length n
+    a, g : sequences of rationals or of elements of one `RealField`, length n
     T : int
         Number of steps, nonnegative.
     digits : int
@@ -91,9 +93,9 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ, `T` is negative or `digits` is not positive.
+        If the entries are not in one field, the lengths differ, `T` is negative or `digits` is not positive.
     Unsupported
-        If the precision needed is above 2**17 bits, as for a state at or next to an escape.
+        If the precision needed is above 2**17 bits and 32 times the digits, as for a state at or next to an escape.
 
     Examples
     --------
@@ -106,23 +108,25 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
         raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
     a, g = unify(a=a, g=g)
     check_length("g", g, len(a), "a")
-    if not a or not all(isinstance(x, fmpq) for x in (*a, *g)):
-        raise BadInput("(a, g): not rational, or empty; pass rationals")
+    if not a or not (all(isinstance(x, fmpq) for x in (*a, *g)) or all(isinstance(x, RealNumber) for x in (*a, *g))):
+        raise BadInput("(a, g): not in one field, or empty; pass rationals, or elements of one RealField")
     answer = decide(a, g) if answer is None else answer
     if answer.escape is not None and answer.escape < T:
         return DigitsAhead((), (), answer.escape, False)
-    Q = [x + y for x, y in zip(a, g, strict=True)][::-1] + [fmpq(1)]
-    S = [*g[::-1], fmpq(0)]
+    one = a[0] - a[0] + 1
+    Q = [x + y for x, y in zip(a, g, strict=True)][::-1] + [one]
+    S = [*g[::-1], one - one]
     reduced = reduce_pair(Q, S)
     start, m = min(reduced.start, T), len(reduced.Q) - 1
     bits = 64 + 4 * digits
-    while bits <= _BOUND:
+    bound = max(_BOUND, 8 * bits)
+    while bits <= bound:
         with precision(bits):
             found = _at(a, g, start) if T <= start else _power(reduced.Q, reduced.S, reduced.removed, T - start) if m else _rest(reduced.removed)
         if found is not None and all(x.rad() < arb(10) ** -digits for x in (*found[0], *found[1])):
             return DigitsAhead(*found, None, answer.never_escapes)
         bits *= 2
-    raise Unsupported(f"the state after {T} steps needs more than {_BOUND} bits; it is next to an escape, or is one")
+    raise Unsupported(f"the state after {T} steps needs more than {bound} bits; it is next to an escape, or is one")
 
 
 def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> list[str]:
@@ -130,7 +134,7 @@ def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 
     found = digits_ahead(a, g, T, digits)
     if found.escape is not None:
         return [f"no state after {T} steps: the orbit escapes at step {found.escape}"]
-    exact = state_ahead(a, g, T).state if T <= _SHORT else None
+    exact = state_ahead(a, g, T).state if T <= _SHORT and not any(isinstance(x, RealNumber) for x in (*a, *g)) else None
     lines = []
     for name, balls, values in (("a", found.a, exact and exact[0]), ("g", found.g, exact and exact[1])):
         for i, x in enumerate(balls):
@@ -139,24 +143,37 @@ def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 
     return lines if found.never_escapes else [*lines, "(an escape before that step is not excluded)"]
 
 
-def _at(a: Sequence[fmpq], g: Sequence[fmpq], T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
-    state = exact_orbit(a, g, T).states[-1]
-    return tuple(arb(x) for x in state[0]), tuple(arb(x) for x in state[1])
+def _ball(x: Any) -> arb:
+    """A ball of about the precision in force around a rational number or an element of a field."""
+    return x.enclose(3 * ctx.prec // 10) if isinstance(x, RealNumber) else arb(fmpq(x))
+
+
+def _at(a: Sequence[Any], g: Sequence[Any], T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
+    state = (orbit(step_ag, (tuple(a), tuple(g)), T) if isinstance(a[0], RealNumber) else exact_orbit(a, g, T)).states[-1]
+    return tuple(map(_ball, state[0])), tuple(map(_ball, state[1]))
 
 
 def _rest(removed: list) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
     """The equilibrium with the polynomial `removed`."""
-    return tuple(arb(x) for x in reversed(removed[:-1])), tuple(arb(0) for _ in removed[:-1])
+    return tuple(map(_ball, reversed(removed[:-1]))), tuple(arb(0) for _ in removed[:-1])
+
+
+def _symplectic(q: list[arb], g: list[arb]) -> list[arb_mat]:
+    """The blocks of S, see `exactkf.theory.power_method`."""
+    m = len(q)
+    A = arb_mat([[arb(int(j == i + 1)) - (q[i] if j == 0 else 0) for j in range(m)] for i in range(m)])
+    inverse, column = A.transpose().inv(), arb_mat([[x] for x in g])
+    hh, low = arb_mat([[int(i == j == 0) for j in range(m)] for i in range(m)]), column * column.transpose() * inverse
+    return [inverse, -(inverse * hh), low, A - low * hh]
 
 
 def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]] | None:
     """Return balls around the state `T` steps after a reduced pair, times the common factor; None if they are not finite."""
-    m = len(Q) - 1
-    g = [fmpq(x) for x in S[-2::-1]]
-    a = [fmpq(x) - y for x, y in zip(Q[-2::-1], g, strict=True)]
-    rows = [[arb(x) for x in row] for row in symplectic_matrix_of(a, g).tolist()]
-    block = [arb_mat([row[k : k + m] for row in rows[i : i + m]]) for i in (0, m) for k in (0, m)]
+    g = [_ball(x) for x in S[-2::-1]]
+    q = [_ball(x) for x in Q[-2::-1]]
+    a = [x - y for x, y in zip(q, g, strict=True)]
     try:
+        block = _symplectic(q, g)
         inverse = block[0].inv()
         total = _repeated(_Scattering(inverse, inverse * block[1], block[2] * inverse), T)
     except ZeroDivisionError:
@@ -201,7 +218,7 @@ def _repeated(one: _Scattering, T: int) -> _Scattering:
 
 def _with_factor(a: list[arb], g: list[arb], removed: list[Any]) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
     """Multiply the polynomials by a monic factor."""
-    factor = [arb(fmpq(x)) for x in reversed(removed)]
+    factor = [_ball(x) for x in reversed(removed)]
 
     def times(p: list[arb]) -> list[arb]:
         out = [arb(0)] * (len(p) + len(factor) - 1)

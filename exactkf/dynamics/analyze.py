@@ -32,6 +32,7 @@ import json
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 from exactkf._errors import BadInput
@@ -64,10 +65,13 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     keys = set(data) - set(_OPTIONS)
     if tuple(sorted(keys)) not in {tuple(sorted(form)) for form in FORMS}:
         forms = "; ".join(", ".join(form) for form in FORMS)
-        raise bad("data", "does not describe a filter by its keys", sorted(keys), f"pass one of: {forms}")
+        what = f"no filter has {' and '.join(repr(k) for k in sorted(keys))}" if keys else "no filter is given"
+        raise BadInput(f"{what}; give one of: {forms}")
     if "order" in data and "covariances" not in data:
         raise bad("order", "goes with covariances only", data["order"], "leave it out")
     floats = data.get("floats")
+    if floats not in (None, "exact", "decimal") and (isinstance(floats, bool) or not isinstance(floats, int) or floats < 1):
+        raise bad("floats", "is no meaning of floats", floats, 'pass "exact", "decimal" or a largest denominator')
     if "alpha" in keys:
         return Filter.from_parameters(data["alpha"], data["gamma"], floats=floats)
     if "covariances" in keys:
@@ -121,7 +125,10 @@ def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **gi
     data : mapping, Filter or file name, optional
         The filter; keyword arguments of the same names do as well.
     **given
-        One of the sets of keys in the header, ``floats`` and ``pi0``.
+        The filter, by ``alpha, gamma``, by ``a, g``, by ``b, a`` (leading coefficients first), by ``covariances``
+        (and ``order``), by ``F, g, h`` or by ``system``. Besides, ``floats`` ("exact", "decimal" or a largest
+        denominator) says what floats mean, which are refused without it; ``pi0``, for order one, asks about the
+        Riccati equation started there. Numbers are int, Fraction, Decimal, sympy numbers, or text such as "1/3" and "sqrt(2)".
 
     Returns
     -------
@@ -143,6 +150,8 @@ def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **gi
         if unknown:
             raise bad(min(unknown), "comes with a Filter", given[min(unknown)], "pass either a filter or its numbers")
     else:
+        if not isinstance(data, (Mapping, str, Path, NoneType)):
+            raise bad("data", "is no filter", data, "pass a mapping, a Filter or the name of a file, or keywords such as alpha=[...], gamma=[...]")
         found = read_data(data) if isinstance(data, (str, Path)) else dict(data or {})
         twice = set(found) & set(given)
         if twice:

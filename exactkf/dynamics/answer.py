@@ -160,9 +160,13 @@ class Answer:
 
     def to_json(self) -> dict[str, Any]:
         """Return the answer as plain data that `json` writes without help."""
-        data = {**self.decided(), "facts": [{"words": f.words, "latex": f.latex} for f in self.facts],
-                "reason": self.reason, "certificate": self.certificate}
-        return json.loads(json.dumps(data))
+        return json.loads(json.dumps({**self.without_certificate(), "limit": self.limit, "certificate": self.certificate}))
+
+    def without_certificate(self) -> dict[str, Any]:
+        """Return the same without limit and certificate, which may take long to find."""
+        names = [f.name for f in fields(self) if f.name not in ("facts", "reason", "certificate")]
+        data = {name: None if name == "limit" else getattr(self, name) for name in names}
+        return {**data, "facts": [{"words": f.words, "latex": f.latex} for f in self.facts], "reason": self.reason, "certificate": {}}
 
     def words(self) -> str:
         """Return the derivation in words, a sentence a line."""

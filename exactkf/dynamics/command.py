@@ -3,59 +3,126 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import click
-from flint import arb, fmpq
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.analyze import analyze, filter_from, read_data
+from exactkf.bounded import Ended, OutOfTime, bounded
+from exactkf.cli import INTERRUPTED
+from exactkf.dynamics.analyze import read_data
 from exactkf.dynamics.answer import Answer
-from exactkf.dynamics.exact_json import polynomial_words
-from exactkf.dynamics.filter import Filter
+from exactkf.dynamics.stages import Request, Told, carry_out
 from exactkf.exact._messages import bad
-from exactkf.exact.balls import precision
-from exactkf.exact.numberfield import RealField
-from exactkf.files import check_target, dump_json, write_text
+from exactkf.files import check_target, dump_json, reaching, write_text
+from exactkf.progress import Meter
 
-__all__ = ["analyze_command", "shown_number", "split_list"]
+__all__ = ["analyze_command", "split_list"]
 
 _PICTURES = ("plane", "gamma", "alpha", "spectrum")
 
 
 def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, digits: int, json_file: Path | None, certificate: Path | None,
-                    latex_file: Path | None, pictures: Sequence[str], steps: int, **vectors: str | None) -> int:
-    """Decide, print, write; exit status 0, or 1 if the orbit is undecided."""
-    targets = [("--json", json_file), ("--certificate", certificate), ("--latex", latex_file)]
-    for argument, path in targets:
-        if path is not None:
-            check_target(path, argument)
-    drawings = [_picture(text) for text in pictures]
+                    latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, **vectors: str | None) -> int:
+    """Decide, print, write; exit status 0, or 1 if the orbit is undecided or not all that is asked for was found."""
+    targets = {"json": json_file, "certificate": certificate, "latex": latex_file}
+    files = {name: check_target(path, f"--{name}") for name, path in targets.items() if path is not None}
+    drawings = tuple(_picture(text) for text in pictures)
     if drawings:
         from exactkf.dynamics.pictures import require_matplotlib
 
         require_matplotlib()
     data = _data(file, vectors)
-    start = data.pop("pi0", None) if pi0 is None else pi0
-    filter = filter_from(data)
-    for kind, order in (("plane", 1), ("alpha", 2)):
-        if kind in dict(drawings) and filter.order != order:
-            raise bad("--picture", f"asks for the {kind} picture of a filter of order {filter.order}", kind, f"it is drawn for order {order}")
-    answer = analyze(filter, pi0=start)
-    click.echo("\n".join(_lines(answer, digits)))
-    if after is not None:
-        click.echo("\n".join(_ahead(filter, after, digits)))
-    if json_file is not None:
-        write_text(json_file, dump_json(answer.to_json()))
-    if certificate is not None:
-        write_text(certificate, dump_json(answer.certificate))
-    if latex_file is not None:
-        write_text(latex_file, answer.latex() + "\n")
-    for kind, path in drawings:
-        _draw(kind, path, filter, steps)
-    return 1 if answer.behaviour == "undecided" else 0
+    if pi0 is not None:
+        data["pi0"] = pi0
+    found = _carried_out(Request(data, after, digits, steps, tuple(files), drawings), time_limit)
+    click.echo("\n".join(found.shown()))
+    for name, text in found.texts().items():
+        if name in files:
+            with reaching(f"--{name}", files[name]):
+                write_text(files[name], text)
+    missing = [path for name, path in files.items() if name not in found.texts()] + [path for _, path in drawings if path not in found.drawn]
+    for path in missing:
+        click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)
+    for path in found.drawn:
+        click.echo(f"{path}: picture written", err=True)
+    return 1 if found.why or found.missing or found.data["behaviour"] == "undecided" else 0
+
+
+@dataclass
+class _Found:
+    """What the stages told, and why they stopped early, if they did."""
+
+    stage: str = "starting"
+    order: int | None = None
+    data: dict[str, Any] = field(default_factory=dict)
+    lines: list[str] = field(default_factory=list)
+    files: dict[str, str] = field(default_factory=dict)
+    drawn: list[Path] = field(default_factory=list)
+    missing: list[str] = field(default_factory=list)
+    why: str = ""
+
+    def hear(self, told: Told) -> None:
+        """Take up one message."""
+        kind, value = told
+        match kind:
+            case "stage":
+                self.stage = value
+            case "order":
+                self.order = value
+            case "decided":
+                self.data = value
+            case "lines":
+                self.lines += value
+            case "missing":
+                self.missing.append(value)
+            case "file":
+                self.files[value[0]] = value[1]
+            case _:
+                self.drawn.append(value)
+
+    def stop(self, why: str) -> None:
+        """Keep what there is, and say what is missing."""
+        self.why = f"{why} while {self.stage}"
+        if not self.data:
+            self.data = {**Answer(self.order or 0, "undecided", reason=self.why).to_json(), "order": self.order}
+        self.data["reason"] = self.why
+
+    def shown(self) -> list[str]:
+        """The lines to print."""
+        if not self.why:
+            return [*self.lines, *(f"  Not found: {why}." for why in self.missing)]
+        if not self.lines:
+            return [f"{f'order {self.order}: ' if self.order else ''}undecided", "", f"  Undecided: {self.why}."]
+        return [*self.lines, "", f"  Not finished: {self.why}."]
+
+    def texts(self) -> Mapping[str, str]:
+        """The texts of files: whole, but for the answer as data, which says what is missing."""
+        return {"json": dump_json(self.data), **self.files} if self.why else self.files
+
+
+def _carried_out(request: Request, time_limit: float) -> _Found:
+    """Run in a process of its own, which ends at the time limit whatever it is doing."""
+    found = _Found()
+    with Meter("analyze", request.stages() + 1) as meter:
+        def heard(told: Told) -> None:
+            if told[0] == "stage":
+                meter.step(found.stage)
+            found.hear(told)
+
+        try:
+            bounded(carry_out, request, time_limit, heard, meter.tick)
+        except OutOfTime:
+            found.stop(f"out of time after {time_limit:g} s")
+        except Ended as error:
+            found.stop(str(error))
+        except KeyboardInterrupt:
+            click.echo("exactkf: stopped", err=True)
+            raise click.exceptions.Exit(INTERRUPTED) from None
+    return found
 
 
 def _data(file: Path | None, vectors: dict[str, str | None]) -> dict[str, Any]:
@@ -96,74 +163,6 @@ def split_list(name: str, text: str) -> list[str]:
     return parts
 
 
-def _lines(answer: Answer, digits: int) -> list[str]:
-    """The answer for people."""
-    head = f"order {answer.order}: {_headline(answer)}"
-    lines = [head, "", *(f"  {line}" for line in answer.words().splitlines())]
-    rows: list[tuple[str, str]] = []
-    for name, values in (answer.limit or {}).items():
-        for k, value in enumerate(values if isinstance(values, list) else [values]):
-            index = f"_{k + 1}" if isinstance(values, list) and len(values) > 1 else ""
-            rows.append((f"limit of {name}{index}", shown_number(value, digits)))
-    if answer.rate is not None:
-        rows.append(("rate", shown_number(answer.rate, digits)))
-    if answer.region:
-        rows.append(("start", answer.region))
-    for label, value in (("monotone from step", answer.monotone_from), ("positive real from step", answer.enters_positive_real),
-                         ("dimension of the torus", answer.torus_dimension)):
-        if value is not None:
-            rows.append((label, str(value)))
-    if rows:
-        width = max(len(label) for label, _ in rows)
-        lines += ["", *(f"  {label:<{width}}  {value}" for label, value in rows)]
-    return lines
-
-
-def _headline(answer: Answer) -> str:
-    match answer.behaviour:
-        case "escapes":
-            return f"the orbit escapes at step {answer.escape}"
-        case "periodic" if answer.period == 1:
-            return "the orbit is an equilibrium"
-        case "periodic":
-            return f"the orbit is periodic with period {answer.period}"
-        case "eventually periodic":
-            return f"the orbit has the period {answer.period} from step {answer.preperiod} on, and does not come back to its start"
-        case "dense":
-            return "the orbit never repeats and is dense in its invariant curve"
-        case "converges":
-            return "the orbit converges"
-        case "undecided":
-            return "undecided"
-    return f"the orbit is {answer.behaviour}"
-
-
-def shown_number(value: Any, digits: int) -> str:
-    """An exact number of an answer, with its decimal digits.
-
-    Examples
-    --------
-    >>> shown_number("1/3", 5)
-    '1/3'
-    """
-    if not isinstance(value, dict):
-        return str(value)
-    if "minpoly" not in value:
-        lo, hi = (fmpq(*map(int, end.split("/"))) for end in value["interval"])
-        with precision(4 * digits + 64):
-            return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
-    field = RealField(value["minpoly"], value["interval"])
-    digits_of = field.gen().enclose(digits).str(digits, radius=False)
-    return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"
-
-
-def _ahead(filter: Filter, steps: int, digits: int) -> list[str]:
-    """The state after so many steps, exact as long as it is short, in digits in any case."""
-    from exactkf.dynamics.ahead import ahead_lines
-
-    return ahead_lines(filter.a, filter.g, steps, digits)
-
-
 def _picture(text: str) -> tuple[str, Path]:
     """KIND=FILE, checked before any work."""
     kind, sign, name = text.partition("=")
@@ -173,19 +172,3 @@ def _picture(text: str) -> tuple[str, Path]:
     if path.suffix.lower() not in (".png", ".svg"):
         raise bad("--picture", "names a file that ends in neither .png nor .svg", name, "pass one that does")
     return kind, path
-
-
-def _draw(kind: str, path: Path, filter: Filter, steps: int) -> None:
-    from exactkf.dynamics import pictures
-
-    match kind:
-        case "plane":
-            figure = pictures.draw_plane(filter, steps)
-        case "gamma":
-            figure = pictures.draw_gamma(filter, steps)
-        case "alpha":
-            figure = pictures.draw_alpha_plane(filter)
-        case _:
-            figure = pictures.draw_spectrum(filter)
-    pictures.save(figure, path)
-    click.echo(f"{path}: picture written", err=True)

@@ -47,7 +47,7 @@ from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact, later
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
-from exactkf.dynamics.spectral_factor import Factor, spectral_factor
+from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
     Readings,
@@ -62,7 +62,9 @@ from exactkf.dynamics.wandering import (
     places_without_escape,
 )
 from exactkf.exact.balls import precision
+from exactkf.exact.circle import sign_on_circle
 from exactkf.exact.numberfield import RealField, RealNumber
+from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.intervals import does_not_escape
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
@@ -75,6 +77,7 @@ __all__ = ["LimitDigits", "decide", "limit_digits"]
 
 MAX_STEPS = 2000
 _FEW = 60
+_MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
 _LARGE = ((1 << 61) - 1, (1 << 89) - 1)
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
@@ -134,7 +137,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
         return _escaped(case, reduced.escape)
     if len(reduced.Q) == 1:
         return _convergent(case, max_steps)
-    shape = spectral_sign(case.D)
+    shape = _sign(case.D)
     _describe(case, shape)
     if shape != "+-":
         return _convergent(case, max_steps)
@@ -226,14 +229,8 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    if case.rational or len(case.D) == 1:
-        found: Any = _Limit(case)
-    else:
-        found = EnclosedLimit.of(case.D, case.reduced.removed)
-        if found is None:
-            case.facts.append(Fact("It is not enclosed: a factor of D over the field has zeros on the circle and others of the same multiplicity off it.",
-                                   "$D$ has zeros on $|z| = 1$ that do not split off."))
-            return _answer(case, "converges", {}, **fields)
+    exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
+    found: Any = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
     return _answer(case, "converges", lambda: found.evidence, limit=later(lambda _: found.limit), **fields)
 
 
@@ -317,7 +314,16 @@ def _enters(Q: list, S: list, common: list, late: bool) -> bool:
         Q, S = _quotient(Q, common), _quotient(S, common)
     elif not late:
         Q, S = coprime(Q, S)
-    return is_positive_real(Q, S)
+    if isinstance(Q[0], RealNumber):
+        return is_positive_real(Q, S)
+    return len(Q) == 1 or count_roots(fmpq_poly(Q).numer()).inside == len(Q) - 1 and _sign(spectral_polynomial(Q, S)) in ("+", "0+")
+
+
+def _sign(D: list) -> str:
+    """The sign of D on the circle as `exactkf.kernel.orbit_n.spectral_sign` has it, quicker for rational data."""
+    if isinstance(D[0], RealNumber):
+        return spectral_sign(D)
+    return {"positive": "+", "nonnegative": "0+", "negative": "-", "nonpositive": "-0", "indefinite": "+-"}[sign_on_circle(D[len(D) // 2:])]
 
 
 def _quotient(p: list, q: list) -> list:
@@ -474,7 +480,7 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     answer : Answer
         Of an orbit that converges.
     digits : int
-        The relative error of each coefficient is at most ``10**-digits``; for algebraic data that of coefficients below one is absolute.
+        The relative error of each coefficient is at most ``10**-digits``; where the limit is given in intervals, that of coefficients below one is absolute.
 
     Returns
     -------
@@ -492,7 +498,7 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
     if any(isinstance(x, dict) and "minpoly" not in x for x in values):
         case = _case(*_state_of(answer.certificate["statement"]["question"]))
-        found, bits, _ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)  # type: ignore[union-attr]
+        found, bits, *_ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)
         return LimitDigits(tuple(_ball(lo, hi, bits) for lo, hi in found))
     numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
@@ -504,8 +510,13 @@ def _ball(lo: int, hi: int, bits: int) -> arb:
         return arb(fmpq(lo, 1 << bits)).union(arb(fmpq(hi, 1 << bits)))
 
 
-def _state_of(question: dict[str, Any]) -> tuple[list[RealNumber], list[RealNumber]]:
-    """The state that a question with algebraic data asks about."""
+def _state_of(question: dict[str, Any]) -> tuple[list, list]:
+    """The state that a question asks about."""
+    a: list[Any]
+    g: list[Any]
+    if question["field"] is None:
+        a, g = ([fmpq(*map(int, x.split("/"))) for x in question[k]] for k in ("a", "g"))
+        return a, g
     modulus, lo, hi = question["field"]
     field = RealField(modulus, (lo, hi))
     a, g = ([field(x if isinstance(x, list) else [x]) for x in question[k]] for k in ("a", "g"))

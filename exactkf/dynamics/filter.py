@@ -30,7 +30,7 @@ BLZ94 (2.3)-(2.10), (3.12); BLM91 (2.1)-(2.8).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -103,7 +103,7 @@ class Filter:
         """
         (a, g), field = _exact(floats, a=a, g=g)
         if len(a) != len(g):
-            raise bad("g", f"has {len(g)} entries where a has {len(a)}", _plain(g), "pass vectors of the same length")
+            raise bad("g", f"has length {len(g)} where a has {len(a)}", _plain(g), "pass vectors of the same length")
         return cls._checked(a, g, field)
 
     @classmethod
@@ -144,7 +144,7 @@ class Filter:
         """
         (alpha, gamma), field = _exact(floats, alpha=alpha, gamma=gamma)
         if len(alpha) != len(gamma):
-            raise bad("gamma", f"has {len(gamma)} entries where alpha has {len(alpha)}", _plain(gamma), "pass vectors of the same length")
+            raise bad("gamma", f"has length {len(gamma)} where alpha has {len(alpha)}", _plain(gamma), "pass vectors of the same length")
         for k, x in enumerate(gamma):
             if x * x == 1:
                 raise bad(f"gamma[{k}]", "is 1 or -1", str(x), "a Schur parameter of the start must differ from both")
@@ -178,8 +178,8 @@ class Filter:
         if isinstance(n, bool) or not isinstance(n, int) or (order is not None and n < 1):
             raise bad("order", "is no order", order, "pass a positive integer")
         if n < 1 or len(c) <= 2 * n:
-            raise bad("covariances", f"has {len(c) - 1} covariances after the first, too few for order {n}", _plain(c),
-                      f"pass at least {max(2 * n, 2)} after the 1")
+            after = f"has {len(c) - 1} covariance{'s' * (len(c) != 2)} after the first"
+            raise bad("covariances", f"{after}, too few for order {max(n, 1)}", _plain(c), f"pass at least {max(2 * n, 2)} after the 1")
         hankel = tuple(tuple(c[i + j + 1] for j in range(n)) for i in range(n))
         try:
             reversed_a = solved(hankel, tuple((-c[n + 1 + i],) for i in range(n)), "the Hankel matrix of the covariances")
@@ -218,7 +218,7 @@ class Filter:
             raise bad("F", "is not square", rows, "pass n rows of n numbers")
         for name, v in (("g", g), ("h", h)):
             if len(v) != n:
-                raise bad(name, f"has {len(v)} entries where F has {n} rows", v, "pass a vector that fits")
+                raise bad(name, f"has length {len(v)} where F has {n} rows", v, "pass a vector that fits")
         (g, h, *exact), field = _exact(floats, g=g, h=h, **{f"F[{i}]": row for i, row in enumerate(rows)})
         a, numerator = _leverrier(exact, g, h)
         return cls._checked(a, numerator, field)
@@ -275,7 +275,7 @@ def _exact(floats: Floats, **named: Iterable[Any]) -> tuple[list[Vector], RealFi
 def _rows(name: str, value: Any) -> list[list[Any]]:
     """A matrix as a list of rows."""
     value = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
+    if isinstance(value, (str, bytes, dict, Set)) or not isinstance(value, Iterable):
         raise bad(name, "is no matrix", value, "pass a list of rows")
     rows = [list(row) if isinstance(row, Iterable) and not isinstance(row, (str, bytes)) else [row] for row in value]
     if not rows or not all(rows):
@@ -286,7 +286,7 @@ def _rows(name: str, value: Any) -> list[list[Any]]:
 def _vector(name: str, value: Any) -> list[Any]:
     """A vector from a sequence, or from a matrix of one row or one column."""
     value = value.tolist() if hasattr(value, "tolist") else value
-    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
+    if isinstance(value, (str, bytes, dict, Set)) or not isinstance(value, Iterable):
         raise bad(name, "is no vector", value, "pass a list of numbers")
     values = list(value)
     nested = [isinstance(v, (list, tuple)) for v in values]

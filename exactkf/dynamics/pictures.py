@@ -32,7 +32,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from exactkf._errors import BadInput, ExactkfError
+from exactkf._errors import BadInput, ExactkfError, Unsupported
 from exactkf.dynamics.filter import Filter
 from exactkf.exact.numberfield import RealNumber
 from exactkf.theory.fast_filter import step_ag
@@ -48,6 +48,7 @@ __all__ = ["draw_alpha_plane", "draw_gamma", "draw_plane", "draw_spectrum", "req
 # dark enough for print, and apart for readers who do not see red and green as different
 _POSITIVE, _DEFINITE, _NEGATIVE, _INK, _ORBIT = "#9ecae1", "#deebf7", "#fdd9b5", "#333333", "#b2182b"
 _LARGEST = 1e6  # a coordinate beyond it is off the picture
+_FARTHEST = 1e100  # of a start
 
 
 def require_matplotlib() -> None:
@@ -59,7 +60,7 @@ def require_matplotlib() -> None:
         If it is.
     """
     if find_spec("matplotlib") is None:
-        raise ExactkfError("pictures need matplotlib; install it with: pip install 'exactkf[plot]'")
+        raise ExactkfError("pictures need matplotlib; install it: python -m pip install matplotlib")
 
 
 def _figure(width: float = 6.4, height: float = 4.8) -> tuple[Figure, Axes]:
@@ -92,10 +93,19 @@ def save(figure: Figure, path: str | Path) -> None:
 
 
 def _float(x: Any) -> float:
-    """The nearest float, for drawing."""
+    """The nearest float, for drawing; infinity beyond all of them."""
     if isinstance(x, RealNumber):
         return float(x.enclose(17).mid())
-    return int(x.p) / int(x.q)
+    try:
+        return int(x.p) / int(x.q)
+    except OverflowError:
+        return float("inf") if x > 0 else float("-inf")
+
+
+def _drawable(*coordinates: float) -> None:
+    """Refuse a start that no picture shows."""
+    if not all(abs(x) < _FARTHEST for x in coordinates):
+        raise Unsupported(f"a coordinate of the start is beyond {_FARTHEST:g}, too far out to draw")
 
 
 def _states(filter: Filter, steps: int) -> tuple[list[tuple[tuple, tuple]], int | None]:
@@ -127,6 +137,7 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     states, escape = _states(filter, steps)
     alpha = np.array([_float(a[0] + g[0]) for a, g in states])  # a = alpha - gamma
     gamma = np.array([_float(g[0]) for a, g in states])
+    _drawable(alpha[0], gamma[0])
     figure, axes = _figure(6.4, 6.0)
     seen = np.isfinite(alpha) & (np.abs(alpha) < _LARGEST) & (np.abs(gamma) < _LARGEST)
     typical = max(np.quantile(np.abs(alpha[seen]), 0.9), np.quantile(np.abs(gamma[seen]), 0.9)) if seen.any() else 0
@@ -180,18 +191,23 @@ def _hyperbola(axes: Axes, alpha: float, gamma: float, reach: float) -> None:
         axes.plot([0, 0], [-reach, reach], color="#2166ac", lw=1.4, label=r"$\alpha = 0$, $\kappa = 0$")
         return
     turned = (1 + alpha**2 - gamma**2) / alpha  # 2 / kappa
-    x = np.linspace(-2 * reach, 2 * reach, 4001)
-    square = 1 + x**2 - turned * x
-    y = np.sqrt(np.where(square >= 0, square, np.nan))
+    far, u = 2 * reach, np.linspace(-1, 1, 2001)
+    if turned**2 > 4:  # branches to the left and to the right, each through its vertex
+        low, high = (turned - np.sqrt(turned**2 - 4)) / 2, (turned + np.sqrt(turned**2 - 4)) / 2
+        parts = [(x, np.sign(u)) for x in (low - max(low + far, 0) * u**2, high + max(far - high, 0) * u**2)]
+    else:
+        parts = [(far * u, np.full_like(u, side)) for side in (1.0, -1.0)]
+    x = np.concatenate([np.append(x, np.nan) for x, _ in parts])
+    y = np.concatenate([np.append(side * np.sqrt(np.maximum(1 + x**2 - turned * x, 0)), np.nan) for x, side in parts])
     label = r"$\kappa = \infty$" if turned == 0 else rf"$\kappa = {_shown(2 / turned)}$"
     axes.plot(x, y, color="#2166ac", lw=1.4, label=f"invariant hyperbola, {label}")
-    axes.plot(x, -y, color="#2166ac", lw=1.4)
 
 
 def draw_gamma(filter: Filter, steps: int = 60) -> Figure:
     r"""The Schur parameters :math:`\gamma_t` against t."""
     states, escape = _states(filter, steps)
     gamma = np.array([_float(g[0]) for _, g in states])
+    _drawable(gamma[0])
     figure, axes = _figure(6.8, 3.6)
     from matplotlib.ticker import MaxNLocator
 
@@ -228,6 +244,7 @@ def draw_alpha_plane(filter: Filter, reach: float = 4.0) -> Figure:
     if found is None:
         raise BadInput("argument filter has no coordinates (alpha, gamma): a Schur parameter of the start is 1 or -1")
     (x0, y0), (g0, g1) = ([_float(v) for v in part] for part in found)
+    _drawable(x0, y0, g0, g1)
     reach = float(max(reach, 1.2 * abs(x0), 1.2 * abs(y0)))
     x, y = np.meshgrid(np.linspace(-reach, reach, 801), np.linspace(-reach, reach, 801))
     low, high, stable = _definiteness_order_two(x, y, g0, g1)
@@ -275,7 +292,10 @@ def _definiteness_order_two(x: Any, y: Any, g0: float, g1: float) -> tuple[Any, 
 def draw_spectrum(filter: Filter) -> Figure:
     """The zeros of z^n D(z, 1/z), which are the eigenvalues of S, and the unit circle."""
     d = pseudo_polynomial(filter.a, filter.b)
-    coefficients = [_float(v) for v in (*reversed(d[1:]), *d)]
+    largest = max(abs(v) for v in d)
+    if largest == 0:
+        raise Unsupported("D is zero")
+    coefficients = [_float(v / largest) for v in (*reversed(d[1:]), *d)]
     roots = np.roots(coefficients)
     figure, axes = _figure(5.6, 5.6)
     angle = np.linspace(0, 2 * np.pi, 721)

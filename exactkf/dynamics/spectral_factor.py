@@ -34,6 +34,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations, product
+from math import comb
 from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_poly
@@ -43,7 +44,7 @@ from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.exact.polynomials import count_roots
 
-__all__ = ["Factor", "spectral_factor", "times", "zeros"]
+__all__ = ["Factor", "number_of_choices", "spectral_factor", "times", "zeros"]
 
 _BOUND = 1 << 15
 
@@ -78,6 +79,16 @@ def zeros(f: fmpz_poly) -> tuple[list[acb], list[acb], list[acb]]:
 
 def _distinct(f: fmpz_poly) -> fmpz_poly:
     return f // f.gcd(f.derivative()) if f.degree() > 0 else f
+
+
+def number_of_choices(D: Sequence[Any]) -> int:
+    """Return a bound for the degree of the field of the coefficients; `spectral_factor` takes a time that grows with its square."""
+    inside = pairs = 0
+    for f, _ in fmpq_poly(list(D)).numer().factor()[1]:
+        count = count_roots(f)
+        if count.inside and count.outside:
+            inside, pairs = inside + count.inside, pairs + count.inside + count.on // 2
+    return comb(pairs, inside) << inside
 
 
 def spectral_factor(D: Sequence[Any]) -> Factor:

@@ -122,9 +122,10 @@ class System:
 
     def encode(self, p: Poly) -> dict[str, Any]:
         """A polynomial with monomials as strings. What a scalar stands for becomes a rule."""
-        for name in {n for s, _ in p for n, _ in s if n in self.reader.numbers and ("scalar", n) not in self.chars}:
+        # in the order of appearance: that of a set of names is another in each run, and the certificate would be too
+        for name in dict.fromkeys(n for s, _ in p for n, _ in s if n in self.reader.numbers and ("scalar", n) not in self.chars):
             own = self.reader.numbers[name]
-            for word in {own, tuple(self.reader.transposed[a] for a in reversed(own))}:
+            for word in dict.fromkeys((own, tuple(self.reader.transposed[a] for a in reversed(own)))):
                 self._insert({"".join(map(self._char, word)): 1, self._scalar_char(name): -1}, [(1, "", word, "", "")])
         return {"".join(map(self._char, word)) + "".join(sorted("".join(self._scalar_char(n, e < 0) * abs(e) for n, e in s))): c
                 for (s, word), c in p.items()}

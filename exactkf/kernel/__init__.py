@@ -6,7 +6,8 @@ Nothing here imports anything outside the standard library. Read in this order:
 - scalars and polynomials in z: `numbers`, `packed`, `trials`, `symbolic`, `algebraic`, `cosines`; matrices: `linear`; root location: `roots`;
 - statements: `wellformed`, `meaning` (the value of one), `instances` (read, tested, or made of symbols);
 - matrices of every size: `words`, `reader`, `definite`, `stable`, `order`, `recursion`, `every_size`;
-- coefficients, entries, sums and products at a generic index: `region`, `opaque`, `indefinite`, `generic`, `defined`, `generic_facts`, `index_induction`;
-- answers about orbits: `rotation`, `intervals`, `torus`, `orbit`, `orbit_wandering`, `orbit_sieve`, `orbit_polynomial`, `orbit_n`;
+- coefficients, entries, sums and products at a generic index: `region`, `known`, `opaque`, `chains`, `indefinite`, `generic`, `defined`,
+  `generic_facts`, `index_induction`;
+- answers about orbits: `rotation`, `intervals`, `spectral`, `torus`, `orbit`, `orbit_wandering`, `orbit_sieve`, `orbit_polynomial`, `orbit_n`;
 - kinds of certificates: `replay`; their text: `files`.
 """

@@ -10,7 +10,7 @@ it. Then the recursions have a solution in the field of rational functions in th
 start. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
-and the numbers one (some are of a type that excludes zero). There a recursion has a value if its initial values and its
+and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its
 step, at a generic index and place, divide by nothing but numbers other than zero, and all its values (coefficients,
 entries) are one number c if those of its initial value are, and those of its step where they are at the index before. Several
 recursions are looked at together: what has been supposed of one is supposed until it is seen not to be so. With these numbers
@@ -33,6 +33,7 @@ from typing import Any
 
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.opaque import with_names
 from exactkf.kernel.packed import Poly, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
@@ -117,10 +118,13 @@ class Witness:
         Its recursions and variables are looked at.
     sizes : list of forms
         What is known not to be negative.
+    number : int
+        The value of a number that may be zero.
     """
 
-    def __init__(self, statement: Mapping[str, Any], sizes: list[Form]) -> None:
+    def __init__(self, statement: Mapping[str, Any], sizes: list[Form], number: int = 1) -> None:
         self.statement, self.sizes = statement, sizes
+        self.at = {name: Fraction(1 if kind[0] in ("nonzero", "positive") else number) for name, kind in statement["over"]}
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
@@ -178,7 +182,7 @@ class Witness:
             raise Unknown("no value of a term that is not opened")
         for number in range(len(key) - 2):
             env[f"@{number}"] = {f"@{number}": 1}
-        matrix = _with_names(tree[1])
+        matrix = with_names(tree[1])
         if _looked_at(self, matrix, env):
             return Fraction(1)
         raise Unknown("no value of a determinant")
@@ -188,14 +192,14 @@ class Witness:
         kind, name = key[:2]
         if kind == "prod":  # of factors one at the point: then P is one there
             return Fraction(1) if self._number(key[1]) == 1 else None
-        if kind == "opaque":
+        if kind in ("opaque", "word"):
             return self._opaque(key)
         if kind == "sum":  # of atoms that have been looked at
             return None
         if kind == "at" and name in self.entries:
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
-            return _Z if name == "z" else Fraction(1)
+            return _Z if name == "z" else self.at[name]
         if kind not in ("at", "entry", "coeff") or name not in self.recursions:
             raise Unknown(f"no value of {name} at a point")
         if name not in self.found:
@@ -238,13 +242,6 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
-
-
-def _with_names(tree: Any) -> Any:
-    """A text of a term with names for its indices."""
-    if not isinstance(tree, list):
-        return tree
-    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [_with_names(x) for x in tree]
 
 
 def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:

@@ -25,8 +25,9 @@ from collections.abc import Callable, Mapping
 from fractions import Fraction
 from typing import Any
 
+from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import OF_PARTS, inverts, known, names
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -40,7 +41,7 @@ _MOST_OPEN = 60  # definitions opened within each other
 
 
 # ---------------------------------------------------------------------- terms
-class Terms(Indefinite):
+class Terms(Indefinite, Chains):
     """Terms of a statement in a region, as rational functions of atoms.
 
     Parameters
@@ -108,6 +109,8 @@ class Terms(Indefinite):
             return env[tree[1]]
         if op == "sym" and tree[1] in self.statement["sizes"]:
             return {tree[1]: 1}
+        if op == "sym" and (d := self.definitions.get(tree[1])) and d[0] == "let" and not d[2]:
+            return self._index(d[3], {})
         if op in ("+", "-"):
             total = self._index(tree[1], env)
             for part in tree[2:]:
@@ -177,6 +180,9 @@ class Terms(Indefinite):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
+        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
+            i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
+            return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
@@ -281,9 +287,13 @@ class Terms(Indefinite):
         text, forms = opaque(tree, env, self.index)
         if self.within and self.within[1].intersection(names(tree)):
             raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
-        if inverts(tree, self.inverting):
+        if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def inverts(self, tree: Any) -> bool:
+        """Whether a term contains an inverse."""
+        return inverts(tree, self.inverting)
 
     def _meet(self, name: str, forms: Any) -> None:
         key = (name, *(form_key(self.region.reduce(x)) for x in forms))
@@ -333,14 +343,22 @@ class Terms(Indefinite):
             if m is not None and name in self.supported and self._outside(last, m):
                 return self.number(0)
             if not self._opens(d, last):
-                if self.within and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True:
+                if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
                 kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
+        return self.deeper(d, args, read)
+
+    def not_smaller(self, name: str, last: Form) -> bool:
+        """A value that may not be used, in a look at what a recursion is made of."""
+        return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
+        """What a definition says, unless too many are open."""
         self.depth += 1
         try:
             if self.depth > _MOST_OPEN:
-                raise Unknown(f"definition of {name} does not end")
+                raise Unknown(f"definition of {d[1]} does not end")
             return self._open(d, args, read)
         finally:
             self.depth -= 1
@@ -432,30 +450,34 @@ class Terms(Indefinite):
         if op == "T":
             return self.shape(tree[1], env)[::-1]
         if op == "block":
-            if any(len(row) != 1 for row in tree[1:]):
-                raise Unknown("blocks side by side at a generic index")
-            heights, widths = zip(*(self.shape(row[0], env) for row in tree[1:]), strict=True)
-            if any(self.region.reduce(plus(x, widths[0], -1)) for x in widths[1:]):
-                raise Undefined("sizes do not fit")
-            total: Form = {}
-            for h in heights:
-                total = plus(total, h)
-            return total, widths[0]
+            return self._blocks(tree, env)
         if op in ("sym", "at"):
             kind = self.known.kinds.get(tree[1])
             if op == "sym" and kind:
-                return self.index(kind[1], {}), self.index(kind[2], {}) if len(kind) > 2 else {"": 1}
+                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
             d = self.definitions[tree[1]]
             if d[0] == "rec":
                 self._need_one_shape(d)
                 return self.shape(d[4][0], {})
-            return self.shape(d[3], dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
+            inner = dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {}
+            if d[1] in self.recursive:  # what a first branch gives
+                self._need_one_shape(d)
+                return self.shape(d[3][2], inner)
+            return self.shape(d[3], inner)
         if op in ("/", "^"):
             return self.shape(tree[1], env)
         if op == "inv":
             return self.shape(tree[1], env)[::-1]
         if op == "subst":
             return self.shape(tree[2], env)
+        if op == "if":
+            both = [self.shape(x, env) for x in tree[2:]]
+            return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
+        if op == "sum":
+            found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
+            if any(tree[1] in form for form in found):
+                raise Unknown("a sum of matrices of different sizes")
+            return found
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -471,13 +493,26 @@ class Terms(Indefinite):
         if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
             raise Unknown("the size of a term that may be a matrix")
 
+    def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
+        """Size of a block matrix, whose blocks fit."""
+        shapes = [[self.shape(x, env) for x in row] for row in tree[1:]]
+        if any(self.region.reduce(plus(h, row[0][0], -1)) for row in shapes for h, _ in row) or any(
+                len(row) != len(shapes[0]) or any(self.region.reduce(plus(w, v, -1)) for (_, w), (_, v) in zip(row, shapes[0], strict=True)) for row in shapes):
+            raise Undefined("sizes of blocks do not fit")
+        height, width = Form(), Form()
+        for row in shapes:
+            height = plus(height, row[0][0])
+        for _, w in shapes[0]:
+            width = plus(width, w)
+        return height, width
+
     def _need_one_shape(self, d: Any) -> None:
-        """All values of a recursion have the shape of the first: an induction in which those of the values before are supposed."""
+        """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
         name, region = d[1], self.region
         if name not in self.kept:
             self.kept[name], self.region = True, Region([])
             try:
-                first, *others = (self.shape(tree, env) for tree, env in [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})])
+                first, *others = (self.shape(tree, env) for tree, env in _branches(d))
                 keeps = all(shape == first for shape in others)
             except (Unknown, Undefined, Split, KeyError):
                 keeps = False
@@ -492,6 +527,8 @@ class Terms(Indefinite):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
+        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
+            return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
         if op == "col":
@@ -514,14 +551,25 @@ class Terms(Indefinite):
                 factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
             return factor * (self._chain(chain, i, j, env) if chain else self.number(1))
         if op == "block":
+            self._blocks(tree, env)
             for row in tree[1:]:
-                height = self.shape(row[0], env)[0] if self.is_matrix(row[0]) else {"": 1}
-                if self.region.holds(plus(height, i, -1)):
-                    return self.entry(row[0], i, j, env) if self.is_matrix(row[0]) else self.value(row[0], env)
-                i = self.region.reduce(plus(i, height, -1))
+                height = self.shape(row[0], env)[0]
+                if not self.region.holds(plus(height, i, -1)):
+                    i = self.region.reduce(plus(i, height, -1))
+                    continue
+                for x in row:
+                    width = self.shape(x, env)[1]
+                    if self.region.holds(plus(width, j, -1)):
+                        return self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env)
+                    j = self.region.reduce(plus(j, width, -1))
+                break
             raise Undefined("no entry there")
         if op == "/":
             return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
+        if op == "if":
+            return self.entry(tree[2 if self.condition(tree[1], env) else 3], i, j, env)
+        if op == "sum":
+            return self.matrix_sum(tree, env, lambda body, inner: self.entry(body, i, j, inner))
         if self._is_power_of_number(tree, env):
             return self.value(tree, env)
         if op in ("inv", "^", "subst"):
@@ -560,33 +608,16 @@ class Terms(Indefinite):
         return scalars, chain
 
     def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Entry (i, j) of a product; one with an inverse or a power is not opened, and p(F) is the sum of p_k F^k."""
+        """Entry (i, j) of a product; one with an inverse, a power, p(F) or a matrix variable is a sum of words."""
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
-        for k, part in enumerate(parts):
-            if not isinstance(part, int) and part[0] == "subst":
-                return self._polynomial_in(parts, k, i, j, env)
-        if any(not isinstance(x, int) and x[0] in ("inv", "^") and not self._is_power_of_number(x, env) for x in parts):
-            return self.opaque(["*", *parts] if len(parts) > 1 else parts[0], env, i, j)
+        if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
+                any(self.known.has_letters(x) for x in parts)):
+            return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
         _, width = self.shape(parts[0], env)
         return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
-
-    def _polynomial_in(self, parts: list, at: int, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product with p(F) as its factor at a place, for a polynomial p = X_t with exponents 0 .. t."""
-        _, p, matrix = parts[at]
-        if p[0] != "at" or p[1] not in self.supported or self.limited:
-            raise Unknown("a value of a polynomial whose degree is not known")
-        degree, name = self.index(p[-1], env), f"@{len(env)}"
-
-        def term(terms: Terms, k: Form) -> Symbolic:
-            power = [*parts[:at], ["^", matrix, ["sym", name]], *parts[at + 1:]]
-            return terms.coefficient(p, k, env) * terms._chain(power, i, j, {**env, name: k})
-
-        if not self.region.holds(degree):
-            raise Unknown("a polynomial of negative index")
-        return self.total({}, degree, term)
 
 
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
@@ -596,7 +627,7 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 
 
 def _atom_text(key: tuple) -> str:
-    if key[0] == "opaque":
+    if key[0] in ("opaque", "word"):
         return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"
     if key[0] in BOUND:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
@@ -609,3 +640,12 @@ def _form_text(form: tuple) -> str:
     parts = [n.replace(INDEX, "t") if c == 1 else f"{c}{n.replace(INDEX, 't')}" for n, c in form if n]
     constant = dict(form).get("", 0)
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
+
+
+def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
+    """Initial values and the step of a recursion; both branches of a function that is given by cases."""
+    if d[0] == "rec":
+        return [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})]
+    if d[3][0] != "if":
+        raise Unknown(f"the shape of {d[1]}")
+    return [(x, {p: {f"@{p}": 1} for p in d[2]}) for x in d[3][2:]]

@@ -13,7 +13,8 @@ fact           follows from
 ``charpoly``   charpoly(A) = p for n > 0, if A has ones right above the diagonal and zeros above these, and there are polynomials
                v_1, .., v_n with v_n = 1 and v'(z - A) = (p, 0, .., 0)
 ``laurent``    N/D = x_0 + x_1/z + .. + x_K/z^K + .. at infinity, if D is monic of degree d, N of degree d at most, and
-               D_d x_k + .. + D_(d-k) x_0 = N_(d-k) for k = 0, .., K: these equations have one solution, as D_d = 1
+               D_d x_k + .. + D_(d-k) x_0 = N_(d-k) for k = 0, .., K: these equations have one solution, as D_d = 1;
+               the same for all k >= 0
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -174,11 +175,11 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
 
 def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
     says = lemma["says"]
-    if says[0] != "forall" or says[2] != 0 or says[4][0] != "=" or len(says[4]) != 3:
-        raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K")
-    _, k, _, high, (_, left, x) = says
+    if not (says[0] == "always" or says[0] == "forall" and says[2] == 0) or says[-1][0] != "=" or len(says[-1]) != 3:
+        raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K, or for all k")
+    k, (_, left, x) = says[1], says[-1]
     if left[0] != "laurent" or left[1][0] != "/" or left[2] != ["sym", k] or proof.is_bound(k, env):
-        raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K")
+        raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K, or for all k")
     _, above, below = left[1]
     if k in _mentioned([above, below]):
         raise Rejected(f"{name}: N and D have nothing to do with k")
@@ -202,7 +203,8 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
 
     proof.close(region, top, uses, names, f"{name}: D is monic")
     proof.close(region.and_(plus(plus({"z": 1}, degree, -1), _ONE, -1)), beyond, uses, names, f"{name}: degrees")
-    proof.close(region.and_({k: 1}, plus(terms.index(high, env), {k: 1}, -1)), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
+    least = [plus(terms.index(says[3], env), {k: 1}, -1)] if says[0] == "forall" else []
+    proof.close(region.and_({k: 1}, *least), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
 
 
 def _mentioned(tree: Any) -> set[str]:

@@ -48,6 +48,7 @@ class Indefinite:
     entry: Callable[..., Symbolic]
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
+    again: Callable[[tuple], Symbolic]
     _call: Callable[..., Symbolic]
 
     def total(self, low: Form, high: Form, summand: Callable[[Any, Form], Symbolic]) -> Symbolic:
@@ -201,6 +202,8 @@ class Indefinite:
             return (self._sum_to if key[0] == "sum" else self._product_to)(key[1], forms[0])
         if key[0] == "opaque":
             return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
+        if key[0] == "word":
+            return self.again(key)
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})

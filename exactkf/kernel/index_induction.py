@@ -7,10 +7,14 @@ between bounds; the hypothesis of the induction and the lemmas before may be use
 places. In each region of the parameters the equation then has to follow from them by elimination
 of atoms that they contain linearly with a constant factor.
 
-Definitions that the statement makes, and nothing else, enter; its hypotheses are not needed. So everything is said of
+Definitions that the statement makes enter; its hypotheses are needed seldom. Without them everything is said of
 elements of the field of rational functions in the variables, and carries over to every instance on which the conclusion
 has a value. In that field recursions must have values, and nothing that is divided by may be zero, in a lemma
 neither: `exactkf.kernel.defined` sees to that.
+
+A use may be of a hypothesis that says equations. Then everything is said of the numbers of an instance: recursions have values there,
+as they are well-founded and nothing is divided by; what is divided by all the same, in any lemma, must be
+a difference that a hypothesis says is not zero, or a variable of a type that says so.
 
 Main definitions
 ----------------
@@ -30,7 +34,7 @@ from typing import Any
 from exactkf.kernel.defined import Witness, ill_founded
 from exactkf.kernel.generic import Terms
 from exactkf.kernel.generic_facts import FACTS, determinant, unit_triangular
-from exactkf.kernel.numbers import Rejected, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
@@ -38,7 +42,7 @@ from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
-_FIRST = ("opaque", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -57,6 +61,8 @@ def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> 
         for lemma in evidence["lemmas"]:
             proof.lemma(lemma)
         proof.conclude(evidence)
+        if proof.assumes and proof.at_point:
+            raise Rejected(f"a hypothesis is used, and none says that {proof.at_point[0]} is not zero")
     except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
         raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
     return proof.denominators
@@ -74,6 +80,8 @@ class _Proof:
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
         self.not_zero: set[frozenset] = set()
+        self.assumes = False  # a hypothesis has been used
+        self.at_point: list[str] = []  # what is not zero because of a point, and perhaps zero on an instance of the hypotheses
         names = _RESERVED & {*statement["sizes"], *(name for name, _ in statement["over"]), *(d[1] for d in statement["where"])}
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
@@ -84,7 +92,7 @@ class _Proof:
                 with suppress(Unknown):
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
-        self.witness, self.ill_founded = Witness(statement, self.sizes), ill_founded(statement, self.sizes)
+        self.witnesses, self.ill_founded = [Witness(statement, self.sizes, number) for number in (1, 0)], ill_founded(statement, self.sizes)
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -227,6 +235,9 @@ class _Proof:
                 places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
                 yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
             return
+        if "given" in use:
+            yield from self._assumed(terms, use, names)
+            return
         number = use["lemma"]
         if type(number) is not int or not 0 <= number < len(self.lemmas):
             raise Rejected(f"there is no lemma {number} here")
@@ -242,6 +253,40 @@ class _Proof:
         elif not terms.region.holds(plus(t, {"": lemma.get("from", 0)}, -1)):
             return
         yield from self._said(terms, lemma["says"], {lemma["index"]: t}, places)
+
+    def _assumed(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
+        """Equations that a hypothesis says at the places given."""
+        formula = next((formula for label, formula, _ in self.statement["given"] if label == use["given"]), None)
+        if formula is None:
+            raise Rejected(f"there is no hypothesis {use['given']!r}")
+        self.assumes = True
+        with suppress(Unknown):  # places of another part
+            places = {name: terms.index(tree, names) for name, tree in use["at"].items()}
+            yield from self._said(terms, formula, {}, places)
+
+    def _is_granted(self, terms: Terms, p: Mapping[int, int]) -> bool:
+        """A hypothesis, or the type of a variable, says that a polynomial is not zero."""
+        places = _places(p)
+        kinds = dict(self.statement["over"])
+        if len(p) == 1 and len(places) == 1 and (key := terms.atoms[min(places)])[0] == "at" and kinds.get(key[1], ("",))[0] in ("nonzero", "positive"):
+            return True
+        for _, formula, _ in self.statement["given"]:
+            if formula[0] == "!=":
+                with suppress(Unknown, Undefined, Split):
+                    x = terms.value(formula[1], {}) - terms.value(formula[2], {})
+                    if not x.den and (x.num == p or x.num == {k: -c for k, c in p.items()}):
+                        return True
+        return False
+
+    def _is_not_zero(self, terms: Terms, p: dict[int, int]) -> bool:
+        """At one of the points a polynomial is not zero."""
+        return any(witness.is_not_zero(terms, p) for witness in self.witnesses)
+
+    def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations) -> bool:
+        """What a polynomial is by the equations used here is not zero."""
+        known.again(_places(p))
+        equal = known.reduced(Symbolic(terms.field, dict(p), 1, ())).num
+        return bool(equal) and self._is_not_zero(terms, equal)
 
     def _said(self, terms: Terms, says: Any, env: dict[str, Form], places: Mapping[str, Form]) -> Iterator[Symbolic]:
         if says[0] == "and":
@@ -311,13 +356,16 @@ class _Proof:
             if key in self.not_zero:
                 continue
             text = terms.field.text(f)
-            if not self.witness.is_not_zero(terms, f):
-                known.again(_places(f))
-                equal = known.reduced(Symbolic(terms.field, f, 1, ())).num  # what it is by the equations used here
-                if not (equal and self.witness.is_not_zero(terms, equal)):
-                    raise Rejected(f"{place}: nothing tells that {text} is not zero")
-            else:  # whatever the indices are; the equations hold here
-                self.not_zero.add(key)
+            given = self._is_granted(terms, f)
+            if not given:
+                self.at_point.append(text)
+            if self._is_not_zero(terms, f):
+                if not given:  # whatever the indices are
+                    self.not_zero.add(key)
+            elif given:  # by a hypothesis, which is used that way
+                self.assumes = True
+            elif not self._equal_is_not_zero(terms, f, known):
+                raise Rejected(f"{place}: nothing tells that {text} is not zero")
             if text not in self.denominators:
                 self.denominators.append(text)
 

@@ -12,10 +12,9 @@ from math import ceil, floor, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.linear import Matrix
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["around", "does_not_escape", "enclosed", "generator", "is_schur", "product", "stable_factor"]
+__all__ = ["Interval", "around", "does_not_escape", "enclosed", "generator", "is_schur", "minus", "product", "stable_factor"]
 
 Interval = tuple[int, int]
 
@@ -72,7 +71,8 @@ def _times(x: Interval, y: Interval, bits: int) -> Interval:
     return min(products) >> bits, -(-max(products) >> bits)
 
 
-def _minus(x: Interval, y: Interval) -> Interval:
+def minus(x: Interval, y: Interval) -> Interval:
+    """An interval around all differences."""
     return x[0] - y[1], x[1] - y[0]
 
 
@@ -106,33 +106,33 @@ def _all_inside(rest: list[Interval], bits: int) -> bool | None:
             return False
         if not (-one < k[0] and k[1] < one):
             return None
-        u = _inverse(_minus((one, one), _times(k, k, bits)), bits)
-        rest = [_times(_minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
+        u = _inverse(minus((one, one), _times(k, k, bits)), bits)
+        rest = [_times(minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
     return True
 
 
-def stable_factor(D: list, center: list[int], bits: int) -> list[Interval]:
+def stable_factor(D: list[Interval], center: list[int], bits: int) -> list[Interval]:
     """Intervals around the coefficients of the monic w with all zeros inside the circle and w(z) w(1/z) = c D(z) for some c.
 
-    D is given as z^m D, without zeros on the circle; the center is close to 2^bits (w_0, ..., w_{m-1}, c).  With F_k = sum_j w_j w_{j+k} - c d_k, k =
-    0, ..., m, a box X around the center y, and Y near the inverse of the Jacobian at y, F has a zero in
-    K = y - Y F(y) + (I - Y F'(X)) (X - y) if K lies in X (Krawczyk).  All polynomials in K have their zeros inside, and there is one such w only.
+    D is given as intervals around z^m D, palindromic and without zeros on the circle; the center is close to 2^bits (w_0, ..., w_{m-1}, c).
+    With F_k = sum_j w_j w_{j+k} - c d_k, k = 0, ..., m, a box X around the center y, and Y near the inverse of the Jacobian at y, F has a zero in
+    K = y - Y F(y) + (I - Y F'(X)) (X - y) if K lies in X (Krawczyk), whatever D is within its intervals.  All polynomials in K have their zeros
+    inside, and there is one such w only.
     """
     m, one, rho = len(D) // 2, 1 << bits, 1 << bits - 2 * bits // 5
     if len(center) != m + 1:
         raise Undefined("the center has another length than the unknowns")
-    d = [around(x, bits) for x in D[m:]]
+    d = D[m:]
     y = [(v, v) for v in center]
     w, c = [*y[:m], (one, one)], y[m]
-    rest = [_minus(_sum([_times(w[j], w[j + k], bits) for j in range(m + 1 - k)]), _times(c, d[k], bits)) for k in range(m + 1)]
+    rest = [minus(_sum([_times(w[j], w[j + k], bits) for j in range(m + 1 - k)]), _times(c, d[k], bits)) for k in range(m + 1)]
     at_y = _jacobian(w, d)
-    inverse = Matrix([[Fraction(x[0] + x[1], 2 * one) for x in row] for row in at_y]).inverse()
-    Y = [[_rational(x, bits) for x in row] for row in inverse.rows]
+    Y = [[(x, x) for x in row] for row in _near_inverse([[x[0] + x[1] >> 1 for x in row] for row in at_y], bits)]
     J = _jacobian([*((v - rho, v + rho) for v in center[:m]), (one, one)], d)
     out = []
     for i, row in enumerate(Y):
-        moved = _minus(y[i], _sum([_times(a, b, bits) for a, b in zip(row, rest, strict=True)]))
-        wrong = [_minus((one, one) if i == j else (0, 0), _sum([_times(a, b, bits) for a, b in zip(row, column, strict=True)]))
+        moved = minus(y[i], _sum([_times(a, b, bits) for a, b in zip(row, rest, strict=True)]))
+        wrong = [minus((one, one) if i == j else (0, 0), _sum([_times(a, b, bits) for a, b in zip(row, column, strict=True)]))
                  for j, column in enumerate(zip(*J, strict=True))]
         out.append(_sum([moved, *(_times(x, (-rho, rho), bits) for x in wrong)]))
     if not all(v - rho < lo and hi < v + rho for (lo, hi), v in zip(out, center, strict=True)) or out[m][0] <= 0 <= out[m][1]:
@@ -140,6 +140,24 @@ def stable_factor(D: list, center: list[int], bits: int) -> list[Interval]:
     if _all_inside([*out[:m], (one, one)], bits) is not True:
         raise Undefined("the spectral factor enclosed may have a zero outside the circle")
     return [*out[:m], (one, one)]
+
+
+def _near_inverse(rows: list[list[int]], bits: int) -> list[list[int]]:
+    """Near the inverse of a matrix over 2^bits; nothing rests on how near.  By Gauss and Jordan's elimination with twice the bits."""
+    n = len(rows)
+    work = [[x << bits for x in row] + [int(i == j) << 2 * bits for j in range(n)] for i, row in enumerate(rows)]
+    for k in range(n):
+        pivot = max(range(k, n), key=lambda i: abs(work[i][k]))
+        work[k], work[pivot] = work[pivot], work[k]
+        lead = work[k][k]
+        if lead == 0:
+            raise Undefined("a matrix is nearly singular")
+        work[k] = [(x << 2 * bits) // lead for x in work[k]]
+        for i, row in enumerate(work):
+            f = row[k]
+            if i != k and f:
+                work[i] = [x - (f * y >> 2 * bits) for x, y in zip(row, work[k], strict=True)]
+    return [[x >> bits for x in row[n:]] for row in work]
 
 
 def _jacobian(w: list[Interval], d: list[Interval]) -> list[list[Interval]]:
@@ -176,10 +194,10 @@ def does_not_escape(Q: list, S: list, steps: int, bits: Any) -> bool:
     q, s = ([around(x, bits) for x in p] for p in (Q, S))
     for _ in range(steps):
         g = s[-2]
-        r = _minus((one, one), _times(g, g, bits))
+        r = minus((one, one), _times(g, g, bits))
         if r[0] <= 0 <= r[1]:
             return False
         u = _inverse(r, bits)
         pairs = list(zip(q, [(0, 0), *s[:-1]], strict=True))
-        q, s = ([_times(_minus(x, _times(g, y, bits)), u, bits) for x, y in pairs], [_times(_minus(y, _times(g, x, bits)), u, bits) for x, y in pairs])
+        q, s = ([_times(minus(x, _times(g, y, bits)), u, bits) for x, y in pairs], [_times(minus(y, _times(g, x, bits)), u, bits) for x, y in pairs])
     return True

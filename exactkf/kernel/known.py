@@ -14,8 +14,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-__all__ = ["OF_PARTS", "Known", "inverts", "known", "names"]
+__all__ = ["MATRICES", "OF_PARTS", "Known", "inverts", "known", "names"]
 
+#: types of matrices
+MATRICES = ("matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal")
+#: types of numbers and polynomials
 _NUMBERS = ("scalar", "nonzero", "positive", "nonneg", "integer", "poly", "monic")
 _OF_NUMBERS = {"rat", "z", "coeff", "laurent", "det", "tr", "entry", "charpoly", "rev", "cospi", "sqrt", "abs", "rank", "deg", "nrows", "ncols"}
 #: operations that are numbers if these arguments are
@@ -32,6 +35,7 @@ class Known:
     recursive, inverting : definitions that are recursive, that invert matrices
     in_z : names whose value depends on z
     kept : recursions, with whether all their values are of one shape
+    matrices, symmetric : matrix variables that are no columns, and those that are symmetric by their type
     """
 
     def __init__(self, statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> None:
@@ -42,6 +46,10 @@ class Known:
         self.in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
         self.inverting = _spread(definitions, inverts)
         self.kept: dict[str, bool] = {}
+        self.matrices = {name for name, kind in self.kinds.items() if kind[0] in MATRICES and kind[-1] != 1}
+        self.symmetric = {name for name, kind in self.kinds.items() if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
+        self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(names(tree)))
+        self._with_letters: dict[int, tuple[Any, bool]] = {}
         self._with_z: dict[int, tuple[Any, bool]] = {}
         self._matrices: dict[int, tuple[Any, bool]] = {}
         self._others: dict[int, tuple[Any, bool]] = {}
@@ -55,6 +63,14 @@ class Known:
         if id(tree) not in self._with_z:
             self._with_z[id(tree)] = tree, _mentions_z(tree, self.in_z)
         return self._with_z[id(tree)][1]
+
+    def has_letters(self, tree: Any) -> bool:
+        """Whether a term contains a matrix variable, itself or by the names of definitions that do."""
+        if not self.matrices or isinstance(tree, int):
+            return False
+        if id(tree) not in self._with_letters:
+            self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(names(tree))
+        return self._with_letters[id(tree)][1]
 
     def is_matrix(self, tree: Any) -> bool:
         """Whether a term is a matrix, perhaps of one row and one column."""
@@ -71,11 +87,14 @@ class Known:
             return self.is_matrix(tree[1 if tree[0] == "^" else 2])
         if tree[0] in ("sym", "at"):
             d, kind = self.definitions.get(tree[1]), self.kinds.get(tree[1])
-            if tree[0] == "sym" and kind and kind[0] in ("vector", "matrix"):
+            if tree[0] == "sym" and kind and kind[0] in ("vector", *MATRICES):
                 return True
-            return d is not None and (self.is_matrix(d[4][0]) if d[0] == "rec" else len(d[2]) == len(tree) - 2 and self.is_matrix(d[3]))
-        if tree[0] == "/":
-            return self.is_matrix(tree[1])
+            if d is None or d[0] == "rec":
+                return d is not None and self.is_matrix(d[4][0])
+            body = d[3] if d[1] not in self.recursive else d[3][2] if d[3][0] == "if" else 0  # a recursion is what its first branch is
+            return len(d[2]) == len(tree) - 2 and self.is_matrix(body)
+        if tree[0] in ("/", "if", "sum"):
+            return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
     def others(self, tree: Any) -> bool:

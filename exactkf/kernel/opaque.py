@@ -10,6 +10,8 @@ Main definitions
 ----------------
 `opaque`
     The text of a term without its indices, and these.
+`with_names`
+    Such a text, read, with names for the indices.
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ from typing import Any
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.region import Form
 
-__all__ = ["opaque"]
+__all__ = ["opaque", "with_names"]
 
 #: operation -> positions of its indices; of those that bind, see _BINDS
 _INDICES = {"^": (2,), "coeff": (2,), "laurent": (2,), "entry": (2, 3), "rev": (2,), "I": (1,), "O": (1, 2)}
@@ -64,6 +66,13 @@ def opaque(tree: Any, env: Mapping[str, Form], index: Callable[[Any, Mapping[str
         return [op, *(place(a, bound) if k in _INDICES.get(op, ()) else walk(a, bound) for k, a in enumerate(x[1:], 1))]
 
     return json.dumps(walk(tree, frozenset())), forms
+
+
+def with_names(tree: Any) -> Any:
+    """The tree of a text with ``@0``, ``@1``, .. for its indices."""
+    if not isinstance(tree, list):
+        return tree
+    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [with_names(x) for x in tree]
 
 
 def _names(tree: Any) -> set[str]:

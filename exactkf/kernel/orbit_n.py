@@ -49,12 +49,13 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.intervals import around, does_not_escape, is_schur, product, stable_factor
-from exactkf.kernel.numbers import Laurent, Undefined, divide, fraction, sign
+from exactkf.kernel.intervals import around, does_not_escape, is_schur, product
+from exactkf.kernel.numbers import Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
-from exactkf.kernel.roots import circle_sign, count_circle, count_real, divmod_poly, gcd_poly
+from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly
+from exactkf.kernel.spectral import check_circle_part, enclosed_factor
 
 __all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
            "start_pair", "states", "step"]
@@ -209,8 +210,7 @@ def spectral_polynomial(Q: list, S: list) -> list:
 
 def spectral_sign(D: list) -> str:
     """The sign of D on the circle, from z^m D."""
-    m = len(D) // 2
-    return circle_sign(Laurent({k - m: c for k, c in enumerate(D)}))
+    return circle_sign_of(D)
 
 
 # ---------------------------------------------------------------------- behaviours
@@ -313,17 +313,14 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
 
 
 def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
-    """The same in intervals: D is the square of e, all of whose zeros are on the circle, times a part without zeros there."""
+    """The same in intervals."""
     field = next((x.field for x in D if isinstance(x, Algebraic)), None)
-    e = [_number(x, field) for x in evidence["circle"]]
+    e, pairs = [_number(x, field) for x in evidence["circle"]], [(fraction(lo), fraction(hi), k) for lo, hi, k in evidence.get("pairs", ())]
     bits, center = evidence["bits"], evidence["center"]
     _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
-    _need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
-    _need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
-    rest, left = divmod_poly(D, _product(e, e))
-    _need(not left and (len(rest) == 1 or spectral_sign(rest) in ("+", "-")), "D has other zeros on the circle than the squares of e")
-    w = stable_factor(rest, center, bits) if len(rest) > 1 else [around(Fraction(1), bits)]
-    full = product(product(w, [around(x, bits) for x in e], bits), [around(x, bits) for x in reduced.removed], bits)
+    check_circle_part(D, e, pairs)
+    w = enclosed_factor(D, e, pairs, center, bits)
+    full = product(w, [around(x, bits) for x in reduced.removed], bits)
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
         _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)

@@ -15,12 +15,14 @@ References: Schur (1917), Cohn (1922), Sturm (1829), Yun (1976).
 
 from __future__ import annotations
 
+from fractions import Fraction
+from math import gcd, lcm
 from typing import Any
 
 from exactkf.kernel.linear import Matrix, inertia
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 
-__all__ = ["chebyshev", "circle_sign", "count_circle", "count_real", "divmod_poly", "gcd_poly", "squarefree"]
+__all__ = ["chebyshev", "circle_sign", "circle_sign_of", "count_circle", "count_real", "divmod_poly", "gcd_poly", "squarefree"]
 
 
 def _trim(p: list) -> list:
@@ -83,17 +85,46 @@ def count_real(p: list, lo: Any, hi: Any) -> int:
     p = _trim(p)
     if not p:
         raise Undefined("the zero polynomial has no root count")
-    p = divmod_poly(p, gcd_poly(p, _derivative(p)))[0] if len(p) > 1 else p
-    chain = [p, _derivative(p)]
-    while chain[-1]:
-        chain.append([-c for c in divmod_poly(chain[-2], chain[-1])[1]])
-    chain.pop()
+    chain = _sturm_chain(p)
+    if len(chain[-1]) > 1:  # multiple roots: the chain divided by the last is one of the square-free part
+        chain = [divmod_poly(q, chain[-1])[0] for q in chain]
 
     def changes(x: Any) -> int:
         signs = [s for s in (sign(_at(q, x)) for q in chain) if s]
         return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
 
     return changes(lo) - changes(hi)
+
+
+def _sturm_chain(p: list) -> list[list]:
+    """p, its derivative, and the negative remainders, the last of which is the greatest common divisor; each up to a positive factor."""
+    rational = all(isinstance(c, (int, Fraction)) for c in p)
+    chain = [_primitive(p), _primitive(_derivative(p))] if rational else [p, _derivative(p)]
+    while chain[-1]:
+        rest = _integral_remainder(chain[-2], chain[-1]) if rational else divmod_poly(chain[-2], chain[-1])[1]
+        chain.append([-c for c in rest])
+    chain.pop()
+    return chain
+
+
+def _primitive(p: list) -> list[int]:
+    """The polynomial with coprime integer coefficients that is a positive multiple of a rational one."""
+    common = lcm(*(c.denominator for c in p))
+    integral = [int(c * common) for c in p]
+    content = gcd(*integral) or 1
+    return [c // content for c in integral]
+
+
+def _integral_remainder(p: list[int], q: list[int]) -> list[int]:
+    """A positive multiple of the remainder of integer polynomials, in integers."""
+    lead, side = abs(q[-1]), 1 if q[-1] > 0 else -1
+    while len(p) >= len(q):
+        f, shift = side * p[-1], len(p) - len(q)
+        p = [lead * c for c in p]
+        for i, c in enumerate(q):
+            p[shift + i] -= f * c
+        p = _trim(p)
+    return _primitive(p) if p else []
 
 
 def _strip(p: list, root: int) -> tuple[list, int]:
@@ -162,13 +193,19 @@ def circle_sign(d: Laurent) -> str:
         return "0"
     m = d.degree
     g = chebyshev([d.get(k - m) for k in range(2 * m + 1)])
-    odd = any(k % 2 and count_real(f, -2, 2) - (_at(f, 2) == 0) > 0 for f, k in (squarefree(g) if len(g) > 1 else []))
-    if odd:
+    inside = [(count_real(f, -2, 2) - (_at(f, 2) == 0), k) for f, k in (squarefree(g) if len(g) > 1 else [])]
+    if any(count > 0 and k % 2 for count, k in inside):
         return "+-"
-    touches = _at(g, -2) == 0 or count_real(g, -2, 2) > 0
+    touches = _at(g, -2) == 0 or _at(g, 2) == 0 or any(count > 0 for count, _ in inside)
     # g keeps one sign on (-2, 2): any point that is not a root shows it
     x: Any = 0
     while _at(g, x) == 0:
         x = divide(x + 2, 3) if x else divide(g[-1] - g[-1] + 1, 7)  # a scalar of the type of the coefficients
     positive = sign(_at(g, x)) > 0
     return ("0+" if touches else "+") if positive else ("-0" if touches else "-")
+
+
+def circle_sign_of(D: list) -> str:
+    """The sign of D on the circle, from the list of the coefficients of z^m D."""
+    m = len(D) // 2
+    return circle_sign(Laurent({k - m: c for k, c in enumerate(D)}))

@@ -10,6 +10,7 @@ Main definitions
 `order`        the order of v as a root of unity, or None
 `first_zero`   the first t from 2 to a bound with y_t = 0, or None
 `zero_bound`   y_t is not 0 for any t beyond it, unless v is a root of unity
+`least_height` a height that is not zero, from below, for all numbers of bounded degree
 `sign_at`      the sign of y_t for t of any size, if y_t is not 0
 
 Main statements
@@ -29,7 +30,7 @@ Main statements
 5. *Height from below, x not integral.* Let x = z/n with z in Z[theta], and let a prime l divide n, exactly k times. If z is a unit modulo l
    (as in 1) then at every place over l both x and the larger of |v|, |1/v| are |n|^{-1}, and 2 h(v) = h(v) + h(1/v) >= k log l. For several
    such primes these numbers add up.
-6. *Height from below, in general.* Let v have degree at most D and not be a root of unity. If v is no algebraic
+6. *Height from below, in general.* Let v, not 0, have degree D at most and not be a root of unity. If v is no algebraic
    integer its Mahler measure M is at least 2 and h(v) >= 1/D. Else let f be the minimal polynomial, v_1..v_D its
    roots, p >= 4D a prime such that the v_i^p are distinct. Then f(v_i^p) = f(v_i)^p + p g(v_i) = p g(v_i), so
    that the product of the v_i^p - v_j is a multiple of p^D, and it is not 0, as otherwise v would be a root of unity.
@@ -59,7 +60,7 @@ from typing import Any
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["coefficients", "first_zero", "height", "modulus", "order", "sign_at", "value", "zero_bound"]
+__all__ = ["coefficients", "first_zero", "height", "least_height", "modulus", "order", "sign_at", "value", "zero_bound"]
 
 _MERSENNE = (61, 89, 107, 127, 521, 607)  # 2^k - 1 is prime
 _SMALL = [q for q in range(2, 1000) if all(q % k for k in range(2, isqrt(q) + 1))]
@@ -223,13 +224,17 @@ def zero_bound(x: list[Fraction], a: list[Fraction], modulus: list[Fraction]) ->
     part = _unit_denominator(x, modulus)
     if part > 1:
         return 1 + -(-top // (part.bit_length() - 1))
-    degree = 2 * (len(modulus) - 1)
+    return 1 + -(-top * least_height(2 * (len(modulus) - 1)) // 2)
+
+
+def least_height(degree: int) -> int:
+    """An N such that numbers of at most this degree, neither 0 nor roots of unity, have a height to base 2 of at least 1/N (statement 6)."""
     p = 4 * degree - 1
     for _ in range(degree.bit_length()):  # floor(log D) + 1 primes
         p += 1
-        while any(p % k == 0 for k in range(2, p)):
+        while any(p % k == 0 for k in range(2, isqrt(p) + 1)):
             p += 1
-    return 1 + -(-top * (2 * degree - 1) * (p + 1) // 2)
+    return (2 * degree - 1) * (p + 1)
 
 
 def _unit_denominator(x: list[Fraction], modulus: list[Fraction]) -> int:

@@ -15,16 +15,18 @@ delta = 2K (2K - 2) ... (2K - 2s + 2), where 2K is the degree of f.
 2. *No relation holds.*  Suppose prod l_i^{e_i} is a root of unity, e not zero, |e_k| the largest.  The
    function N(e) = h(prod l_i^{e_i}) satisfies the triangle inequality and N(qe) = |q|N(e), so it extends to rational exponents.  For an
    integer R > 1 Dirichlet's theorem gives integers n, 1 <= n_k <= R^{s-1}, with |n_i - n_k e_i/e_k| <= 1/R.  As
-   N(e) = 0, N(n) = N(n - (n_k/e_k) e) <= (1/R) sum h(l_i).  Numbers of degree at most delta, delta > 1, that
-   are neither 0 nor roots of unity have a height above 2/(delta log(3 delta)^3) (Voutier), so
-   for R above the sum over that number, prod l_i^{n_i} is a root of unity; its order is at most 2 delta^2, and |n_i| <= R^{s-1}.  Hence
+   N(e) = 0, N(n) = N(n - (n_k/e_k) e) <= (1/R) sum h(l_i).  Numbers of degree at most delta that are neither 0 nor roots of
+   unity have a height of at least 1/M, M as in `exactkf.kernel.rotation.least_height`, which proves it, so
+   for R above M sum h(l_i), prod l_i^{n_i} is a root of unity; its order is at most 2 delta^2, and |n_i| <= R^{s-1}.  Hence
    integers x, not all zero, of size at most B = 2 delta^2 R^{s-1} make sum x_i theta_i an integer -m.  With
    a_i = floor(2^b theta_i), the vector (x, sum x_i a_i + 2^b m) of the lattice of the rows
    (unit vector, a_i) and (0, 2^b) has a square length of at most s(s + 1) B^2.  A basis of the lattice
    whose Gram-Schmidt vectors are all longer shows that there is none.
 
-References: E. Landau, Bull. SMF 33 (1905); P. Voutier, Acta Arith. 74 (1996); J. H. Loxton, A. J. van der
-Poorten, Acta Arith. 42 (1983); A. K. Lenstra, H. W. Lenstra, L. Lovász, Math. Ann. 261 (1982).
+Voutier (Acta Arith. 74, 1996) has larger heights than 1/M, and so fewer bits of the angles would do; M needs no citation.
+
+References: E. Landau, Bull. SMF 33 (1905); J. H. Loxton, A. J. van der Poorten, Acta Arith. 42 (1983);
+A. K. Lenstra, H. W. Lenstra, L. Lovász, Math. Ann. 261 (1982).
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import generator
 from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import chebyshev
+from exactkf.kernel.rotation import least_height
 
 __all__ = ["CircleNumbers", "angle", "bound_of_relations", "check_independent", "is_relation"]
 
@@ -164,9 +167,9 @@ def is_relation(numbers: CircleNumbers, chosen: Sequence[int], exponents: Sequen
 
 
 def bound_of_relations(numbers: CircleNumbers, s: int) -> int:
-    """B of statement 2; log(3 delta) is at most 0.7 times the number of bits of 3 delta."""
+    """B of statement 2."""
     delta = numbers.degree(s)
-    R = s * numbers.log_norm() * delta * (3 * delta).bit_length() ** 3 + 1
+    R = s * numbers.log_norm() * least_height(delta) // 2 + 1
     return 2 * delta * delta * R ** (s - 1)
 
 

@@ -44,7 +44,8 @@ class LaTeX(Notation):
         "nrows": Form(Bind.ATOM, r"\operatorname{rows}\left(#1\right)"),
         "ncols": Form(Bind.ATOM, r"\operatorname{cols}\left(#1\right)"),
         "deg": Form(Bind.ATOM, r"\deg\left(#1\right)"),
-        "coeff": Form(Bind.PRODUCT, r"[z^{#2}]\,#1", (Bind.POWER, Bind.LOOSE)),
+        # the brackets in braces: at the head of a row of a matrix TeX would read them as an option
+        "coeff": Form(Bind.PRODUCT, r"{[z^{#2}]}\,#1", (Bind.POWER, Bind.LOOSE)),
         "roots_in": Form(Bind.ATOM, _COUNT % r"\left|z\right|<1"),
         "roots_on": Form(Bind.ATOM, _COUNT % r"\left|z\right|=1"),
         "roots_out": Form(Bind.ATOM, _COUNT % r"\left|z\right|>1"),
@@ -178,7 +179,7 @@ class LaTeX(Notation):
 
     def laurent(self, function: Any, k: Any) -> tuple[str, int]:
         power = str(-k) if isinstance(k, int) else f"-{self.script(k, Bind.POWER)}"
-        return rf"[z^{{{power}}}]_{{\infty}}\,{self.arg(function, Bind.POWER)}", Bind.PRODUCT
+        return rf"{{[z^{{{power}}}]}}_{{\infty}}\,{self.arg(function, Bind.POWER)}", Bind.PRODUCT
 
     def recip(self, poly: Any) -> tuple[str, int]:
         return self._value(poly, "1/z"), Bind.ATOM

@@ -127,9 +127,9 @@ class Statement:
     says : Expr
         The conclusion.
     over : mapping of name to type
-        The free variables, in order.
-    sizes : sequence of str
-        Names of the sizes (integers >= 0) that types and terms mention.
+        The free variables, in order. Here, in ``sizes`` and in ``tex`` a name is a str or the `Expr` of `symbols`.
+    sizes : sequence of names
+        The sizes (integers >= 0) that types and terms mention.
     where : sequence of definitions
         From `let`, `function`, `rec`; each may use those before it (and itself).
     given : sequence of hypotheses
@@ -140,20 +140,22 @@ class Statement:
     """
 
     says: Any
-    over: Mapping[str, tuple] | Sequence = ()
-    sizes: Sequence[str] = ()
+    over: Mapping[Any, tuple] | Sequence[Any] = ()
+    sizes: Sequence[Any] = ()
     where: Sequence[tuple] = ()
     given: Any = ()
-    tex: Mapping[str, str] = field(default_factory=dict)
+    tex: Mapping[Any, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         set_ = object.__setattr__
-        over = self.over.items() if isinstance(self.over, Mapping) else self.over
-        set_(self, "over", tuple((n, tuple(t)) for n, t in over))
+        # of a mapping put together from groups of variables, the last type of a name counts
+        over = {_name(n): t for n, t in self.over.items()}.items() if isinstance(self.over, Mapping) else self.over
+        set_(self, "over", tuple((_name(n), _type_of(n, t)) for n, t in over))
         hyps = self.given.items() if isinstance(self.given, Mapping) else self.given
         set_(self, "given", tuple(h if len(h) == 3 else (h[0], to_expr(h[1]).tree, "needed") for h in hyps))
-        set_(self, "sizes", tuple(self.sizes))
+        set_(self, "sizes", tuple(_name(n) for n in self.sizes))
         set_(self, "where", _flat(self.where))
+        set_(self, "tex", {_name(n): latex for n, latex in self.tex.items()})
         set_(self, "says", self.says.tree if isinstance(self.says, Expr) else self.says)
         _check(self)
 
@@ -174,6 +176,16 @@ class Statement:
     def digest_text(self) -> str:
         """One canonical line, the text that certificates hash."""
         return json.dumps(self.to_json(), separators=(",", ":"), sort_keys=True)
+
+
+def _name(name: Any) -> Any:
+    return name.tree[1] if isinstance(name, Expr) and isinstance(name.tree, tuple) and name.tree[0] == "sym" else name
+
+
+def _type_of(name: Any, kind: Any) -> tuple:
+    if not isinstance(kind, (tuple, list)):
+        raise BadInput(f"variable {name!r} has {kind!r} in place of a type; write matrix(n, n), scalar() or another of exactkf.language.TYPES")
+    return tuple(kind)
 
 
 def _flat(items: Iterable) -> tuple:
@@ -202,7 +214,13 @@ def as_tuples(value: Any) -> Any:
 
 
 def _check(statement: Statement) -> None:
-    known = set(statement.sizes) | {n for n, _ in tuple(statement.over)} | {d[1] for d in statement.where}
+    names = [*statement.sizes, *(n for n, _ in tuple(statement.over)), *(d[1] for d in statement.where)]
+    known = set(names)
+    for name in names:
+        if not isinstance(name, str):
+            raise BadInput(f"{name!r} is no name; name sizes and variables by a str or by what symbols('...') gives")
+        if names.count(name) > 1:
+            raise BadInput(f"name {name!r} is declared {names.count(name)} times among sizes, over and where; rename one")
     for name in statement.tex:
         if name not in known:
             raise BadInput(f"argument 'tex' = {dict(statement.tex)!r} prints {name!r}, which the statement does not have; leave it out")
@@ -212,6 +230,8 @@ def _check(statement: Statement) -> None:
             known_type = isinstance(type_[-1], tuple) and type_[-1][:1] in [(m,) for m in MATRICES] and len(type_[-1]) == TYPES[type_[-1][0]] + 1
         if not known_type:
             raise BadInput(f"variable {name!r} has unknown type {type_!r}; see exactkf.language.TYPES")
+        for extent in (*type_[1:-1], *type_[-1][1:]) if type_[0] in ("sequence_of", "signal_of") else type_[1:]:
+            _check_tree(extent, known)
     for definition in statement.where:
         if definition[0] == "let":
             _check_tree(definition[3], known | set(definition[2]))
@@ -221,8 +241,10 @@ def _check(statement: Statement) -> None:
             raise BadInput(f"definition {definition!r} is neither let nor rec")
     for label, formula, _kind in statement.given:
         _check_tree(formula, known)
+        _check_formula(formula, f"hypothesis {label!r}")
         _check_always(formula, False, f"hypothesis {label!r}")
     _check_tree(statement.says, known)
+    _check_formula(statement.says, "the conclusion")
     _check_always(statement.says, True, "the conclusion")
 
 
@@ -234,6 +256,14 @@ def _check_always(tree: Any, positive: bool, where: str) -> None:
         raise BadInput(f"{where} assumes or denies an 'always'; use forall with a bound, or conclude it")
     for k, part in enumerate(tree[1:], 1):
         _check_always(part, positive and tree[0] in ("and", "or", "forall", "exists", "always", "=>") and not (tree[0] == "=>" and k == 1), where)
+
+
+_TERMS = ("+", "-", "*", "/", "^", "neg", "abs", "rat", "T", "inv", "I", "O", "block", "rows", "sum", "prod", "entry")
+
+
+def _check_formula(tree: Any, where: str) -> None:
+    if isinstance(tree, int) or (isinstance(tree, tuple) and tree[:1] in [(op,) for op in _TERMS]):
+        raise BadInput(f"{where} is the term {Expr(tree)!r}, of which nothing is said; write an equation, an order or a property")
 
 
 _BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}

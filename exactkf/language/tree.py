@@ -80,9 +80,10 @@ class Expr:
         return text(self.tree)
 
     def __bool__(self) -> bool:
-        raise TypeError("a formula is data and has no truth value; verify it, or compare .tree")
+        raise TypeError("a formula is data and has no truth value; write & for 'and', | for 'or', (a < b) & (b < c) for a chain, and compare .tree")
 
     __hash__ = object.__hash__  # names are keys of mappings
+    __iter__ = None  # an index is an entry of a term, and a loop over the entries would not end
 
     def _nary(self, op: str, other: Any) -> Expr:
         left = self.tree
@@ -135,7 +136,7 @@ def to_expr(value: Any) -> Expr:
     if isinstance(value, Expr):
         return value
     if isinstance(value, bool) or not isinstance(value, (int, Fraction)):
-        raise BadInput(f"{value!r} is not exact: write an int, a Fraction or rational('1/3')")
+        raise BadInput(f"{' '.join(repr(value).split())} is not exact: write an int, a Fraction or rational('1/3')")
     if isinstance(value, int):
         return Expr(value)
     return Expr(("rat", value.numerator, value.denominator)) if value.denominator != 1 else Expr(value.numerator)

@@ -13,9 +13,8 @@ import click
 from pebble import ProcessExpired, ProcessPool
 
 from exactkf import __version__
-from exactkf._errors import BadInput
 from exactkf.cli import INTERRUPTED
-from exactkf.files import check_folder, check_target, dump_json, write_text
+from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.language import Statement
 from exactkf.lemma.outcome import Outcome
 from exactkf.lemma.prove import prove_lemma, read_file
@@ -39,7 +38,8 @@ def lemma_command(file: Path, json_file: Path | None, certificates: Path | None,
     if certificates:
         _write_certificates(outcome, certificates, file.stem)
     if json_file:
-        write_text(json_file, dump_json({"version": __version__, **outcome.to_json()}))
+        with reaching("--json", json_file):
+            write_text(json_file, dump_json({"version": __version__, **outcome.to_json()}))
     for line in outcome_lines(outcome):
         click.echo(line)
     return 0 if outcome.verdict == "proved" else 1
@@ -79,12 +79,10 @@ def _task(statement: Statement, time_limit: float, degree: int, seed: int) -> Ou
 
 def _write_certificates(outcome: Outcome, folder: Path, stem: str) -> None:
     """One file for each certificate; those of an earlier run of the same lemma go away."""
-    try:
+    with reaching("--certificates", folder):
         folder.mkdir(parents=True, exist_ok=True)
         for old in folder.glob("*.json"):
             if re.fullmatch(rf"{re.escape(stem)}-\d+-[a-z-]+\.json", old.name):
                 old.unlink()
         for k, certificate in enumerate(outcome.certificates, 1):
             write_text(folder / f"{stem}-{k}-{certificate['kind'].replace(' ', '-')}.json", dump_json(certificate, indent=None))
-    except OSError as error:
-        raise BadInput(f"argument --certificates = {str(folder)!r} cannot be written ({error.strerror or error}); choose another folder") from error

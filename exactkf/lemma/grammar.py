@@ -314,7 +314,8 @@ class _Parser:
             count = self._number()
             return self._node(("*", count, self._size_part()), token.start) if self._take("*") else count
         if token.text not in self.sizes:
-            raise self.fail(token.start, f"{token.text!r} is not a size; declare it with 'sizes {token.text}'")
+            comma = ", or part letters with commas" if token.text[0].isupper() else ""
+            raise self.fail(token.start, f"{token.text!r} is not a size; declare it with 'sizes {token.text}'{comma}")
         self.at += 1
         return self._node(("sym", token.text), token.start)
 

@@ -35,6 +35,7 @@ from typing import Any
 from flint import fmpq
 
 from exactkf._errors import BadInput
+from exactkf._wording import multiples_in_words
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
 from exactkf.finders.completion import Stuck
@@ -44,7 +45,7 @@ from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.kernel.words import size_tree
-from exactkf.language import Expr, Statement
+from exactkf.language import Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
 from exactkf.lemma.grammar import read_lemma
@@ -108,6 +109,8 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
         raise BadInput(f"argument 'time_limit' = {time_limit!r} is not a number of seconds; give a finite one above 0")
     if isinstance(degree, bool) or not isinstance(degree, int) or degree < 1:
         raise BadInput(f"argument 'degree' = {degree!r} is not a length of words; give a whole number, 1 or more")
+    if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
+        raise BadInput(f"argument 'seed' = {seed!r} is no seed; give a whole number, 0 or more")
     statement = _statement(lemma, sizes, over, where, given, says)
     with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
         return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(mutants)
@@ -130,9 +133,7 @@ def _statement(lemma: Any, sizes: Sequence[Any], over: Any, where: Sequence[tupl
     if lemma is None:
         if says is None:
             raise BadInput("argument 'says' is missing: the lemma claims nothing; pass a formula, or a Statement, text or Path as first argument")
-        names = [s.tree[1] if isinstance(s, Expr) else s for s in sizes]
-        variables = over.items() if isinstance(over, Mapping) else over
-        return _fitted(Statement(says=says, over=[(k.tree[1] if isinstance(k, Expr) else k, v) for k, v in variables], sizes=names, where=where, given=given))
+        return _fitted(Statement(says=says, over=over, sizes=sizes, where=where, given=given))
     used = [name for name, value in parts.items() if value] + ["says"] * (says is not None)
     if used:
         raise BadInput(f"argument {used[0]!r} is given beside a whole lemma; give one or the other")
@@ -289,7 +290,7 @@ class _Run:
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
         for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
             if self._keep(certificate):
-                return _HOW[certificate["kind"]].format(sum(len(terms) for terms in certificate["evidence"].get("terms", ())))
+                return _HOW[certificate["kind"]].format(multiples_in_words(certificate["evidence"]))
         return None
 
     def _in_parts(self) -> bool:
@@ -357,7 +358,7 @@ class _Run:
 
 _CONNECTIVES = ("and", "or", "not", "=>", "<=>")
 _HOW = {
-    "membership": "a sum of {} multiples of the assumptions, expanded in words of letters",
+    "membership": "{}, expanded in words of letters",
     "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
     "identity": "an identity of rational functions in the entries",
     "word induction": "by induction, base and step in words of letters",

@@ -15,6 +15,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from exactkf._errors import BadInput
+from exactkf._wording import number_of
 from exactkf.language import Statement
 from exactkf.language.text import statement_text
 from exactkf.lemma.outcome import Outcome
@@ -51,7 +52,7 @@ def outcome_lines(outcome: Outcome) -> Iterator[str]:
     yield from _part("how far it got" if outcome.verdict == "open" else "what was checked", outcome.reached)
     yield from _part("to consider", outcome.warnings)
     yield ""
-    yield f"{outcome.checks} checks in {outcome.seconds:.3g} s, {len(outcome.certificates)} certificates"
+    yield f"{number_of(outcome.checks, 'check')} in {outcome.seconds:.3g} s, {number_of(len(outcome.certificates), 'certificate')}"
 
 
 def _part(title: str, lines: Any) -> Iterator[str]:

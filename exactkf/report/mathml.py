@@ -12,12 +12,13 @@ from markupsafe import Markup, escape
 __all__ = ["formula"]
 
 # relations and signs that the converter takes for identifiers, which would leave them without space
-_SIGNS = "⪰|≻|⟹|⟺|¬|∖|:|→|∼"
+_SIGNS = "⪰|≻|⟹|⟺|¬|:|→|∼"
 _REPAIRS = (
     (re.compile(r' xmlns="[^"]*"'), ""),  # HTML knows MathML
     # math fonts disagree on the size and height of a prime, text fonts do not
     (re.compile(r"<mi>′</mi>"), '<mpadded class="prime" voffset="-0.4em" height="0.5em"><mtext>′</mtext></mpadded>'),
     (re.compile(r"<mi>:</mi>\s*<mo>=</mo>"), "<mo>≔</mo>"),
+    (re.compile("<mi>[\u2216\u29f5]</mi>"), r"<mo>\\</mo>"),  # set minus, which common fonts lack
     (re.compile(r"<mo>/</mo>"), '<mo lspace="0" rspace="0">/</mo>'),
     # det, rank: an operator would stand apart from its argument
     (re.compile(r"<mo[^>]*>([a-z]{2,})</mo>"), r"<mi>\1</mi>"),

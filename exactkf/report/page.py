@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import inspect
+import re
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from exactkf import __version__
 from exactkf.claims import Claim
@@ -48,10 +50,18 @@ def render(results: Sequence[Mapping[str, Any]], claims: Mapping[str, Claim], pa
         loader=PackageLoader("exactkf.report"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
         undefined=StrictUndefined)
     environment.filters.update(formula=formula, describe=describe, ranges=ranges)
+    shown = {r["id"] for r in results}
+    environment.filters["linked"] = lambda line: _linked(line, shown)
     papers = [_paper(key, rows, claims, package) for key, rows in _grouped(results, "paper")]
     return environment.get_template("page.html").render(
         version=__version__, papers=papers, columns=[c for c in _COLUMNS if any(p["counts"][c] for p in papers)],
         totals=_totals(results), marks=_MARKS)
+
+
+def _linked(line: str, shown: Set[str]) -> Markup:
+    """A line with the ids of claims on the page as links to them."""
+    return Markup("").join(Markup('<a href="#{0}">{0}</a>').format(part) if part in shown else escape(part)
+                           for part in re.split(r"(?<![\w.-])([A-Z]+\d+-[\w.'-]*[\w'])", line))
 
 
 def _grouped(results: Iterable[Mapping[str, Any]], field: str) -> list[tuple[str, list]]:

@@ -42,14 +42,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations
+from math import isqrt
 
-from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly
+from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
 from exactkf._errors import BadInput
 from exactkf.theory._matrices import as_fmpq_mat
 from exactkf.theory._scalars import Scalar, Vector
 from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
 from exactkf.theory.orbits import exact_orbit, first_escape
+
+_PRIME = (1 << 61) - 1
+_MANY, _FEW = 1000, 4  # steps from which, and the order up to which, minors are quicker than stepping modulo a prime
 
 __all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of"]
 
@@ -176,12 +181,47 @@ def _arrive(a: Vector, g: Vector, steps: int) -> State:
         for row, (y,) in zip(total.tolist(), g_numerator.tolist(), strict=True)
     ]
     reduced, det, _ = fmpz_mat(rows).rref()
-    u = [reduced[i, n] for i in range(n)]  # det * P_T h
-    w = [reduced[i, n + 1] for i in range(n)]  # det * X_T'^{-1} g
+    # minors of a power of S have hardly more digits than its entries: nearly all of the powers of `lead` cancel
+    spare = characteristic.leading_coefficient() ** max(0, (e - 4 * n) * (n - 1))
+    det, *columns = _divided([det, *(reduced[i, k] for k in (n, n + 1) for i in range(n))], spare)
+    u, w = columns[:n], columns[n:]  # det * P_T h and det * X_T'^{-1} g
     r = det - u[0]  # det * r_T
     # F u = J u - a u_1, so q(T) r_T = a r_T + g - F u = a + g - J u.
     q_numerator = [det * (x + y) - z for x, y, z in zip(a, g, [*u[1:], 0], strict=True)]
     return tuple((x - y) / r for x, y in zip(q_numerator, w, strict=True)), tuple(fmpq(y, r) for y in w)
+
+
+def _divided(values: list[fmpz], factor: fmpz) -> list[fmpz]:
+    """Return the quotients if the factor divides all values, else the values."""
+    pairs = [divmod(x, factor) for x in values]
+    return values if any(rest for _, rest in pairs) else [quotient for quotient, _ in pairs]
+
+
+def _escape_excluded(a: Vector, g: Vector, steps: int) -> bool:
+    r"""Say whether a prime shows that there is no escape before `steps`: it divides no ``det X_t``, ``t <= steps + 1``.
+
+    ``det X_{t+1}`` is a multiple of :math:`\det X_t r_t`, and :math:`r_t` is the product of the :math:`1 - \gamma_k^2`, ``k < t``.  With
+    ``t = i + jB`` it is a sum of products of minors (Cauchy and Binet), and all are the entries of one product of matrices.
+    """
+    n, p, size = len(a), _PRIME, isqrt(steps + 1) + 1
+    numerator, denominator = symplectic_matrix_of(a, g).numer_denom()
+    if denominator % p == 0:
+        return False
+    S = nmod_mat(numerator, p) * int(pow(int(denominator), -1, p))
+    leap, minors = S**size, list(combinations(range(2 * n), n))
+
+    def read(matrix: nmod_mat, transposed: bool) -> list[int]:
+        table = [[int(matrix[j, i] if transposed else matrix[i, j]) for j in range(2 * n)] for i in range(n)]
+        return [int(nmod_mat(n, n, [row[j] for row in table for j in chosen], p).det()) for chosen in minors]
+
+    near, far = S**0, S**0
+    rows, columns = [], []
+    for _ in range(size):
+        rows.append(read(near, False))
+        columns.append(read(far, True))
+        near, far = near * S, far * leap
+    product = nmod_mat(size, len(minors), [x for row in rows for x in row], p) * nmod_mat(size, len(minors), [x for row in columns for x in row], p).transpose()
+    return all(map(int, product.entries()))
 
 
 def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
@@ -211,11 +251,12 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     >>> state_after([2], [-2], 1000).state, state_after([-2], [fmpq(1, 2)], 1000).escape
     (((0,), (0,)), 1)
     """
-    escape = first_escape(a, g, T)
-    if escape is not None:
-        return Arrival(None, escape)
     start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist())
     n = len(start)
+    excluded = isinstance(T, int) and T > _MANY and n <= _FEW and start[-1] + g_start[-1] != 0 and _escape_excluded(start, g_start, T)
+    escape = None if excluded else first_escape(a, g, T)
+    if escape is not None:
+        return Arrival(None, escape)
     if 2 * n >= T:
         return Arrival(exact_orbit(start, g_start, T).states[-1], None)
     if start[-1] + g_start[-1] != 0:

@@ -7,18 +7,21 @@ circle z + 1/z is 2 cos(theta).
 
 A stationary process is handled through its covariances. Random variables are
 rows of coefficients over the independent variables x_0, v_0, w_0, v_1, ...;
-with their covariance matrix ``G`` the product E{xi eta'} is xi G eta'. The
-covariance of the state is ``P``; stationarity makes the noise covariances
-Q = P - F P F', S = g - F P h, R = 1 - h' P h. The identities need no
-nonnegativity, so they are checked for every symmetric P.
+with their covariance matrix ``G`` the product E{xi eta'} is xi G eta'. For a
+proof for every n and every time the coefficients of x_0, v_s and w_s are kept
+apart, and E{xi eta'} is a sum over s. The covariance of the state is ``P``;
+stationarity makes the noise covariances Q = P - F P F', S = g - F P h,
+R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
+every symmetric P.
 """
 
-from exactkf.evidence import example, instances
+from exactkf.evidence import example, instances, lemma
 from exactkf.language import (
     Identity,
     T,
     Z,
     Zero,
+    always,
     block,
     coeff,
     defined,
@@ -69,6 +72,41 @@ def gram(q, s, r):
 #: the model with E y_t^2 = 1 and E{x_(t+1) y_t} = g
 MODEL = (*ROWS, gram(P - F * P * T(F), g - F * P * h, 1 - T(h) * P * h))
 
+# ---------------------------------------------------------------------- the model by its coefficients, for every n and m
+XX0, XV = symbols("X_0 X_v")
+#: x_t = X_0[t] x_0 + sum of X_v(s, t) v_s
+STATE = (rec(XX0, t, Identity(n), F * XX0[t]),
+         function(XV, [s, t], when(t == 0, Zero(n, n), F * XV(s, t - 1) + when(s == t - 1, Identity(n), Zero(n, n)))))
+#: noise covariances of a stationary model with E y_t^2 = 1 and E{x_(t+1) y_t} = g
+NOISE = (P - F * P * T(F), g - F * P * h, 1 - T(h) * P * h)
+
+
+def state(t):
+    """Coefficients of x_0, v_s and w_s in x_t."""
+    return XX0[t], XV(s, t), None
+
+
+def output(t):
+    """Those in y_t = h'x_t + w_t."""
+    return T(h) * XX0[t], T(h) * XV(s, t), when(s == t, 1, 0)
+
+
+def covariance(x, y, noise=NOISE, cov=P):
+    """E{x y'} for noise (v_s, w_s) of covariance [[q, r], [r', w]], s <= m, and x_0 of covariance ``cov``."""
+    (x0, xv, xw), (y0, yv, yw), (q, sv, w) = x, y, noise
+    each = xv * q * T(yv)
+    if yw is not None:
+        each = each + yw * (xv * sv)
+    if xw is not None:
+        each = each + xw * (T(sv) * T(yv))
+    if xw is not None and yw is not None:
+        each = each + xw * yw * w
+    return x0 * cov * T(y0) + sum_of(s, 0, m, each)
+
+
+#: x_t written out; for `generic_index`
+WRITTEN_OUT = (lemma(t, XX0[t] == F**t, rule=True), lemma(t, always(s, XV(s, t) == when(s < t, F ** (t - 1 - s), Zero(n, n))), rule=True))
+
 # ---------------------------------------------------------------------- Szego polynomials
 c, phi, phis, gam, r = symbols("c phi phis gamma r")
 
@@ -82,6 +120,17 @@ def szego(cov, names=(phi, phis, gam, r)):
         function(gamma, [t], sum_of(k, 0, t, coeff(f[t], k) * cov(k + 1)) / norm[t]),
         rec(norm, t, 1, (1 - gamma(t) ** 2) * norm[t]),
     )
+
+
+def combined(p, names):
+    """Coefficients in p_(t,0) y_0 + .. + p_(t,i) y_i, added up term by term, and those for `covariance`."""
+    of_0, of_v, of_w = names
+
+    def sums(before, place):
+        return when(i == 0, coeff(p[t], 0) * output(0)[place], before + coeff(p[t], i) * output(i)[place])
+
+    return (function(of_0, [t, i], sums(of_0(t, i - 1), 0)), function(of_v, [t, s, i], sums(of_v(t, s, i - 1), 1)),
+            function(of_w, [t, s, i], sums(of_w(t, s, i - 1), 2))), lambda t, i: (of_0(t, i), of_v(t, s, i), of_w(t, s, i))
 
 
 #: covariances of the model: c_k = h' F^(k-1) g, c_0 = 1

@@ -13,38 +13,44 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
-from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, kk, xh, yt
+from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, xh
 
 Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
     "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
-SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
 RICCATI = rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * T(g - F * Pi[t] * h))
 BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
 SAID = "Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model."
 
 # ---------------------------------------------------------------------- model and filter
 claim("BLM91-E1.1", "the model is stationary, with E y^2 = 1 and E x_(t+1) y_t = g",
-      forall(t, 0, m, (X[t] * G * T(X[t]) == P) & (X[t + 1] * G * T(Y(t)) == g) & (Y(t) * G * T(Y(t)) == Identity(1))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
-      by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2))], note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties.")
+      forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["n", "m"], over=SYSTEM, where=STATE,
+      by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2))],
+      note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties. X_0 and X_v are the coefficients of x_0 and v_s in x_t.")
 claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, RICCATI],
       by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
-OTHER = let(G2, T(X[0]) * P2 * X[0] + sum_of(k, 0, m + 1, T(vstack(V(k), W(k))) * block([[P2 - F * P2 * T(F), g - F * P2 * h], [T(g - F * P2 * h), 1 - T(h) * P2 * h]]) * vstack(V(k), W(k))))
-claim("BLM91-S1", "the gain is the same for all realizations", forall(t, 0, m, kk(t) == k2(t)), sizes=["n", "m"], over={**SYSTEM, P2: symmetric_matrix(n)},
-      where=[*FILTER, OTHER, function(k2, [t], 1 / r[t] * X[t + 1] * G2 * T(yt(t)))], by=BY, note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output.")
-claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, kk(t) * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM,
-      where=[*FILTER, RICCATI], by=BY, note="kk is the coefficient of the innovation in the projection, multiplied out by the scalar 1 - h'Pi_t h.")
+OTHER = {"noise": (P2 - F * P2 * T(F), g - F * P2 * h, 1 - T(h) * P2 * h), "cov": P2}
+claim("BLM91-S1", "the gain is the same for all realizations",
+      forall(t, 0, m, GAIN == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
+      over={**SYSTEM, P2: symmetric_matrix(n)}, where=[*MODELLED, *FORWARD],
+      by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), sums_with(phi, innovation, 4, **OTHER), supported=[phi, phis],
+                        uses=[use(v, i=t, t=t, row=row) for v in (3, 4)]), instances(n=(1, 2, 3), m=(1, 2))],
+      note="Two state covariances P and P2 with the same F, g, h, that is with the same covariances of the output. " + COEFFICIENTS)
+claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, GAIN * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM, where=[*MODELLED, *FORWARD, *SOLUTION],
+      by=[generic_index(*RICCATI_LEMMAS, **BY_RICCATI), instances(n=(1, 2, 3), m=(1, 2))],
+      note="The left side is the coefficient of the innovation in the projection, (2.17), multiplied out by the scalar 1 - h'Pi_t h. phi_g, phis_g and Pi_sum serve the proof alone. " + COEFFICIENTS)
 COV = function(cov, [t], xh(t) * G * T(xh(t)))
 claim("BLM91-E1.4", "the Riccati equation of the estimate", (cov(0) == Zero(n, n)) & forall(t, 0, m, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * inv(1 - T(h) * cov(t) * h) * T(g - F * cov(t) * h)),
       sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV], by=BY, note="cov(t) is the covariance of the projection of x_t on y_0 .. y_(t-1).")
 claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t] == cov(t)), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV, RICCATI], by=BY, note=SAID)
 
 # ---------------------------------------------------------------------- covariances and spectral density
-claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (Y(t + i) * G * T(Y(t)) == Y(i) * G * T(Y(0))) & (Y(0) * G * T(Y(0)) == Identity(1)))), sizes=["n", "m"], over=SYSTEM, where=MODEL,
-      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
+claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (covariance(output(t + i), output(t)) == covariance(output(i), output(0))) & (covariance(output(0), output(0)) == 1))),
+      sizes=["n", "m"], over=SYSTEM, where=STATE, by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
 claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
       by=[identity(n=range(0, 7)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
 claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
@@ -55,8 +61,9 @@ claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz ma
                     by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}), example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
       note=MA_NOTE + " Read as an equivalence of three: positive realness, a stochastic system, positive Toeplitz matrices. Between the two latter alone it fails as well: y_t = x_0 has c_k = 1, a stationary model with F = 1, and a singular T_1.")
-claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, (Y(i - 1) * G * T(Y(j - 1)))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
-      where=[*MODEL, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ], by=[identity(n=(1, 2), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))])
+claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, covariance(output(i - 1), output(j - 1))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
+      where=[*STATE, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ],
+      by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))])
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
 near_, grows_, kept = symbols("increment monotone positive")
 claim("BLM91-S5", "convergence of gain and covariance", (dist < rational("1/1000")) & (near_ < rational("1/1000")) & grows_, sizes=["n", "m"], over=STEADY_OVER,

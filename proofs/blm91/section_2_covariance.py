@@ -34,18 +34,20 @@ chi, gz, num, Q, S, R, Mk, b, x, y, p = symbols("chi gz num Q S R M b x y p")
 cc, Toep, ip, Cof, sigma = symbols("cov T pairing x sigma")
 
 # ---------------------------------------------------------------------- covariances of the model
-NOISY = (*ROWS, let(Q, P - F * P * T(F)), gram(Q, S, R))
+OWN_NOISE = (P - F * P * T(F), S, R)
+MODEL_OVER = {F: matrix(n, n), h: vector(n), P: symmetric_matrix(n), S: vector(n)}
+FIRST_COVARIANCE = covariance(state(1), output(0), OWN_NOISE)
 claim("BLM91-E2.1", "covariance of the state with older outputs",
-      forall(j, 0, m, forall(k, j, m, X[k + 1] * G * T(Y(j)) == F ** (k - j) * (X[1] * G * T(Y(0))))),
-      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), P: symmetric_matrix(n), S: vector(n), R: scalar()}, where=NOISY,
-      by=[identity(n=(1, 2, 3), m=(0, 1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      forall(j, 0, m, forall(k, j, m, covariance(state(k + 1), output(j), OWN_NOISE) == F ** (k - j) * FIRST_COVARIANCE)),
+      sizes=["n", "m"], over=MODEL_OVER, where=STATE,
+      by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="x_0 has covariance P, the noise (v_t, w_t) is white with covariance [[Q, S], [S', R]] and independent of x_0; "
-           "stationarity is Q = P - F P F', and g is E{x_1 y_0}.")
+           "stationarity is Q = P - F P F', and g is E{x_1 y_0}. X_0 and X_v are the coefficients of x_0 and v_s in x_t; the sums are over all noise up to time m.")
 
 claim("BLM91-E2.2", "covariances of the output",
-      forall(j, 0, m, forall(k, 1, m - j, Y(j + k) * G * T(Y(j)) == T(h) * F ** (k - 1) * (X[1] * G * T(Y(0))))),
-      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), P: symmetric_matrix(n), S: vector(n), R: scalar()}, where=NOISY,
-      by=[identity(n=(1, 2, 3), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      forall(j, 0, m, forall(k, 1, m - j, covariance(output(j + k), output(j), OWN_NOISE) == T(h) * F ** (k - 1) * FIRST_COVARIANCE)),
+      sizes=["n", "m"], over={**MODEL_OVER, R: scalar()}, where=STATE,
+      by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="c_k is E{y_(t+k) y_t}, the same for every t; model as for (2.1).")
 
 PHI = let(p, rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g)

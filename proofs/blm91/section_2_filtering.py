@@ -29,10 +29,25 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_gain import (
+    BACKWARD,
+    BY_RICCATI,
+    BY_SUMS,
+    COEFFICIENTS,
+    FORWARD,
+    GAIN,
+    MODELLED,
+    REVERSED,
+    RICCATI_LEMMAS,
+    SOLUTION,
+    SYSTEM,
+    from_the_past,
+    innovation,
+    sums_with,
+)
 from proofs.blm91.notation import *
 
-xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, bk, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y y_back F_m Q_m")
-SYSTEM = {F: matrix(n, n), h: vector(n), g: vector(n), P: symmetric_matrix(n)}
+xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y F_m Q_m")
 
 # ---------------------------------------------------------------------- estimates as projections
 FILTER = (*MODEL, REALIZED, *szego(c),
@@ -56,21 +71,24 @@ claim("BLM91-S17", "new noise is orthogonal to the past",
 claim("BLM91-E2.16", "the Kalman filter",
       forall(t, 0, m, xh(t + 1) == F * xh(t) + kk(t) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
       note=SAID + " The gain is (2.17), the estimate at time 0 is zero.")
-claim("BLM91-E2.17", "the gain is that of the Riccati equation",
-      forall(t, 0, m, kk(t) == (g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h)), sizes=["n", "m"], over=SYSTEM,
-      where=[*FILTER, rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * T(g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h))], by=BY,
-      note="(2.17) is the coefficient of the innovation in (2.16), which is checked there; here it is compared with (1.3), (1.4), "
-           "which the paper says can be derived from it.")
-claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
-      forall(t, 0, m, kk(t) == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
-      note=SAID + " From (2.1), shown for listed n and t, it is the reversal of phi_t, which holds for every t (BLZ94, (3.4)).")
-claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
-      forall(t, 0, m, substitute(phi[t], F) * g == X[t + 1] * G * T(bk(t))), sizes=["n", "m"], over=SYSTEM,
-      where=[*FILTER, function(bk, [t], sum_of(k, 0, t, coeff(phis[t], k) * Y(k)))], by=BY,
-      note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
-           "prediction from y_1 .. y_t) what k_t is to the innovation. As for (2.18), what is shown for listed sizes alone is (2.1).")
 claim("BLM91-E2.29", "the filter driven by the output",
       forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+
+# ---------------------------------------------------------------------- the gain, for every n and t
+claim("BLM91-E2.17", "the gain is that of the Riccati equation",
+      forall(t, 0, m, GAIN == (g - F * Pi[t] * h) / (1 - T(h) * Pi[t] * h)), sizes=["n", "m"], over=SYSTEM, where=[*MODELLED, *FORWARD, *SOLUTION],
+      by=[generic_index(*RICCATI_LEMMAS, **BY_RICCATI), instances(n=(1, 2, 3), m=(1, 2))],
+      note="(2.17) is the coefficient of the innovation in (2.16), which is checked there; here it is compared with (1.3), (1.4), "
+           "which the paper says can be derived from it. phi_g, phis_g and Pi_sum serve the proof alone. " + COEFFICIENTS)
+claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
+      forall(t, 0, m, GAIN == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM,
+      where=[*MODELLED, *FORWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
+      note="k_t is (2.17), E{x_(t+1) y~_t}/r_t. " + COEFFICIENTS)
+claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
+      forall(t, 0, m, substitute(phi[t], F) * g == covariance(state(t + 1), from_the_past(t, t))), sizes=["n", "m"], over=SYSTEM,
+      where=[*MODELLED, *BACKWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phis, from_the_past), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
+      note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
+           "prediction from y_1 .. y_t) what k_t is to the innovation. " + COEFFICIENTS.replace("y~_t is a sum with the coefficients of phi_t", "it is a sum with the coefficients of phi_t*").replace("ytilde", "yback"))
 
 # ---------------------------------------------------------------------- the fast algorithm
 fp, fps = symbols("phi_F phi_star_F")

@@ -21,7 +21,7 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, steps
+from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -52,7 +52,8 @@ claim("BLM91-S54", "positive real data: q*_t tends to zero, Q_t and its limit ar
            "that source contains it is not judged. m is the time t.")
 claim("BLM91-S55", "only first components: the scalar algorithm",
       always(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1)), sizes=["n"], over={al0: scalar(), ga0: scalar()},
-      where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], by=[induction(n=range(1, 6)), instances(n=(1, 2, 3))])
+      where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(lemma(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1), rule=True)), instances(n=(1, 2, 3))])
 
 # ---------------------------------------------------------------------- kappa infinite
 INFINITE = (let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT)

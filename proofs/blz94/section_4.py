@@ -58,6 +58,7 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
+from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
 from proofs.blz94.notation import (
@@ -195,19 +196,19 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
            "sets are defined. gamma_{n-1} = 1 and -1 are allowed.")
 
 # ---------------------------------------------------------------------- the algorithm in the new coordinates
-claim("BLZ94-L4.2", "a step of the fast algorithm deletes the first Schur parameter",
-      always(t, gamma(t + 1, m) == gamma(t, m + 1)), sizes=["n"], over={a0: vector(n), g0: vector(n), m: integer(0, 3)},
-      where=[*FAST, *INVERSE[:-1]],
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)],
-      note="gamma(t, m) is the m-th Schur parameter of v_t, by (3.6); that v_t has the parameters gamma_t, "
-           "gamma_{t+1}, ... is the same as one deletion at each step. m runs to 3. For every n and t, Theorem 4.3 shows the "
-           "deletion for gamma(t) of the orbit (4.4), and the lemmas of (A-6) that gamma_n is the last entry of gamma(1).")
+_DELETED = {"over": {a0: vector(n), g0: vector(n)}, "given": [standing("n >= 1", n >= 1)]}
+claim("BLZ94-L4.2", "v_s has the Schur parameters of v less the first s",
+      always(k, later(k) == schur(s + k)), sizes=["n", "s"], **_DELETED, where=[*FAST, *AT_START, *AT_TIME, *QUOTIENTS],
+      by=[generic_index(*DELETION, **OPENED_AT_BOTH, uses=[
+          use(later, k), use(schur, s + k), use(5, k=k, l=0), use(4, k=s + k, l=0), use(e_of, s, s + k, 1), use(e_of, 0, s + k, 1)]),
+          instances(n=(1, 2, 3), s=(1, 2, 3), horizon=3)],
+      note="later(k) are the Schur parameters (3.6) of v_s, schur(k) those of v, at every time s that the algorithm reaches. "
+           "The coefficients w and the sums after it serve the proof alone.")
 
 claim("BLZ94-E4.2", "the Schur parameters of v are the first entries of g(t)",
-      always(t, gamma(0, t) == g[t][1]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST, *INVERSE[:-1]],
-      by=[steps("BLZ94-L4.2", prose="By t deletions gamma_t is the first Schur parameter of v_t, its coefficient of "
-                                    "1/z, that is g_1(t). Lemma 4.2, with m to 3, reaches t = 4."),
-          instances(n=(1, 2, 3, 4))])
+      always(t, schur(t) == g[t][1]), sizes=["n"], **_DELETED, where=[*FAST, *AT_START, *QUOTIENTS],
+      by=[generic_index(*DELETION[:5], **OPENED_AT_START, uses=[use(schur, t), use(4, k=t, l=0), use(e_of, 0, t, 1)]), instances(n=(1, 2, 3, 4))],
+      note="schur(t) are the Schur parameters (3.6) of v. The coefficients w and the sums after it serve the proof alone.")
 
 _START = (let(a0, a_of[0]), let(g0, HALF * (b_of[0] - a_of[0])))
 _FOUND = {"sizes": ["n"], "over": VECTOR_POINT, "given": [standing("n >= 1", n >= 1)]}

@@ -8,7 +8,7 @@ A common factor of a and b stays in a and b for all times.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -112,5 +112,5 @@ claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc",
            "with that, a factor of two is missing on the right of (7.1a). The marks over b, which (7.1b) explains, are lost in (7.1a).")
 
 claim("BLZ94-X.4", "every (alpha, 0) is a fixed point", (alpha[1] == alpha0) & (gamma[1] == 0 * alpha0), sizes=["n"], over={alpha0: vector(n)},
-      where=[let(gamma0, 0 * alpha0), *ORBIT], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      where=[let(gamma0, 0 * alpha0), *ORBIT], by=[generic_index(), instances(n=(1, 2, 3))],
       note="Not printed: the part of Corollary 7.2 that no limit enters.")

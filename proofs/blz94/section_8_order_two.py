@@ -233,7 +233,28 @@ claim("BLZ94-X8.2", "the period 144",
 
 
 # ---------------------------------------------------------------------- Figures 8.4 to 8.6, sign indefinite D
-not_checked("BLZ94-F8.4a", "one bounded and four unbounded regions in Figure 8.4", "a statement read off a picture, about the number of components of a planar set")
+inward, up, down, right, left = symbols("inward up down right left")
+_THIRD = rational("1/3")
+_REGIONS = ((0, 0, 0, 1), (0, 5, 1, 0), (0, -5, 1, 0), (9, 0, 1, 0), (-9, 0, 1, 0))
+#: a(z) and b(z) at the point (i, j) of the plane of Figure 8.4, and whether D is positive there
+_PLANE = (function(a, [i, j], Z * (Z - HALF) - _THIRD * (1 - HALF * Z) + i * (Z - HALF) + j), function(b, [i, j], Z * (Z + HALF) + _THIRD * (1 + HALF * Z) + i * (Z + HALF) + j),
+          function(d, [i, j], when(pos_on_circle(symmetric_part(a(i, j), b(i, j))), 1, 0)), let(p, 2 + 3 * x / 2 + y), let(q, 1 - 3 * x / 2 + y))
+_BOUNDED = (p > 0) & (q > 0) & (abs(y) < HALF) & schur(f) & (x > rational("-5/3")) & (x < 1) & (inward == 1)
+_UNBOUNDED = (((p > 0) & (q > 0) & (y > 1) & (up == 1)) | ((p < 0) & (q < 0) & (down == 1)) | ((p > 0) & (q < 0) & (right == 1)) | ((p < 0) & (q > 0) & (left == 1)))
+claim("BLZ94-F8.4a", "one bounded and four unbounded regions in Figure 8.4, v positive real in the bounded one",
+      (_BOUNDED | (_UNBOUNDED & ~schur(f))) & (c == 5), over={x: scalar(), y: scalar(), u: scalar(), w: scalar()},
+      where=[*_PLANE, let(f, a(x, y)), let(r, u**2), let(s, w**2 / (1 + w**2)), let(inward, d(x * s, y * s)), let(up, d(x, y + r)), let(down, d(x, y - r)),
+             let(right, d(x + r, y)), let(left, d(x - r, y)), let(c, d(0, 0) + d(0, 5) + d(0, -5) + d(9, 0) + d(-9, 0))], given=[given("D is positive", d(x, y) == 1)],
+      by=[steps("BLZ94-E8.6", facts=["the geometric mean of two positive linear functions is concave", "a polynomial of degree two in c = cos(phi) with values e, f at 1, -1 and leading coefficient "
+                                     "4y is positive between if and only if e and f are, and y <= 0 or 4 sqrt(y) < sqrt(e) + sqrt(f)", "zeros of a(z) do not cross the circle where D is not zero"],
+                prose="The values of D at z = 1 and -1 are a(1)b(1) and a(-1)b(-1), p = b(1), q = a(-1), and the other two factors have their signs. So no point with p = 0 or q = 0 is in a region, which "
+                      "leaves four parts. Let m = sqrt(a(1)b(1)) + sqrt(a(-1)b(-1)), to be compared with 4 sqrt(y) if y > 0. p, q < 0 makes y < -3/2: a convex part. If p and q differ in sign, each "
+                      "horizontal line meets the part in a half-line to the same side, as m is concave and grows without bound along it: it is connected. If p, q > 0, then "
+                      "20m <= 11(1 + 2y) + (100/11)(3 + 2y) by arithmetic means, which is less than 80 sqrt(y) for 2/3 <= y <= 1. For y > 1 raising y by e raises m by 2e at least and 4 sqrt(y) by less, and horizontal lines meet the part in intervals: it is connected. "
+                      "For y < 2/3 it is a star around the origin, as m there is sqrt(8/3) and m is concave. v is positive real at the origin."),
+          *[example({x: x_, y: y_, u: u_, w: w_}) for x_, y_, u_, w_ in _REGIONS], instances(24)],
+      note="(x, y) = (alpha_1, alpha_2), gamma = (1/2, 1/3), and the regions are those of D > 0: D is never negative, and without their boundaries no two regions meet; with them the bounded one has a corner in common "
+           "with the region to the left, (-5/3, 1/2), and with the one to the right, (1/3, -1/2). Each region is closed under the shift by r = u^2 or, the bounded one, under the contraction by s, which lies between 0 and 1.")
 
 claim("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to", TENDS, sizes=["n", "m"], over={alpha0: vector(n), x: positive()},
       where=[let(gamma0, rows([[HALF], [rational("1/3")]])), *ALONG], given=[standing("n = 2", n == 2)],

@@ -22,6 +22,7 @@ from exactkf.language import (
     matrix,
     matrix_of,
     rec,
+    sum_of,
     sym,
     symbols,
     to_expr,
@@ -120,3 +121,17 @@ def superdiagonal(size: Expr) -> Expr:
 def jordan_block(value: Expr, size: Expr) -> Expr:
     """value I + N."""
     return to_expr(value) * Identity(size) + superdiagonal(size)
+
+
+_a1, _b1 = symbols("a1 b1")
+
+
+def stacked(square: Expr) -> Expr:
+    """The columns of an n x n matrix, one below the other."""
+    return matrix_of(i, j, n*n, 1, sum_of(_a, 1, n, sum_of(_b, 1, n, when(i == (_b - 1)*n + _a, square[_a, _b], 0))))
+
+
+def kronecker(left: Expr, right: Expr) -> Expr:
+    """The Kronecker product of two n x n matrices, with the blocks left_{ab} right."""
+    return matrix_of(i, j, n*n, n*n, sum_of(_a, 1, n, sum_of(_a1, 1, n, when(i == (_a - 1)*n + _a1, sum_of(_b, 1, n, sum_of(_b1, 1, n, when(
+        j == (_b - 1)*n + _b1, left[_a, _b]*right[_a1, _b1], 0))), 0))))

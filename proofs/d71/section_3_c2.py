@@ -22,13 +22,10 @@ Everything is stated over the reals. The Jordan matrices J and K are the classic
 theorem's (over the complex numbers); the equations here hold for every Gamma and Y.
 """
 
-from math import comb
-
-from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, first, identity, induction, instances, order, steps
+from exactkf.claims import claim
+from exactkf.evidence import combination, example, first, generic_index, identity, induction, instances, lemma, order, steps, use
 from exactkf.language import (
     Identity,
-    T,
     Zero,
     block,
     bottom,
@@ -44,10 +41,12 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonsingular,
+    prod,
     rank,
     rec,
     rows,
     scalar,
+    standing,
     sym,
     symbols,
     top,
@@ -280,12 +279,6 @@ claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
            "least s blocks at w.")
 
 r, pp, c, w1, w2, first_row, last_column = symbols("r pp c w1 w2 first_row last_column")
-Nr, Np = superdiagonal(r), superdiagonal(pp)
-
-
-def power(matrix_, exponent):
-    """A power, with exponent zero left out."""
-    return matrix_**exponent if exponent else 1
 
 
 def toeplitz(entries, height, width):
@@ -293,9 +286,21 @@ def toeplitz(entries, height, width):
     return matrix_of(i, j, height, width, when((j >= i) & (i + width - j <= height), entries[j - i + 1], 0))
 
 
-_LAST = 3  # N^3 = 0 up to size 3
-_BINOMIAL = {(a, b): comb(a + b, a) for a in range(5) for b in range(_LAST)}
+u, row, col = symbols("u row column")
+#: entry by entry: the first row by steps down, the last column by steps to the left, zeros by steps from the corner below
 
+
+def _down(rows, label):
+    """X is constant along diagonals, and zero below the first."""
+    return lemma(s, forall(u, s, rows, forall(j, 1, pp, X[s, j] == when(j >= s, X[1, j - s + 1], 0))), start=1,
+                 uses=[use(0, s=s, u=u, j=j - 1), use(label, row=s, column=j)])
+
+
+_LEFT = lemma(s, forall(u, s, pp - 1, forall(i, 1, r, X[i, pp - s] == last_column(i + s))),
+              uses=[use(1, s=s, u=u, i=i + 1), use("one eigenvalue", row=i, column=pp - s)])
+_CORNER = lemma(s, forall(j, 1, pp, when((r + j - 1 - s >= 1) & (j - 1 <= s), Y[r + j - 1 - s, j], 0) == 0),
+                uses=[use("two eigenvalues", row=r + j - 2 - s, column=j, times=1/(w1 - w2)), use(2, s=s, j=j - 1), use(2, s=s, j=j)],
+                base=[use("two eigenvalues", row=r, column=1, times=1/(w1 - w2))])
 claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
       (X == matrix_of(i, j, r, pp, first_row(j - i + 1))) & (X == matrix_of(i, j, r, pp, last_column(i + pp - j)))
       & (Y == Zero(r, pp)),
@@ -304,12 +309,7 @@ claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
       given=[given("one eigenvalue", jordan_block(w, r)*X == X*jordan_block(w, pp)),
              given("two eigenvalues", jordan_block(w1, r)*Y == Y*jordan_block(w2, pp)),
              given("which differ", w1 != w2)],
-      by=[combination([[(power(T(Nr), a + 1), "one eigenvalue", power(Np, a)) for a in range(_LAST)],
-                       [(-power(Nr, a), "one eigenvalue", power(T(Np), a + 1)) if a else (-1, "one eigenvalue",
-                                                                                          T(Np)) for a in range(_LAST)],
-                       [((-1)**a*v/(w1 - w2)**(a + b + 1)*power(Nr, a), "two eigenvalues", power(Np, b)) for (a, b),
-                        v in _BINOMIAL.items()]],
-                      r=range(1, 6), pp=(1, 2, 3)),  # r up to p + d of (3.41)
+      by=[generic_index(_down(r, "one eigenvalue"), _LEFT, _CORNER, uses=[use(0, s=row, u=r, j=col), use(1, s=pp - col, u=pp - 1, i=row), use(2, s=r - row + col - 1, j=col)]),
           instances(r=(1, 2, 3), pp=(1, 2, 3), using={c: vector(pp)}, made_by={X: toeplitz(c, r, pp), Y: Zero(r, pp)})],
       note="X between blocks of one eigenvalue, Y between blocks of two. The first equation says upper triangular "
            "Toeplitz (zero rows below "
@@ -332,8 +332,8 @@ claim("D71-E3.40", "when X must have dependent columns",
              let(X, block([[toeplitz(C11, R1, P1), toeplitz(C12, R1, P2)],
                            [toeplitz(C21, R2, P1), toeplitz(C22, R2, P2)],
                            [toeplitz(C31, r3, P1), toeplitz(C32, r3, P2)]]))],
-      by=[identity(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1)),
-          instances(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1))],
+      given=[standing("r3 >= 1", r3 >= 1)],
+      by=[generic_index(), instances(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1))],
       note="Three blocks r1 >= r2 >= r3 of R and two p1 >= p2 > r2 of J, so that j = 2 is the first index with p_j > "
            "r_j, or j = 1 is. "
            "The first columns of the two column sets vanish below the first block row, where only their first entries "
@@ -414,11 +414,11 @@ claim("D71-S31", "one Jordan block for each eigenvalue: T is unique",
 Ud = vstack(Identity(pp), Zero(d, pp))
 
 claim("D71-E3.41", "the block of X for one eigenvalue of a nonderogatory R",
-      (X == Ud*top(X, pp)) & (det(top(X, pp)) == X[1, 1]**pp) & (jordan_block(w, pp + d)*Ud == Ud*jordan_block(w, pp)),
+      (X == Ud*top(X, pp)) & (det(top(X, pp)) == prod(k, 1, pp, X[k, k])) & forall(k, 1, pp, X[k, k] == X[1, 1])
+      & (jordan_block(w, pp + d)*Ud == Ud*jordan_block(w, pp)),
       sizes=["pp", "d"], over={w: scalar(), X: matrix(pp + d, pp)},
       given=[given("Omega X = XJ", jordan_block(w, pp + d)*X == X*jordan_block(w, pp))],
-      by=[identity(using={c: vector(pp)}, given_by={X: toeplitz(c, pp + d, pp)}, covered_by="D71-E3.37", pp=(1, 2, 3),
-                   d=(0, 1, 2)),
+      by=[generic_index(_down(pp + d, "Omega X = XJ"), triangular=Identity(pp), uses=[use(0, s=row, u=pp + d, j=col), use(0, s=k, u=pp + d, j=k)]),
           instances(pp=(1, 2, 3), d=(0, 1, 2), using={c: vector(pp)}, made_by={X: toeplitz(c, pp + d, pp)})],
       note="X = U times its upper part, which is nonsingular exactly if the diagonal entry a is not zero; U itself is "
            "a solution. "
@@ -445,21 +445,13 @@ X_GIVEN = [given("Omega X = XJ", OMEGA*X == X*jordan_block(w, 2)), given("two va
 NO_SOLUTION = {"w": 0, "X": [[1, 0], [0, 1], [0, 0]], "E": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "al": 0, "be": 1}
 
 claim("D71-E3.44", "a derogatory R with a family of solutions",
-      MANY_SOLUTIONS, over=MANY, where=FAMILY, given=X_GIVEN,
-      by=[example(NO_SOLUTION), instances(using={c: vector(3)}, made_by=MAKE_X)],
-      repair=repair(
-          "missing hypothesis",
-          "the lower part of T = EU may be singular for every value of the parameter, as for E = I, and then no "
-          "solution belongs to this J; "
-          "if it is nonsingular for one value, it is for all but at most one",
-          MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
-          given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
-          by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
-                    prose="The determinant of the lower part is a polynomial of degree at most one in the parameter, "
-                          "not zero by hypothesis; different spaces give different P."),
-              example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)]),
-      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. Of any two "
-           "values of the parameter "
-           "at least one is to give a solution, so that infinitely many do; different values give different column "
-           "spaces, hence different P. "
-           "For E = I and w = 0 the quadratic equation is A = 0 with A = [1, 0] and has no solution.")
+      MANY_SOLUTIONS, over={**MANY, mu: scalar()}, where=[*FAMILY, let(Gm, bottom(E*canonical(mu), 2))],
+      given=[*X_GIVEN, given("one lower part is nonsingular", invertible(Gm))],
+      by=[steps("D71-E3.37", "D71-T3.6", "D71-T3.8.b",
+                prose="The determinant of the lower part is a polynomial of degree at most one in the parameter, "
+                      "not zero by hypothesis; different spaces give different P."),
+          example({**NO_SOLUTION, "mu": 0}), instances(using={c: vector(3)}, made_by=MAKE_X)],
+      note="R has the blocks 2 and 1 at one eigenvalue and J the block 2; n = 1, m = 2, the smallest case. The solutions that are counted are those with a "
+           "nonsingular lower part, and it is understood that J has one. Of any two values of the parameter at least one then gives a solution, so that "
+           "infinitely many do; different values give different column spaces, hence different P. Without that proviso there may be none: for E = I the lower "
+           "part is singular for every value, and with w = 0 the quadratic equation is A = 0 with A = [1, 0].")

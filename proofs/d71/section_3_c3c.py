@@ -34,6 +34,7 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonsingular,
+    nonzero,
     outside_roots,
     positive_definite,
     positive_semidefinite,
@@ -449,6 +450,38 @@ BROKEN = [example({**ONE_MODE, **NO_J1, "Phi": [[2]], "H": [[0]], "P": [["1/2"]]
           example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G2": [[0]], "J2": [["1/2"]]}),
           example({**ONE_MODE, **NO_J1, "Phi": [[1]], "H": [["1/2"]], "P": [[1]], "G2": [[1]], "J2": [["1/2"]]}),
           example({**ONE_MODE, **NO_J2, "Phi": [[1]], "H": [["1/2"]], "P": [["-1/2"]], "G1": [[1]], "J1": [["1/2"]]})]
+#: the columns of T that belong to J_2
+FF, GG, JJ = symbols("FF GG JJ")
+INNER = {**MODEL, FF: matrix(n, q), GG: matrix(n, q), JJ: matrix(q, q), l: nonzero(), u: vector(n), bv: vector(2*n)}
+SECOND_PART = given("(3.95)", Rp*vstack(FF, GG) == vstack(FF, GG)*JJ)
+ALSO_UNDRIVEN = given("an undriven mode", (T(Phi)*u == l*u) & (H*u == Zero(n, 1)) & (u != Zero(n, 1)))
+INNER_JOINED = {key: value for key, value in JOINED.items() if key != "P"}
+INNER_ONE = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "FF": [[0]], "GG": [[1]], "JJ": [["1/2"]], "l": 2, "u": [1],
+             "bv": [1, 1]}
+
+claim("D71-E3.96", "the columns that belong to undriven modes",
+      FF == Zero(n, q),
+      sizes=["n", "p", "q"], over=INNER, where=R_WHERE,
+      given=[SECOND_PART, NO_CIRCLE, ALSO_UNDRIVEN, given("every eigenvalue of J_2 is its reciprocal", (l*JJ - Identity(q))**n == Zero(q, q))],
+      by=[example({**INNER_JOINED, "q": 2, "FF": [[0, 0], [0, "-1/2"]], "GG": [[1, 0], [0, 1]], "JJ": [["1/2", "-1/4"], [0, "1/2"]], "l": 2, "u": [1, 0]}),
+          instances(n=(1,), p=(1,), q=(1,))],
+      repair=repair(
+          "missing hypothesis", "(3.64) gives one column of T for each undriven mode; where J_2 has an eigenvalue more often, the other columns have F_2 != 0",
+          FF == Zero(n, q),
+          sizes=["n", "p", "q"], over=INNER, where=R_WHERE,
+          given=[SECOND_PART, NO_CIRCLE, ALSO_UNDRIVEN, given("J_2 has the eigenvectors of its reciprocal only", l*JJ == Identity(q))],
+          by=[steps("D71-E3.64", facts=["A nonderogatory matrix has one eigenvector, up to a factor, at each eigenvalue."],
+                    prose="The columns of [F_2; Gamma_2] and [0; n] are eigenvectors of R_p at 1/lambda, and so multiples of the latter."),
+              example(INNER_ONE), example({**INNER_ONE, "FF": [[3]], "GG": [[1]], "JJ": [["1/2"]]}), example({**INNER_ONE, "FF": [[3]], "JJ": [[2]]}),
+              example({**INNER_ONE, "FF": [["-1/2"]], "Phi": [[1]], "H": [["1/2"]], "bv": [1, 0]}),
+              # Example 3.1 with the undriven mode 2: two eigenvectors at 1/2
+              example(n=2, p=1, q=1, **SWAP, FF=[[2], [3]], GG=[[0], [0]], JJ=[["1/2"]], l=2, u=[3, -2], bv=[1, 2, 3, 4]),
+              instances(6, n=(2,), p=(2,), q=(1,), using={E: nonsingular(2), w: scalar(), c: scalar()},
+                        made_by={V: Identity(2), M: inv(E), Phi: E*diag(l, 1)*inv(E), H: E*diag(0, H2)*T(E), u: inv(T(E))*rows([[1], [0]]),
+                                 bv: diag(E, inv(T(E)))*rows([[l**2 - 1], [w + 1/w - 2], [2], [2]]), FF: Zero(2, 1), GG: c*u, JJ: rows([[1/l]])})]),
+      note="For one real undriven mode lambda. The counterexample is that of D71-T3.17, with J_2 = [[1/2, -1/4], [0, 1/2]]; its second column has "
+           "F_2 = (0, -1/2).")
+
 _W = 2 + c**2
 
 claim("D71-T3.17", "which equilibria are nonnegative definite",

@@ -6,13 +6,16 @@ from __future__ import annotations
 import random
 
 import pytest
-from flint import fmpq
+from flint import arb, fmpq
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.ahead import ahead_lines, digits_ahead, state_ahead
 from exactkf.dynamics.every_order import decide
+from exactkf.exact import sqrt_field
 from exactkf.exact.balls import contains
-from exactkf.theory.orbits import exact_orbit
+from exactkf.theory.fast_filter import step_ag
+from exactkf.theory.orbits import exact_orbit, orbit
+from tests.dynamics.test_algebraic import times_in
 from tests.dynamics.test_every_order import start
 
 
@@ -40,6 +43,29 @@ def test_a_periodic_orbit_a_trillion_steps_ahead():
     a, g, period = next((a, g, answer.period) for a, g in (start(rng, 2) for _ in range(200)) if (answer := decide(a, g)).behaviour == "periodic")
     far, near = digits_ahead(a, g, 10**12, 25), exact_orbit(a, g, 10**12 % period).states[-1]
     assert all(contains(x, y) for x, y in zip((*far.a, *far.g), (*near[0], *near[1]), strict=True))
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_digits_of_algebraic_states_agree_with_stepping(n):
+    """Over Q(sqrt 2) the balls overlap those of exact steps, also where a factor is in common; a periodic orbit is itself after 10^12 periods."""
+    field, rng = sqrt_field(2), random.Random(n)
+    for _ in range(8):
+        a, g = ([field([fmpq(rng.randint(-3, 3), 2), fmpq(rng.randint(-3, 3), 4)]) for _ in range(n)] for _ in range(2))
+        if rng.random() < 0.5:
+            a, g = times_in([field(1), *a], [field(1), field(2)])[1:], times_in(g, [field(1), field(2)])
+        T = rng.choice((0, 1, 2, 5, 9))
+        exact = orbit(step_ag, (a, g), T)
+        far = digits_ahead(a, g, T, 30)
+        if far.escape is not None:
+            assert far.escape == exact.escape
+            continue
+        last = (*exact.states[-1][0], *exact.states[-1][1])
+        assert all(x.overlaps(y.enclose(60)) and x.rad() < arb(10) ** -30 for x, y in zip((*far.a, *far.g), last, strict=True))
+    root = sqrt_field(3).gen()
+    a, g = [-2 - root], [root]
+    assert decide(a, g).period == 6
+    far = digits_ahead(a, g, 6 * 10**12, 25)
+    assert all(x.overlaps(y.enclose(40)) for x, y in zip((*far.a, *far.g), (*a, *g), strict=True))
 
 
 def test_the_text_names_an_escape():

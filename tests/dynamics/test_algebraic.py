@@ -7,9 +7,10 @@ import random
 from fractions import Fraction
 
 import pytest
-from flint import arb, fmpq
+from flint import acb_poly, arb, fmpq, fmpq_poly
 
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.every_order import decide, limit_digits
 from exactkf.dynamics.exact_json import field_json
 from exactkf.dynamics.torus import torus_evidence
@@ -17,10 +18,11 @@ from exactkf.exact import RealField, cyclotomic_real, sqrt_field
 from exactkf.exact.balls import precision
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial
 from exactkf.kernel.orbit_wandering import check_torus
 from exactkf.kernel.replay import Rejected, replay
 from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag
-from tests.dynamics.test_every_order import edited, start, stepped, times
+from tests.dynamics.test_every_order import edited, self_product, start, stepped, times, with_spectrum
 
 FIELDS = [sqrt_field(2), sqrt_field(5), cyclotomic_real(7), cyclotomic_real(16),
           RealField([-2, 0, 0, 1], (1, 2), "r"), RealField([1, 0, -10, 0, 1], (3, 4), "w")]
@@ -152,20 +154,7 @@ def test_zeros_on_the_circle_are_split_off():
     field = ROOT.field
     c = ROOT / 5
     w = times_in([field(1), field(1)], [field(1), c])  # leading one first
-    d = [sum((w[j] * w[j + i] for j in range(3 - i)), field(0)) for i in range(3)]
-    a = [ROOT / 3, field(1) / 4]
-    # b from a: sum_j a_j b_{j+i} + b_j a_{j+i} = 2 rho d_i with b_0 = 1, by Cramer's rule in three unknowns b_1, b_2, rho
-    full = [field(1), *a]
-    rows = []
-    for i in range(3):
-        row = [field(0)] * 4
-        for j in range(3 - i):
-            row[j + i] += full[j]
-            row[j] += full[j + i]
-        row[3] = -2 * d[i]
-        rows.append(row)
-    b = solved([row[1:] for row in rows], [-row[0] for row in rows])[:2]
-    answer = decide(a, [(y - x) / 2 for x, y in zip(a, b, strict=True)])
+    answer = decide(*with_spectrum_in([ROOT / 3, field(1) / 4], w))
     assert answer.behaviour == "converges"
     replay(answer.certificate)
     expected = [1 + c, c]
@@ -173,6 +162,82 @@ def test_zeros_on_the_circle_are_split_off():
     assert len(answer.certificate["evidence"]["circle"]) == 2
     with pytest.raises(Rejected):
         replay(edited(answer.certificate, ("evidence", "circle"), ["1"]))
+
+
+def with_spectrum_in(a, w):
+    """The state with a and D = w(z)w(1/z), up to a factor: sum_j a_j b_{j+i} + b_j a_{j+i} = 2 rho d_i with b_0 = 1."""
+    n, zero = len(a), a[0] - a[0]
+    d = [sum((w[j] * w[j + i] for j in range(n + 1 - i)), zero) for i in range(n + 1)]
+    full = [zero + 1, *a]
+    rows = []
+    for i in range(n + 1):
+        row = [zero] * (n + 2)
+        for j in range(n + 1 - i):
+            row[j + i] += full[j]
+            row[j] += full[j + i]
+        row[n + 1] = -2 * d[i]
+        rows.append(row)
+    b = solved([row[1:] for row in rows], [-row[0] for row in rows])[:n]
+    return a, [(y - x) / 2 for x, y in zip(a, b, strict=True)]
+
+
+def test_zeros_on_the_circle_that_do_not_split_off_are_isolated():
+    """D = |f|^2 with f = z^2(x^2 - cx + 1), x = z + 1/z, irreducible over Q(sqrt 2), with a pair of zeros on the circle and a pair off it.
+
+    The limit has the pair on the circle once, and the zero inside twice.
+    """
+    c = 2 * ROOT + 1
+    field = ROOT.field
+    a, g = with_spectrum_in([field(1) / 3, ROOT / 4, field(-1) / 5, field(1) / 7], [field(1), -c, field(3), -c, field(1)])
+    answer = decide(a, g)
+    assert answer.behaviour == "converges"
+    replay(answer.certificate)
+    assert len(answer.certificate["evidence"]["pairs"]) == 1
+    with precision(400):
+        off, on = ((c.enclose(100) + sign * (c.enclose(100) ** 2 - 4).sqrt()) / 2 for sign in (1, -1))
+        inside = (off - (off**2 - 4).sqrt()) / 2
+        expected = [arb(1)]
+        for factor in ([1, -on, 1], [1, -inside], [1, -inside]):
+            expected = [sum((expected[i] * factor[k - i] for i in range(len(expected)) if 0 <= k - i < len(factor)), arb(0))
+                        for k in range(len(expected) + len(factor) - 1)]
+        assert all(x.overlaps(y) and x.rad() < arb(10) ** -60 for x, y in zip(limit_digits(answer, 60).alpha, expected[1:], strict=True))
+    lo, hi, k = answer.certificate["evidence"]["pairs"][0]
+    above = str(Fraction(hi) + Fraction(1, 10**9))
+    for pairs in ([], [[lo, hi, k]] * 2, [[lo, hi, 2 * k]], [[str(Fraction(lo) + 1), str(Fraction(hi) + 1), k]], [[hi, above, k]],
+                  [["3", "4", k]], [[lo, hi, 0]], [["-2", "2", k]]):
+        with pytest.raises(Rejected):
+            replay(edited(answer.certificate, ("evidence", "pairs"), pairs))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_limits_of_high_order_are_enclosed(seed):
+    """Rational data of order six to nine: the interval limit holds the product over arb's zeros of D, those on the circle half as often."""
+    rng = random.Random(seed)
+    n = 6 + seed
+    w = [fmpq(1)]
+    for factor in [[fmpq(1), fmpq(1)], [fmpq(1), fmpq(-2), fmpq(1), fmpq(-2), fmpq(1)]][: seed]:  # a zero -1; Salem's polynomial of degree four
+        w = times(w, factor)
+    w = times(w, [fmpq(3), *(fmpq(rng.randint(-2, 2)) for _ in range(n - len(w) + 1))])
+    found = with_spectrum(rng, self_product(w))
+    answer = decide(*found)
+    if answer.behaviour == "escapes":
+        return
+    assert answer.behaviour == "converges"
+    replay(answer.certificate)
+    assert "interval" in answer.limit["alpha"][0]
+    reduced = reduce_pair([x + y for x, y in zip(*found, strict=True)][::-1] + [fmpq(1)], [*found[1][::-1], fmpq(0)])
+    enclosed = EnclosedLimit.of(spectral_polynomial(reduced.Q, reduced.S), reduced.removed)
+    intervals, bits, *_ = enclosed.enclosed(60)
+    with precision(2000):
+        expected = acb_poly([fmpq(x) for x in reduced.removed])
+        for factor, multiplicity in fmpq_poly(list(enclosed.D)).numer().factor()[1]:
+            for z, _ in factor.complex_roots():
+                if abs(z) < 1:
+                    expected *= acb_poly([-z, 1]) ** multiplicity
+                elif not abs(z) > 1:  # on the circle
+                    expected *= acb_poly([-z, 1]) ** (multiplicity // 2)
+        assert expected.degree() == n
+        assert all(arb(fmpq(lo, 1 << bits)).union(arb(fmpq(hi, 1 << bits))).overlaps(expected[n - 1 - k].real) for k, (lo, hi) in enumerate(intervals))
 
 
 def solved(A, y):

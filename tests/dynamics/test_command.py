@@ -2,11 +2,19 @@
 """``exactkf analyze``: words, files, pictures and refusals."""
 
 import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 from exactkf.cli import main
+from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.command import split_list
 from exactkf.kernel.replay import replay
 
@@ -48,7 +56,7 @@ def test_a_file_says_the_same_as_options(tmp_path):
 
 
 @pytest.mark.parametrize("args, says", [
-    ((), "argument FILE is missing"), (("--alpha", "2"), "does not describe a filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
+    ((), "argument FILE is missing"), (("--alpha", "2"), "no filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
     (("--alpha", "1,,2", "--gamma", "1"), "'--alpha' has an empty entry"),
     (("none.toml",), "cannot be read"), (("none.toml", "--alpha", "1"), "comes beside FILE"),
     (("--alpha", "2", "--gamma", "1/2", "--picture", "p.png"), "is not KIND=FILE"),
@@ -56,6 +64,8 @@ def test_a_file_says_the_same_as_options(tmp_path):
     (("--alpha", "2", "--gamma", "1/2", "--picture", "alpha=p.png"), "of order 1"), (("--alpha", "2", "--gamma", "1/2", "--json", "/"), "is a folder"),
     (("--alpha", "2", "--gamma", "1/2", "--digits", "0"), "--digits"), (("--a", "1,2", "--g", "0,1/2", "--pi0", "1"), "'pi0' comes with a filter of order 2"),
     (("--alpha", "root(x^2-2,-2,2)", "--gamma", "0"), "holds 2 real roots"),
+    *((("--alpha", "2", "--gamma", "1/2", "--after", T), f"'{T}' is not a number of steps") for T in ("-1", "1.5", "2^9999", "x")),
+    (("--covariances", "1,1/2"), "too few for order 1"),
 ])
 def test_wrong_calls_are_one_line(args, says):
     """Exit code 2 and one line that names the argument."""
@@ -75,3 +85,109 @@ def test_missing_matplotlib_is_said_before_any_work(monkeypatch, tmp_path):
     done = run("--alpha", 3, "--gamma", "1/2", "--picture", f"plane={tmp_path / 'p.png'}")
     assert (done.exit_code, done.stdout) == (2, "")
     assert done.stderr.startswith("exactkf: pictures need matplotlib") and done.stderr.count("\n") == 1
+
+
+#: the certificate of nothing, and an order that takes long to decide
+LONG = ("--a", ",".join(f"{k % 7 - 3}/{k + 4}" for k in range(400)), "--g", ",".join(f"{k % 5 - 2}/{k + 5}" for k in range(400)))
+
+
+def test_past_the_time_limit_the_orbit_is_undecided(tmp_path):
+    """Exit code 1, the reason on the screen and in the JSON, and no certificate."""
+    done = run(*LONG, "--time-limit", 10, "--json", tmp_path / "a.json", "--certificate", tmp_path / "c.json")
+    assert done.exit_code == 1, done.output
+    assert done.stdout.startswith("order 400: undecided\n") and "Undecided: out of time after 10 s while deciding." in done.stdout
+    answer = json.loads((tmp_path / "a.json").read_text())
+    assert (answer["behaviour"], answer["order"], answer["certificate"]) == ("undecided", 400, {}) and "out of time after 10 s" in answer["reason"]
+    assert not (tmp_path / "c.json").exists() and f"{tmp_path / 'c.json'}: not written, out of time" in done.stderr
+    assert set(answer) == set(analyze(alpha=[3], gamma=["1/2"]).to_json())
+
+
+def test_what_is_found_before_the_time_limit_is_kept(tmp_path):
+    """The decision is printed, the exit code is 1, and what is missing is said."""
+    picture = tmp_path / "g.png"
+    done = run("--a", "1/2,1/3,1/4", "--g", "1/3,-1/2,1/4", "--picture", f"gamma={picture}", "--steps", 10000, "--time-limit", 15,
+               "--json", tmp_path / "a.json", "--certificate", tmp_path / "c.json")
+    assert done.exit_code == 1, done.output
+    assert "  Not finished: out of time after 15 s while drawing the gamma picture." in done.stdout
+    assert f"{picture}: not written, out of time" in done.stderr and done.stderr.count("\n") == 1
+    answer = json.loads((tmp_path / "a.json").read_text())
+    assert answer == analyze(a=["1/2", "1/3", "1/4"], g=["1/3", "-1/2", "1/4"]).to_json()
+    replay(json.loads((tmp_path / "c.json").read_text()))
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no such signals")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_stopped_call_is_one_line(number):
+    """Ctrl-C, sent to the group as a terminal does, or SIGTERM: exit code 130, one line, and no process is left."""
+    call = subprocess.Popen([sys.executable, "-m", "exactkf", "analyze", *LONG], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                            start_new_session=True)
+    children = Path(f"/proc/{call.pid}/task/{call.pid}/children")
+    wait_until(lambda: len(children.read_text().split()) > 1 if children.exists() else False, 8)  # a tracker of resources, and the one that works
+    time.sleep(1)
+    os.killpg(call.pid, number) if number == signal.SIGINT else call.send_signal(number)
+    out, err = call.communicate(timeout=20)
+    assert (call.returncode, out, err) == (130, "", "exactkf: stopped\n")
+    assert wait_until(lambda: not lives(call.pid), 10)
+
+
+def wait_until(condition, seconds):
+    """Whether the condition comes to hold within so many seconds."""
+    until = time.monotonic() + seconds
+    while not (held := condition()) and time.monotonic() < until:
+        time.sleep(0.1)
+    return held
+
+
+def lives(group):
+    """Whether a group has a process."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+@pytest.mark.parametrize("limit", ["0", "-1", "nan", "inf", "x"])
+def test_a_time_limit_is_a_number_of_seconds(limit):
+    """Nothing else is taken."""
+    done = run("--alpha", 3, "--gamma", "1/2", "--time-limit", limit)
+    assert done.exit_code == 2 and "is not a number of seconds" in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_a_limit_of_large_degree_is_enclosed():
+    """Order eight: the limit in digits, at once."""
+    done = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30")
+    assert done.exit_code == 0 and done.stdout.count("(enclosed)") == 8, done.output
+
+
+@pytest.mark.parametrize("args, why", [
+    (("--a", "0,-1", "--g", "0,1", "--picture", "spectrum={}"), "spectrum picture: D is zero"),
+    (("--alpha", "10^1000", "--gamma", "1/2", "--picture", "plane={}"), "plane picture: a coordinate of the start is beyond 1e+100"),
+])
+def test_what_cannot_be_drawn_is_said(tmp_path, args, why):
+    """The decision is printed, the reason too, and the exit code is 1."""
+    done = run(*(x.format(tmp_path / "p.png") for x in args))
+    assert done.exit_code == 1 and done.stdout.startswith("order ") and f"Not found: {why}" in done.stdout, done.output
+    assert not (tmp_path / "p.png").exists() and "not written" in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_numbers_of_steps_may_be_powers():
+    """10^6, 1e6 and 1000000 are the same; algebraic data go ahead too."""
+    ends = [run("--alpha", 3, "--gamma", "sqrt(2)", "--after", T).stdout.splitlines()[-2:] for T in ("10^6", "1e6", 1000000)]
+    assert ends[0] == ends[1] == ends[2] and ends[0][0].startswith("a_1(1000000) = 0.")
+
+
+def test_the_hyperbola_is_drawn_up_to_its_vertices():
+    """Both branches meet the axis gamma = 0, where the curve is upright."""
+    pytest.importorskip("matplotlib")
+    from matplotlib.figure import Figure
+
+    from exactkf.dynamics import pictures
+
+    axes = Figure().subplots()
+    pictures._hyperbola(axes, 3.0, 0.5, 3.5)
+    upper = axes.lines[0].get_xydata()
+    drawn = upper[np.isfinite(upper[:, 1])]
+    middle = (1 + 3.0**2 - 0.5**2) / 3.0 / 2
+    for vertex in (middle - np.sqrt(middle**2 - 1), middle + np.sqrt(middle**2 - 1)):
+        assert np.abs(drawn[np.abs(drawn[:, 0] - vertex) < 1e-6, 1]).min() < 1e-3

@@ -67,20 +67,21 @@ def test_irrational_entries_share_a_field():
 
 @pytest.mark.parametrize("data, says", [
     ({"alpha": [1], "gamma": [1]}, "argument 'gamma[0]' is 1 or -1"), ({"alpha": [1, 2], "gamma": [0, -1]}, "argument 'gamma[1]' is 1 or -1"),
-    ({"alpha": [1], "gamma": [0, 0]}, "argument 'gamma' has 2 entries where alpha has 1"), ({"a": [1], "g": ["-1"]}, "argument 'g[0]'"),
-    ({"a": [1], "g": [0, 0]}, "argument 'g' has 2 entries"), ({"b": [2, 1], "a": [1, 1]}, "argument 'b' is not monic"),
+    ({"alpha": [1], "gamma": [0, 0]}, "argument 'gamma' has length 2 where alpha has 1"), ({"a": [1], "g": ["-1"]}, "argument 'g[0]'"),
+    ({"a": [1], "g": [0, 0]}, "argument 'g' has length 2"), ({"b": [2, 1], "a": [1, 1]}, "argument 'b' is not monic"),
     ({"b": [1, 1], "a": [2, 1]}, "argument 'a' is not monic"), ({"b": [1, 1, 1], "a": [1, 1]}, "argument 'b' has degree 2 where a has degree 1"),
-    ({"covariances": [1, "1/2"]}, "argument 'covariances' has 1 covariances after the first, too few"), ({"covariances": [2, 1, 1]}, "does not begin with 1"),
+    ({"covariances": [1, "1/2"]}, "argument 'covariances' has 1 covariance after the first, too few"), ({"covariances": [2, 1, 1]}, "does not begin with 1"),
     ({"covariances": [1, "1/2", "1/4", "1/3"]}, "not the covariance sequence"), ({"covariances": [1, 0, 0]}, "singular Hankel"),
     ({"covariances": [1, "1/2", "1/4"], "order": 2}, "too few for order 2"), ({"covariances": [1, "1/2", "1/4"], "order": "x"}, "argument 'order' is no order"),
-    ({"F": [[1, 2]], "g": [1], "h": [1]}, "argument 'F' is not square"), ({"F": [[1]], "g": [1, 2], "h": [1]}, "argument 'g' has 2 entries"),
+    ({"F": [[1, 2]], "g": [1], "h": [1]}, "argument 'F' is not square"), ({"F": [[1]], "g": [1, 2], "h": [1]}, "argument 'g' has length 2"),
     ({"F": [], "g": [1], "h": [1]}, "argument 'F' is empty"), ({"F": [[1, 2], [3, 4]], "g": [[1, 2], [3, 4]], "h": [1, 0]}, "argument 'g' is a matrix"),
     ({"a": [], "g": []}, "argument 'a' is empty"), ({"a": "ab", "g": [1]}, "argument 'a' is no vector"), ({"a": 1, "g": [1]}, "argument 'a' is no vector"),
     ({"a": [0.5], "g": [0]}, "argument 'a[0]' is a float"), ({"a": [float("nan")], "g": [0], "floats": "exact"}, "not finite"),
-    ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"), ({"alpha": [1]}, "does not describe a filter"),
-    ({}, "does not describe a filter"), ({"alpha": [1], "gamma": [0], "b": [1]}, "does not describe a filter"),
+    ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"), ({"alpha": [1]}, "no filter"),
+    ({}, "no filter"), ({"alpha": [1], "gamma": [0], "b": [1]}, "no filter"),
     ({"alpha": [1], "gamma": [0], "order": 1}, "argument 'order' goes with covariances"), ({"alpha": ["root(x^2, -1, 1, 2)"], "gamma": [0]}, "4 arguments"),
-    ({"system": object()}, "has no matrices"), ({"alpha": [True], "gamma": [0]}, "truth value"),
+    ({"system": object()}, "has no matrices"), ({"alpha": [1], "gamma": [0], "floats": "near"}, "argument 'floats' is no meaning of floats"),
+    ({"alpha": [1], "gamma": [0], "floats": True}, "argument 'floats'"), ({"alpha": [True], "gamma": [0]}, "truth value"),
 ])
 def test_bad_input_is_one_line(data, says):
     """The message names the argument and what is wrong with it."""

@@ -3,7 +3,10 @@
 
 from html.parser import HTMLParser
 
+from exactkf.claims import load
+from exactkf.language.latex import given_latex, over_latex, says_lines, where_latex
 from exactkf.report.mathml import formula
+from exactkf.report.page import _linked
 
 VOID = {"meta", "link", "input", "br", "mspace"}
 
@@ -67,3 +70,20 @@ def test_formula():
     assert "′" in formula("P'") and "<mo>≔</mo>" in formula("a := b")
     assert formula(r"\frac{<}") == formula(r"\frac{<}")
     assert "<mi><" not in formula("a < b")
+    assert "<mo>\\</mo>" in formula(r"x\in\mathbb{R}\setminus\{0\}")
+
+
+def test_every_formula_of_the_papers_is_drawn():
+    """None is left as its source, which the converter would do to what it cannot read."""
+    sources = [(c.id, line) for c in load().values() for s in (c.statement, c.repair and c.repair.statement) if s is not None
+               for line in (*says_lines(s), *over_latex(s), *where_latex(s), *(formula for _, formula, _ in given_latex(s)))]
+    assert len(sources) > 1000
+    assert [(id, source) for id, source in sources if not formula(source).startswith("<math")] == []
+
+
+def test_claims_that_are_named_are_links():
+    """Where they are on the page; all else is escaped."""
+    shown = {"BLZ94-E2.18", "BLM91-E3.1'", "BLM91-S6"}
+    assert _linked("steps BLZ94-E2.18, BLZ94-E2.1 & BLM91-E3.1'; see BLM91-S6.", shown) == (
+        "steps <a href=\"#BLZ94-E2.18\">BLZ94-E2.18</a>, BLZ94-E2.1 &amp; <a href=\"#BLM91-E3.1&#39;\">BLM91-E3.1&#39;</a>; "
+        "see <a href=\"#BLM91-S6\">BLM91-S6</a>.")

@@ -14,6 +14,7 @@ import exactkf.commands
 from exactkf import __version__
 from exactkf.claims import load
 from exactkf.store import Store, claim_key
+from exactkf.workers import unfinished
 
 FIELDS = {"id", "verdict", "strength", "sizes", "reason", "repair", "statement_latex", "certificates", "mutants",
           "checks", "seconds"}
@@ -119,12 +120,14 @@ def test_store_survives_a_line_cut_short(paper):
     store = Store(p.root / "state")
     registry = load("fake_proofs")
     key = claim_key(registry["AAA-E1"], registry)
-    store.put(key, {"id": "AAA-E1", "certificates": [{"kind": "instances"}]})
+    result = unfinished(registry["AAA-E1"], "")
+    del result["unfinished"]
+    store.put(key, {**result, "certificates": [{"kind": "instances"}]})
     with open(store.file, "a") as file:
         file.write('{"key": "cut sh')
     store = Store(p.root / "state")
     assert store.get(key)["id"] == "AAA-E1"
-    store.put("other", {"id": "AAA-E2", "certificates": []})
+    store.put("other", {**result, "id": "AAA-E2"})
     assert Store(p.root / "state").get("other")["id"] == "AAA-E2"
     next((p.root / "state/certificates").rglob("*.json")).unlink()
     assert Store(p.root / "state").get(key) is None

@@ -217,6 +217,23 @@ def test_coefficients_at_infinity():
         assert not accepts(says, generic_index({**wrong, "uses": right["uses"]}, uses=[use(0, t=0, k=k)]), **over)
 
 
+def test_all_coefficients_at_infinity():
+    """1/(z - b) at every k, without a bound; a wrong denominator, degree or first index, or other coefficients from some k on, are refused."""
+    over = {"sizes": ["n"], "over": {"b": scalar()}, "where": [
+        rec(x, k, 1, b * x[k]), function(c, [k], when(k == 0, 0, x[k - 1])), function(a, [k], when(k > 5, 2, 1) * c(k))]}
+    says = always(k, laurent(1 / (Z - b), k) == c(k))
+    right = fact(t, "laurent", says, 1, uses=[use(x, k - 1)])
+    at_k = {"uses": [use(0, t=0, k=k)]}
+    assert accepts(says, generic_index(right, **at_k), **over)
+    assert accepts(forall(k, 0, n + 1, laurent(1 / (Z - b), k) == c(k)), generic_index(right, **at_k), **over)
+    assert not accepts(says, generic_index(fact(t, "laurent", forall(k, 0, n, laurent(1 / (Z - b), k) == c(k)), 1, uses=[use(x, k - 1)]), **at_k), **over)
+    for wrong in (fact(t, "laurent", always(k, laurent(1 / (2 * Z - b), k) == c(k)), 1), fact(t, "laurent", says, 2), fact(t, "laurent", says, 0),
+                  fact(t, "laurent", always(k, laurent(1 / (Z - b), k) == x[k]), 1), fact(t, "laurent", always(k, laurent(1 / (Z - b), k) == a(k)), 1),
+                  fact(t, "laurent", always(k, laurent(1 / (Z - b), k + 1) == x[k]), 1), fact(t, "laurent", always(t, laurent(1 / (Z - b), t) == c(t)), 1)):
+        assert not accepts(wrong["says"], generic_index({**wrong, "uses": right["uses"]}, **at_k), **over)
+        assert not accepts(says, generic_index({**wrong, "uses": right["uses"]}, **at_k), **over)
+
+
 # ---------------------------------------------------------------------- values of polynomials at a matrix
 def test_a_polynomial_of_a_matrix():
     """h'p(F)g is the sum of p_k h'F^k g for a polynomial whose degree is known, and for no other."""

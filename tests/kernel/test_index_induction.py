@@ -191,3 +191,13 @@ def test_a_product_that_vanishes_is_no_denominator():
                 lemma(t, prod(k, 1, t, x[k]) == 0, start=1, uses=[use(1, t=t), use(0, t=t + 1), use(0, t=t)])]
     with pytest.raises(Rejected):
         replay(proof(Statement(prod(k, n + 1, n + m, x[k]) == 5, **zero), generic_index(*vanishes, uses=[use(1, t=n), use(1, t=n + m)])))
+
+
+def test_a_denominator_that_is_zero_where_the_numbers_are_one():
+    """y_t = c for every t: 1 - y_t and y_t are not zero at one of two points each, so that their product is not zero; y_t - c and y_t - y_(t+1) are at all."""
+    c = symbols("c")[0]
+    over = {"sizes": ["n"], "over": {"c": scalar()}}
+    for factor, fine in ((1 - y[t], True), (y[t], True), (y[t] - c, False), (y[t] - y[t + 1], False), (y[t] * y[t] - y[t], True)):
+        where = [rec(y, t, c, y[t]), rec(x, t, 1, x[t] / factor)]
+        statement = Statement(says=forall(t, 0, n, x[t + 1] * factor == x[t]), where=where, **over)
+        assert _accepted(proof(statement, generic_index())) is fine, factor

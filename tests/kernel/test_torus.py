@@ -7,12 +7,13 @@ import random
 from fractions import Fraction
 
 import pytest
-from flint import acb, arb, fmpq, fmpz_mat
+from flint import acb, arb, fmpq, fmpz_mat, fmpz_poly
 
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.exact.balls import precision
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import check_torus
+from exactkf.kernel.rotation import least_height
 from exactkf.kernel.torus import CircleNumbers, angle, bound_of_relations, check_independent, is_relation
 from tests.dynamics.test_every_order import times
 
@@ -139,3 +140,21 @@ def test_evidence_of_the_torus_is_checked():
             check_torus(D, dimension, {**evidence, "independent": {**free, "of": of}})
     with pytest.raises(Undefined):  # a factor left out
         check_torus(D, 1, {"factor": [str(c) for c in polynomial(RATIONAL["5"])]})
+
+
+@pytest.mark.parametrize("coefficients", [
+    [1, 1, 0, -1, -1, -1, -1, -1, 0, 1, 1], [1, -1, -1], [1, 0, -1, -1], [2, -3, 2], [1, -3, 1], [1, 0, 0, -1, -1, -1, 0, 0, 1], [3, -1],
+])
+def test_heights_are_above_the_least(coefficients):
+    """Lehmer's number, the smallest Pisot and other numbers of small height: log M / d to base 2 is at least 1/N; N grows like d squared."""
+    degree = len(coefficients) - 1
+    with precision(128):
+        measure = arb(abs(coefficients[0]))
+        roots = fmpz_poly(coefficients[::-1]).complex_roots()
+        for z, multiplicity in roots:
+            assert multiplicity == 1
+            measure *= abs(z) if abs(z) > 1 else 1
+        height = measure.log() / arb(2).log() / degree
+    N = least_height(degree)
+    assert height * N > 1
+    assert N < 8 * degree * (4 * degree + 30 * degree.bit_length())

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The fast filter: three coordinate systems, orbits, and states far ahead."""
 
+import random
 from fractions import Fraction
 
 import pytest
@@ -23,6 +24,7 @@ from exactkf.theory import (
     levinson,
     observer_form,
     orbit,
+    power_method,
     power_modulo,
     q_from_ag,
     riccati_gain,
@@ -251,3 +253,20 @@ def test_messages(call, start):
     with pytest.raises(BadInput) as caught:
         call()
     assert str(caught.value).startswith(start) and "\n" not in str(caught.value)
+
+
+def test_a_prime_excludes_escapes_where_there_are_none(monkeypatch):
+    """The determinants modulo a large prime say what stepping says, and the state is that of stepping, with and without an escape."""
+    monkeypatch.setattr(power_method, "_MANY", 0)
+    rng, seen = random.Random(4), set()
+    for _ in range(200):
+        n, T = rng.randint(1, 4), rng.randint(1, 40)
+        a, g = ([fmpq(rng.randint(-3, 3), rng.randint(1, 2)) for _ in range(n)] for _ in range(2))
+        orbit = exact_orbit(a, g, T)
+        found = state_after(a, g, T)
+        escape = orbit.escape if orbit.escape is not None and orbit.escape < T else None
+        assert found.escape == escape and (escape is not None or found.state == orbit.states[-1])
+        if a[-1] + g[-1] != 0:
+            assert power_method._escape_excluded(tuple(a), tuple(g), T) == (escape is None)
+            seen.add(escape is None)
+    assert seen == {True, False}

@@ -3,6 +3,7 @@
   const form = document.querySelector(".filter");
   const search = document.getElementById("search");
   const shown = document.getElementById("shown");
+  const none = document.querySelector(".none");
   const claims = Array.from(document.querySelectorAll(".claim"));
   const groups = Array.from(document.querySelectorAll(".part, .paper"));
 
@@ -18,6 +19,7 @@
     for (const group of groups) {
       group.hidden = !group.querySelector(".claim:not([hidden])");
     }
+    none.hidden = count > 0;
     shown.textContent = count === claims.length ? count + " claims" : count + " of " + claims.length + " claims";
   }
 

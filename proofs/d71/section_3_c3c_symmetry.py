@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""When an equilibrium is symmetric (Chapter III, section C.3.c).
+
+For R_p[U; L] = [U; L]Omega the matrix W = L'U - U'L satisfies W = Omega'W Omega, because the
+same difference made with S and H is symmetric. With [F; Gamma] = [U; L]X the matrix
+Gamma'F - F'Gamma is X'WX, and it is Gamma'(P - P')Gamma for P = F Gamma^{-1}. If no product of two
+eigenvalues of J is one, X = J'XJ has only the solution 0; so P is symmetric.
+
+The matrices are real, and the transpose stands for the conjugate transpose.
+"""
+
+from exactkf.claims import claim
+from exactkf.evidence import example, instances, order, steps
+from exactkf.language import (
+    Identity,
+    T,
+    block,
+    given,
+    iff,
+    inv,
+    invertible,
+    let,
+    matrix,
+    matrix_of,
+    nonsingular,
+    positive_definite,
+    positive_semidefinite,
+    symbols,
+    symmetric,
+    vector,
+    vstack,
+    when,
+)
+from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, kronecker, n, p
+
+q, r, F, Gam, J, S, Rp, U, L, Om, X, E, K, c, TWIST = symbols("q r F Gam J S Rp U L Om X E K c TWIST")
+I = Identity(n)
+PhiT = inv(T(Phi))
+MODEL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
+R_WHERE = [let(S, gram()), let(Rp, block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, PhiT]]))]
+BLOCKS = {"using": {E: nonsingular(q)},
+          "made_by": {U: matrix_of(i, j, n, q, E[i, j]), L: matrix_of(i, j, n, q, E[i + n, j]),
+                      Om: inv(E)*block([[H*PhiT*gram() + Phi, H*PhiT], [PhiT*gram(), PhiT]])*E}}
+
+claim("D71-E3.84", "the difference of Q and its transpose",
+      T(Gam)*F - T(F)*Gam == T(X)*(T(L)*U - T(U)*L)*X,
+      sizes=["n", "q", "r"], over={U: matrix(n, q), L: matrix(n, q), X: matrix(q, r), F: matrix(n, r), Gam: matrix(n, r)},
+      given=[given("(3.82)", vstack(F, Gam) == vstack(U, L)*X)], by=[order(), instances(8, n=(2, 3), q=(2, 3), r=(2,), made_by={F: U*X, Gam: L*X})])
+
+claim("D71-E3.85", "an invariant form",
+      T(L)*U - T(U)*L == T(Om)*(T(L)*U - T(U)*L)*Om,
+      sizes=["n", "p", "q"], over={**MODEL, U: matrix(n, q), L: matrix(n, q), Om: matrix(q, q)}, where=R_WHERE,
+      given=[given("(3.54)", Rp*vstack(U, L) == vstack(U, L)*Om)],
+      by=[order(lemmas=[S*U + L == T(Phi)*L*Om, U*Om == H*L*Om + Phi*U, T(U)*S + T(L) == T(Om)*T(L)*Phi]),
+          instances(6, n=(1,), p=(1, 2), q=(2,), **BLOCKS), instances(4, n=(2,), p=(1,), q=(4,), **BLOCKS)])
+
+claim("D71-E3.88", "Q and P",
+      (T(Gam)*F == T(Gam)*P*Gam) & iff(symmetric(T(Gam)*F), symmetric(P)),
+      sizes=["n"], over={F: matrix(n, n), Gam: nonsingular(n), P: matrix(n, n)}, given=[given("(3.11)", P == F*inv(Gam))],
+      by=[instances(4, n=(2, 3), made_by={P: F*inv(Gam)}), instances(4, n=(1, 2, 3), using={K: matrix(n, n)}, made_by={F: (K + T(K))*Gam, P: K + T(K)})],
+      note="The end of the argument. The blocks before it are (3.86) and (3.87).")
+
+W = 2 + c[i]**2
+#: every state by itself, with the eigenvalue w or 1/w in J
+SIGN = matrix_of(i, j, n, n, when(i == j, when(c[i] > 0, W, 1/W), 0))
+ALONE = {"using": {E: nonsingular(n), K: nonsingular(n), c: vector(n)},
+         "made_by": {Phi: I, H: E*matrix_of(i, j, n, n, when(i == j, (W - 1)*(1 - 1/W), 0))*T(E), M: inv(E), V: I,
+                     F: E*(SIGN - I)*K, Gam: inv(T(E))*K, J: inv(K)*SIGN*K}}
+#: Example 3.1 with J = diag(2, 1/2)
+FAMILY = example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[[-1, "2/3"]], V=[[1]], F=[[33, 2], [36, 3]], Gam=[[3, 3], [1, -2]],
+                 J=[[2, 0], [0, "1/2"]])
+#: no solution of R_p T = TJ
+LOOSE = example(n=2, p=1, Phi=[[1, 0], [0, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [0, 0]], Gam=[[1, 0], [0, 1]], J=[[2, 0], [0, 3]])
+
+claim("D71-T3.15.a", "equilibria that are symmetric",
+      symmetric(F*inv(Gam)),
+      sizes=["n", "p"], over={**MODEL, F: matrix(n, n), Gam: nonsingular(n), J: matrix(n, n)}, where=[*R_WHERE, let(TWIST, kronecker(J, J) - Identity(n*n))],
+      given=[given("R_p T = TJ", Rp*vstack(F, Gam) == vstack(F, Gam)*J), given("no two eigenvalues of J have the product one", invertible(TWIST))],
+      by=[steps("D71-E3.84", "D71-E3.85", "D71-E3.88", facts=["The eigenvalues of J x J are the products of two eigenvalues of J."],
+                prose="Gamma'F - F'Gamma solves X = J'XJ, a linear equation whose matrix is that of J x J transposed; so it vanishes."),
+          FAMILY, LOOSE,
+          instances(4, n=(1,), p=(1,), **ALONE), instances(4, n=(2,), p=(2,), **ALONE)],
+      note="Real J, whose eigenvalues may be complex: psi_i* psi_j = 1 for some pair says the same as psi_i psi_j = 1 for some pair then.")

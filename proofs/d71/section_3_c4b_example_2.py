@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""Example 3.2: an undriven random walk mode of two dimensions (Chapter III, section C.4.b).
+
+Phi has the single eigenvalue 1 with one Jordan block, nothing is driven, and the measurement
+sees the mode. In the coordinates U = TXT' the equation becomes X+ = Lambda X[I + ee'X]^{-1}Lambda'
+with e = (1, 1), as MT = e'. Started at X_0 = diag(0, a) the solution has rank one:
+X_k = (a/N_k)(k, 1)'(k, 1) with N_k = 1 + a(1 + 4 + ... + k^2). So x_22 = a/N_k falls from the
+first step on, while x_11 = a k^2/N_k rises until N_k has grown too large.
+"""
+
+from exactkf.claims import claim, repair
+from exactkf.evidence import evaluation, example, identity, instances
+from exactkf.language import Identity, T, Zero, always, forall, iff, inv, let, matrix, nonneg, psd, rank, rational, rec, rows, sym, symbols, symmetric_matrix
+from proofs.d71.notation import H, M, P, Phi, V, gain, gram, k, step
+
+TT, Lam, S, X, U, a = symbols("TT Lam S X U a")
+third = rational("1/3")
+DATA = [let(Phi, rows([[-1, 4*third], [-3, 3]])), let(TT, rows([[2, -1], [3, 0]])), let(Lam, rows([[1, 1], [0, 1]])), let(H, Zero(2, 2)),
+        let(M, rows([[-1, 1]])), let(V, rows([[1]])), let(S, gram())]
+I2 = Identity(2)
+DIRECTIONS = [rows([[4, 6], [6, 9]]), rows([[-2, 0], [-3, 0]]), rows([[-2, -3], [0, 0]]), rows([[1, 0], [0, 0]])]
+
+claim("D71-E3.220", "the process of the example",
+      (Phi == TT*Lam*inv(TT)) & ((Phi - I2)*(Phi - I2) == Zero(2, 2)) & (rank(Phi - I2) == 1) & (M*(TT*rows([[1], [0]])) == 1),
+      where=DATA, by=[evaluation()],
+      note="The only eigenvector, (2, 3), is no null vector of M, so the mode is observable; with H = 0 it is undriven.")
+
+claim("D71-E3.224", "U in the coordinates X",
+      TT*X*T(TT) == X[1, 1]*DIRECTIONS[0] + X[1, 2]*DIRECTIONS[1] + X[2, 1]*DIRECTIONS[2] + X[2, 2]*DIRECTIONS[3],
+      over={X: matrix(2, 2)}, where=DATA, by=[identity(), instances()],
+      note="The prime on the last T of (3.222) is read into the scan.")
+
+ENTRIES = X[1, 1] + X[1, 2] + X[2, 1] + X[2, 2]
+
+claim("D71-E3.225", "the equation in the coordinates X",
+      Lam*X*inv(I2 + T(TT)*S*TT*X)*T(Lam) == (1/(1 + ENTRIES))*rows([[ENTRIES, X[1, 2] + X[2, 2]],
+                                                                    [X[2, 1] + X[2, 2], X[2, 2] + (X[1, 1]*X[2, 2] - X[1, 2]*X[2, 1])]]),
+      over={X: matrix(2, 2)}, where=DATA, by=[identity(), instances()])
+
+XA, XB = symbols("XA XB")
+
+
+def run(name, start):
+    """X_k from diag(0, start)."""
+    return rec(name, k, rows([[0, 0], [0, start]]), Lam*name[k]*inv(I2 + T(TT)*S*TT*name[k])*T(Lam))
+
+
+BOTH_RUNS = [*DATA, run(XA, rational("1/100")), run(XB, rational("1/10"))]
+
+
+def grows(name, at, row, column):
+    """An entry that is larger one step later."""
+    return name[at + 1][row, column] > name[at][row, column]
+
+
+def all_grow(name):
+    """All entries of X, and those of U = TXT', from the first to the fifth sample."""
+    later, now = TT*name[k + 1]*T(TT), TT*name[k]*T(TT)
+    cells = [(1, 1), (1, 2), (2, 1), (2, 2)]
+    each = [grows(name, k, row, column) & (later[row, column] > now[row, column]) for row, column in cells]
+    return forall(k, 0, 3, each[0] & each[1] & each[2] & each[3])
+
+
+claim("D71-F3.6a", "how long the elements grow",
+      all_grow(XA) & all_grow(XB), where=BOTH_RUNS, by=[evaluation()],
+      repair=repair(
+          "other", "x_22 falls from the first step on; x_11, and with it the largest element 9x_11 of U_k, grows up to the sample k = 8 for a = 0.01 and k = "
+                   "4 for a = 0.1",
+          forall(k, 0, 7, grows(XA, k, 1, 1)) & (XA[9][1, 1] < XA[8][1, 1]) & forall(k, 0, 3, grows(XB, k, 1, 1)) & (XB[5][1, 1] < XB[4][1, 1])
+          & forall(k, 0, 9, (XA[k + 1][2, 2] < XA[k][2, 2]) & (XB[k + 1][2, 2] < XB[k][2, 2])),
+          where=BOTH_RUNS, by=[evaluation()]),
+      note="XA and XB are the solutions for a = 0.01 and a = 0.1. Already between the first two samples x_22 falls from a to a/(1 + a), whatever a is.")
+
+# --- the equation and its solution ---------------------------------------------------------------------------------------
+
+QUIET = [let(P, Zero(2, 2)), let(U, TT*X*T(TT))]
+
+claim("D71-E3.221", "the deviation, and its coordinates",
+      (step(P + U) == Phi*U*inv(I2 + S*U)*T(Phi)) & (step(P + U) == TT*(Lam*X*inv(I2 + T(TT)*S*TT*X)*T(Lam))*T(TT)),
+      over={X: matrix(2, 2)}, where=[*DATA, *QUIET], by=[identity(), instances()],
+      note="With P_e = 0. The primes on the last Phi of (3.221) and on the last T of (3.222) are read into the scan; without the latter U_k would not be "
+           "symmetric.")
+
+claim("D71-S60", "the equilibrium of the example",
+      (step(P) == P) & (Phi*(I2 - gain(P)*M) == Phi),
+      where=[*DATA, let(P, Zero(2, 2))], by=[evaluation()],
+      note="B - PD is Phi at P = 0, and DP - C its inverse transposed. That there is no other equilibrium is not stated here.")
+
+FOUR = sym("FOUR")
+
+claim("D71-S62", "when U is nonnegative definite",
+      iff(psd(TT*X*T(TT)), FOUR),
+      over={X: symmetric_matrix(2)},
+      where=[*DATA, let(FOUR, (X[1, 1] >= 0) & (X[2, 2] >= 0) & (ENTRIES >= 0) & (X[1, 1]*X[2, 2] - X[1, 2]*X[2, 1] >= 0))],
+      by=[example(X=[[-1, 0], [0, 0]]), example(X=[[0, 0], [0, -1]]), example(X=[[1, 2], [2, 1]]), example(X=[[0, 0], [0, 0]]), example(X=[[1, -1], [-1, 1]]),
+          example(X=[[1, -2], [-2, 4]]), example(X=[[1, -2], [-2, 3]]), example(X=[[-1, 0], [0, -1]]), instances()],
+      note="FOUR stands for the four conditions; the third follows from the others.")
+
+Ns = sym("N")
+
+claim("D71-E3.227", "the solution from diag(0, a)",
+      always(k, (Ns[k]*X[k][1, 1] == a*k**2) & (Ns[k]*X[k][1, 2] == a*k) & (Ns[k]*X[k][2, 1] == a*k) & (Ns[k]*X[k][2, 2] == a)),
+      over={a: nonneg()}, where=[*DATA, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(X, k, rows([[0, 0], [0, a]]), Lam*X[k]*inv(I2 + T(TT)*S*TT*X[k])*T(Lam))],
+      by=[instances(12, horizon=5)],
+      note="N_k = 1 + a(1 + 4 + ... + k^2), so that x_11 = ak^2/N_k, x_12 = x_21 = ak/N_k and x_22 = a/N_k.")
