@@ -477,6 +477,8 @@ class Terms(Indefinite, Chains):
             found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
             if any(tree[1] in form for form in found):
                 raise Unknown("a sum of matrices of different sizes")
+            if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
+                raise Unknown("a sum of matrices without terms")  # it is the number zero
             return found
         if op == "*":
             chain = self._factors(tree, env)[1]
