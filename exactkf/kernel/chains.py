@@ -27,7 +27,7 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exactkf.kernel.known import Known, names
+from exactkf.kernel.known import Known
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.opaque import opaque, with_names
 from exactkf.kernel.region import Form, Region, form_key, plus
@@ -52,7 +52,6 @@ class Chains:
     supported: set[str]
     known: Known
     limited: bool
-    within: tuple[Form, set[str]] | None
     depth: int
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
@@ -66,6 +65,7 @@ class Chains:
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
     not_smaller: Callable[..., bool]
+    hides: Callable[..., bool]
     deeper: Callable[..., Symbolic]
     _meet: Callable[..., None]
     _factors: Callable[..., tuple[list[list], list]]
@@ -198,7 +198,8 @@ class Chains:
                 tree, power = tree[1], self.index(tree[2], env)
                 if not self.region.holds(power):
                     raise Unknown("a power of a matrix with a negative exponent")
-            if self.within and not self.within[1].isdisjoint(names(tree)):
+            looked_at = tree[0] == "at" and tree[1] in self.recursive  # at its index
+            if not looked_at and self.hides(tree, env):
                 raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
             text, forms = opaque(tree, env, self.index)
             forms = [self.region.reduce(x) for x in forms]

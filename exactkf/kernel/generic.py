@@ -27,7 +27,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -285,7 +285,7 @@ class Terms(Indefinite, Chains):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if self.within and self.within[1].intersection(names(tree)):
+        if self.hides(tree, env):
             raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if self.inverts(tree):
             self._meet(text, forms)
@@ -352,6 +352,20 @@ class Terms(Indefinite, Chains):
     def not_smaller(self, name: str, last: Form) -> bool:
         """A value that may not be used, in a look at what a recursion is made of."""
         return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def hides(self, tree: Any, env: Mapping[str, Form]) -> bool:
+        """Whether a term that is not opened may contain such a value."""
+        if self.within is None or not isinstance(tree, list):
+            return False
+        env = {name: form for name, form in env.items() if name not in tree[1:]} if tree and isinstance(tree[0], str) else env  # what is bound here
+        if tree[:1] not in (["sym"], ["at"]) or tree[1] not in self.within[1]:
+            return any(self.hides(x, env) for x in tree)
+        if tree[0] == "sym" or self.definitions[tree[1]][0] != "rec":
+            return True
+        try:
+            return self.not_smaller(tree[1], self.index(tree[2], env))
+        except Unknown:
+            return True
 
     def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
         """What a definition says, unless too many are open."""

@@ -62,7 +62,7 @@ class Maker:
         return self.pick([
             [self.pick("+-*"), x, y], ["*", self.number(depth - 1, bound), x], ["T", x], ["inv", x], ["^", x, self.pick([2, -1, n])],
             ["mat", first, second, self.pick([n, 2, 1]), self.pick([n, 2, 1]), self.number(depth - 1, [*bound, first, second])],
-            ["block", [x], [y]], ["if", self.condition(bound), x, y],
+            ["block", [x], [y]], ["if", self.condition(bound), x, y], ["sum", first, self.pick([0, 1]), self.index(bound), x],
             ["*", self.column(depth - 1, bound), ["T", self.column(0, bound)]], ["diag", self.number(0, bound), self.number(0, bound)]])
 
     def polynomial(self, depth, bound):
