@@ -168,6 +168,18 @@ class Answer:
         data = {name: None if name == "limit" else getattr(self, name) for name in names}
         return {**data, "facts": [{"words": f.words, "latex": f.latex} for f in self.facts], "reason": self.reason, "certificate": {}}
 
+    def __str__(self) -> str:
+        """What ``exactkf analyze`` prints."""
+        from exactkf.dynamics.shown import decision_lines, number_lines
+
+        return "\n".join([*decision_lines(self), *number_lines(self, 20)])
+
+    def _repr_markdown_(self) -> str:
+        """Headline and derivation, as a notebook shows them."""
+        from exactkf.dynamics.shown import decision_lines
+
+        return "\n".join([f"**{decision_lines(self)[0]}**", "", *(f"- {fact.latex}" for fact in self.facts)])
+
     def words(self) -> str:
         """Return the derivation in words, a sentence a line."""
         return "\n".join([f.words for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else []))
