@@ -64,8 +64,8 @@ class Chains:
     is_matrix: Callable[[Any], bool]
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
-    need_smaller: Callable[[Any], None]
     not_smaller: Callable[..., bool]
+    hides: Callable[..., bool]
     deeper: Callable[..., Symbolic]
     _meet: Callable[..., None]
     _factors: Callable[..., tuple[list[list], list]]
@@ -199,8 +199,9 @@ class Chains:
                 rows, cols = self.shape(tree, env)
                 if not self.region.holds(power) or self.region.reduce(plus(rows, cols, -1)):
                     raise Unknown("a power with a negative exponent, or of a matrix that is not square")
-            if power is not _ONE or tree[0] not in ("sym", "at"):  # a name has been looked at
-                self.need_smaller(tree)
+            looked_at = power is _ONE and tree[0] == "at" and tree[1] in self.recursive  # at its index
+            if not looked_at and self.hides(tree, env):
+                raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
             text, forms = opaque(tree, env, self.index)
             forms = [self.region.reduce(x) for x in forms]
             if self.inverts(tree):

@@ -27,7 +27,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -285,15 +285,11 @@ class Terms(Indefinite, Chains):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        self.need_smaller(tree)
+        if self.hides(tree, env):
+            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
-
-    def need_smaller(self, tree: Any) -> None:
-        """No recursion that is looked at stands in a term that is not opened."""
-        if self.within and self.within[1].intersection(names(tree)):
-            raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
 
     def inverts(self, tree: Any) -> bool:
         """Whether a term contains an inverse."""
@@ -356,6 +352,20 @@ class Terms(Indefinite, Chains):
     def not_smaller(self, name: str, last: Form) -> bool:
         """A value that may not be used, in a look at what a recursion is made of."""
         return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def hides(self, tree: Any, env: Mapping[str, Form]) -> bool:
+        """Whether a term that is not opened may contain such a value."""
+        if self.within is None or not isinstance(tree, list):
+            return False
+        env = {name: form for name, form in env.items() if name not in tree[1:]} if tree and isinstance(tree[0], str) else env  # what is bound here
+        if tree[:1] not in (["sym"], ["at"]) or tree[1] not in self.within[1]:
+            return any(self.hides(x, env) for x in tree)
+        if tree[0] == "sym" or self.definitions[tree[1]][0] != "rec":
+            return True
+        try:
+            return self.not_smaller(tree[1], self.index(tree[2], env))
+        except Unknown:
+            return True
 
     def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
         """What a definition says, unless too many are open."""
@@ -481,6 +491,8 @@ class Terms(Indefinite, Chains):
             found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
             if any(tree[1] in form for form in found):
                 raise Unknown("a sum of matrices of different sizes")
+            if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
+                raise Unknown("a sum of matrices without terms")  # it is the number zero
             return found
         if op == "*":
             chain = self._factors(tree, env)[1]
