@@ -194,6 +194,7 @@ class Chains:
         for tree, env, flip in parts:
             power: Form = _ONE
             if tree[0] == "^":
+                self.shape(tree, env)  # it is square
                 tree, power = tree[1], self.index(tree[2], env)
                 if not self.region.holds(power):
                     raise Unknown("a power of a matrix with a negative exponent")

@@ -464,20 +464,18 @@ class Terms(Indefinite, Chains):
                 self._need_one_shape(d)
                 return self.shape(d[3][2], inner)
             return self.shape(d[3], inner)
-        if op in ("/", "^"):
+        if op == "/":
             return self.shape(tree[1], env)
-        if op == "inv":
-            return self.shape(tree[1], env)[::-1]
-        if op == "subst":
-            return self.shape(tree[2], env)
+        if op in ("^", "inv", "subst"):
+            rows, cols = self.shape(tree[2 if op == "subst" else 1], env)
+            if self.region.reduce(plus(rows, cols, -1)):
+                raise Undefined("a matrix that is not square has no powers and no inverse")
+            return rows, cols
         if op == "if":
             both = [self.shape(x, env) for x in tree[2:]]
             return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
         if op == "sum":
-            found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
-            if any(tree[1] in form for form in found):
-                raise Unknown("a sum of matrices of different sizes")
-            return found
+            return self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
@@ -488,10 +486,30 @@ class Terms(Indefinite, Chains):
 
     def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
         """A term that is not known to be a number is made of matrices of one row and column."""
-        if tree[0] in ("sum", "prod"):
-            env = {**env, tree[1]: {f"@{len(env)}": 1}}
-        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+        if tree[0] not in OF_PARTS:
             raise Unknown("the size of a term that may be a matrix")
+
+        def read(x: Any) -> tuple[Form, Form]:
+            return self._at_any(tree[1], env, lambda inner: self.shape(x, inner)) if tree[0] in ("sum", "prod") else self.shape(x, env)
+
+        if any(read(x) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
+
+    def _at_any(self, name: str, env: Mapping[str, Form], shape: Callable[[Mapping[str, Form]], tuple[Form, Form]]) -> tuple[Form, Form]:
+        """The shape that a term has whatever an index is: nothing is known of a parameter that stands for it, nor decided by cases."""
+        free = f"#{self.nested}"
+        self.nested += 1
+        try:
+            found = shape({**env, name: {free: 1}})
+        except Split as split:
+            if free in split.form:
+                raise Unknown("a sum of matrices of different sizes") from None
+            raise
+        finally:
+            self.nested -= 1
+        if any(free in form for form in found):
+            raise Unknown("a sum of matrices of different sizes")
+        return found
 
     def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Size of a block matrix, whose blocks fit."""
