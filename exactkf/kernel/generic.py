@@ -73,7 +73,7 @@ class Terms(Indefinite, Chains):
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = self.perhaps = 0
-        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -305,20 +305,21 @@ class Terms(Indefinite, Chains):
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met then."""
+        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met and what is divided by then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
         key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
-            before = self.met, self.sure, self.perhaps
-            self.met, self.sure, self.perhaps = set(), set(), 0
+            before = self.met, self.sure, self.perhaps, self.field.used
+            self.met, self.sure, self.perhaps, self.field.used = set(), set(), 0, set()
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure, self.field.used
             finally:
                 before[0].update(self.met)
-                self.met, self.sure, self.perhaps = before
-        out, met, sure = self.called[key]
+                self.met, self.sure, self.perhaps, self.field.used = before
+        out, met, sure, used = self.called[key]
         self.met |= met
+        self.field.used |= used
         if not self.perhaps:
             self.sure |= sure
         return out
