@@ -69,6 +69,7 @@ class Terms(Indefinite, Chains):
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
+        self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
@@ -186,7 +187,9 @@ class Terms(Indefinite, Chains):
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
-            return self.entry(tree[1], self.index(tree[2], env), self.index(tree[3], env) if len(tree) > 3 else {"": 1}, env)
+            i, j = self.index(tree[2], env), self.index(tree[3], env) if len(tree) > 3 else {"": 1}
+            self._need_place(tree[1], i, j, env)
+            return self.entry(tree[1], i, j, env)
         raise Unknown(f"{op!r} at a generic index")
 
     def coefficient(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
@@ -388,6 +391,7 @@ class Terms(Indefinite, Chains):
             return self._call(name, args, read, m) - self._open(d, args, read)
         if d[0] == "rec" and self.is_matrix(d[4][0]):
             place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
+            self._need_place(["sym", name], place[0], place[1] if len(place) > 1 else {"": 1}, {})
             read = lambda body, inner: self.entry(body, place[0], place[1] if len(place) > 1 else {"": 1}, inner)
             return self._call(name, args, read, place=place) - self._open(d, args, read)
         return self.atom(("at", name, *map(form_key, args))) - self._open(d, args, self.value)
@@ -543,6 +547,14 @@ class Terms(Indefinite, Chains):
         if not self.kept[name]:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
+    def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
+        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
+        if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
+            return
+        rows, cols = self.shape(tree, env)
+        if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
+            raise Undefined("no entry there")
+
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
@@ -659,6 +671,11 @@ def _form_text(form: tuple) -> str:
     parts = [n.replace(INDEX, "t") if c == 1 else f"{c}{n.replace(INDEX, 't')}" for n, c in form if n]
     constant = dict(form).get("", 0)
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
+
+
+def _first(d: Any) -> Any:
+    """A term that is a matrix if the values of a definition are."""
+    return d[4][0] if d[0] == "rec" else d[3]
 
 
 def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:

@@ -359,10 +359,11 @@ class _Proof:
             if not todo:
                 break
             found = next((index for index in todo if self._equal_is_not_zero(terms, factors[index], known, proven)), None)
-            if found is None:
+            if found is None and len(todo) + len(proven) == len(factors):
                 raise Rejected(f"{place}: nothing tells that {terms.field.text(factors[todo[0]])} is not zero")
-            todo.remove(found)
-            proven.add(found)
+            if found is not None:
+                todo.remove(found)
+                proven.add(found)
         for f in factors:
             if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
