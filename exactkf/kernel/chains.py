@@ -65,6 +65,7 @@ class Chains:
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
     not_smaller: Callable[..., bool]
+    need_smaller: Callable[..., None]
     deeper: Callable[..., Symbolic]
     _meet: Callable[..., None]
     _factors: Callable[..., tuple[list[list], list]]
@@ -198,6 +199,7 @@ class Chains:
                 tree, power = tree[1], self.index(tree[2], env)
                 if not self.region.holds(power):
                     raise Unknown("a power of a matrix with a negative exponent")
+            self.need_smaller(tree, env)
             text, forms = opaque(tree, env, self.index)
             forms = [self.region.reduce(x) for x in forms]
             if self.inverts(tree):

@@ -33,6 +33,7 @@ from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
+from exactkf.kernel.wellformed import BINDERS
 
 __all__ = ["Terms"]
 
@@ -356,6 +357,21 @@ class Terms(Indefinite, Chains):
     def not_smaller(self, name: str, last: Form) -> bool:
         """A value that may not be used, in a look at what a recursion is made of."""
         return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
+
+    def need_smaller(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """The same of all values that a term which is not opened is made of, through definitions as far as they are no recursions."""
+        if self.within is None or not isinstance(tree, list):
+            return
+        if tree[:1] in (["sym"], ["at"]) and tree[1] in self.within[1]:
+            args, d = [self.index(a, env) for a in tree[2:]], self.definitions[tree[1]]
+            if tree[1] not in self.recursive:
+                self.need_smaller(d[3], dict(zip(d[2], args, strict=True)))
+            elif not args or self.not_smaller(tree[1], args[-1]):
+                raise Unknown(f"{tree[1]} at an index that is not smaller")
+        bound = tree[1:1 + BINDERS.get(tree[0], 0)] if tree and isinstance(tree[0], str) else []
+        inner = {name: form for name, form in env.items() if name not in bound}  # what is bound has no index here
+        for x in tree:
+            self.need_smaller(x, inner)
 
     def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
         """What a definition says, unless too many are open."""
