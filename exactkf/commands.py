@@ -15,7 +15,7 @@ from exactkf._errors import BadInput
 from exactkf.claims import Claim, find, load
 from exactkf.cli import INTERRUPTED, Setup
 from exactkf.describe import describe_claim
-from exactkf.display import describe, summary
+from exactkf.display import column_of, describe, summary
 from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.output import contract, export_certificates
 from exactkf.progress import Meter
@@ -131,7 +131,8 @@ def list_command(setup: Setup, words: Sequence[str]) -> int:
     width = max((len(c.id) for c in chosen), default=0)
     for claim in chosen:
         entry = record.entries.get(claim.id)
-        click.echo(f"{claim.id:{width}}  {describe(entry) if entry else 'not on record':24}  {claim.title}")
+        standing = describe(entry) + (", corrected" if column_of(entry) == "corrected" else "") if entry else "not on record"
+        click.echo(f"{claim.id:{width}}  {standing:24}  {claim.title}")
     return 0
 
 

@@ -362,9 +362,11 @@ def _credit(data: dict, e: Evidence, found: Findings) -> None:
             return
         found.evidence.append(f"identity in suitable coordinates; classical fact: {fact}")
     elif cover:
-        other = _standing_of(cover)
-        if other not in ("proved", "proved-sizes"):
-            found.evidence.append(f"{e.kind}: the parametrisation rests on {cover}, which is {other or 'open'}")
+        other, sizes = _standing_of(cover)
+        beyond = [name for name, values in sizes.items() if not {*e.hints["sizes"].get(name, ())} <= {*values}]
+        if other not in ("proved", "proved-sizes") or beyond:
+            less = f"{other} for fewer values of {', '.join(beyond)}" if beyond else other or "open"
+            found.evidence.append(f"{e.kind}: the parametrisation rests on {cover}, which is {less}")
             found.certificates.pop()
             return
         found.evidence.append(f"parametrisation reaches everything by {cover}")
@@ -384,19 +386,19 @@ _PHRASES = {
 
 
 @cache
-def _standing_of(id: str) -> str | None:
-    """Strength of another claim, its mutants left aside; None if it does not hold."""
+def _standing_of(id: str) -> tuple[str | None, Mapping[str, Sequence[int]]]:
+    """Strength of another claim, its mutants left aside, and the sizes; None if it does not hold."""
     from exactkf.claims import load
 
     other = load().get(id)
     if other is None or other.statement is None:
-        return None
+        return None, {}
     found = _find(id, other.statement, other.by, 0)
-    return found.strength if found.verdict == "holds" else None
+    return found.strength if found.verdict == "holds" else None, found.sizes or {}
 
 
 def _steps(e: Evidence, found: Findings) -> None:
-    standings = {id: _standing_of(id) for id in e.hints["ids"]}
+    standings = {id: _standing_of(id)[0] for id in e.hints["ids"]}
     weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes")]
     if weak:
         found.evidence.append(f"steps not proved: {', '.join(weak)}")

@@ -21,7 +21,7 @@ from typing import Any
 
 from exactkf._errors import BadInput
 from exactkf.claims import Claim
-from exactkf.files import check_target, dump_json, write_text
+from exactkf.files import check_target, dump_json, reaching, write_text
 
 __all__ = ["STRENGTHS", "Record"]
 
@@ -82,8 +82,10 @@ class Record:
         """Write ``verdicts.json`` and ``VERDICTS.md``; claims that are no more drop out."""
         files = record_files(package)
         self.entries = {id: e for id, e in self.entries.items() if id in claims}
-        write_text(files[0], dump_json({"claims": {id: self.entries[id] for id in sorted(self.entries)}}))
-        write_text(files[1], self.table(claims))
+        texts = dump_json({"claims": {id: self.entries[id] for id in sorted(self.entries)}}), self.table(claims)
+        for file, text in zip(files, texts, strict=True):
+            with reaching("--record", file):
+                write_text(file, text)
 
     def table(self, claims: Mapping[str, Claim]) -> str:
         """The record as Markdown, by paper, in reading order."""

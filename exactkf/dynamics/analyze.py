@@ -65,7 +65,7 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     keys = set(data) - set(_OPTIONS)
     if tuple(sorted(keys)) not in {tuple(sorted(form)) for form in FORMS}:
         forms = "; ".join(", ".join(form) for form in FORMS)
-        what = f"no filter has {' and '.join(repr(k) for k in sorted(keys))}" if keys else "no filter is given"
+        what = f"no filter is described by {' and '.join(repr(k) for k in sorted(keys))}" if keys else "no filter is given"
         raise BadInput(f"{what}; give one of: {forms}")
     if "order" in data and "covariances" not in data:
         raise bad("order", "goes with covariances only", data["order"], "leave it out")

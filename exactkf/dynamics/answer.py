@@ -11,8 +11,8 @@ Notation
 --------
 An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
 ``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
-(coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data
-is in intervals, ``{"interval": [lo, hi]}``.
+(coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data,
+or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``.
 """
 
 from __future__ import annotations
@@ -167,6 +167,18 @@ class Answer:
         names = [f.name for f in fields(self) if f.name not in ("facts", "reason", "certificate")]
         data = {name: None if name == "limit" else getattr(self, name) for name in names}
         return {**data, "facts": [{"words": f.words, "latex": f.latex} for f in self.facts], "reason": self.reason, "certificate": {}}
+
+    def __str__(self) -> str:
+        """What ``exactkf analyze`` prints."""
+        from exactkf.dynamics.shown import decision_lines, number_lines
+
+        return "\n".join([*decision_lines(self), *number_lines(self, 20)])
+
+    def _repr_markdown_(self) -> str:
+        """Headline and derivation, as a notebook shows them."""
+        from exactkf.dynamics.shown import decision_lines
+
+        return "\n".join([f"**{decision_lines(self)[0]}**", "", *(f"- {fact.latex}" for fact in self.facts)])
 
     def words(self) -> str:
         """Return the derivation in words, a sentence a line."""

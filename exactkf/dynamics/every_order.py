@@ -58,6 +58,7 @@ from exactkf.dynamics.wandering import (
     escapes_before,
     irreducible_at,
     modulus_without_escape,
+    more_places_without_escape,
     no_escape_modulo,
     places_without_escape,
 )
@@ -114,8 +115,8 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     Returns
     -------
     Answer
-        With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data the limit is
-        enclosed in intervals of 50 digits (`limit_digits` gives more).
+        With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data, and where it would have
+        a degree above 32, the limit is enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------
@@ -424,7 +425,7 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
             case.facts.append(Fact(f"The orbit does not escape modulo {modulus}, so it never does.",
                                    f"$1 - \\gamma_t^2$ is no multiple of ${modulus}$, so it is never zero."))
             return {"modulus": modulus}
-    places = places_without_escape(pair, before)
+    places = places_without_escape(pair, before) or more_places_without_escape(pair, before)
     if places is None:
         return None
     shown = ", ".join(str(p) for p, *_ in places)

@@ -371,7 +371,7 @@ def decide_many(starts: Iterable[Sequence[Any]], jobs: int = 1) -> list[Answer]:
 
 
 def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
-    """This process works too.  The others send back what they decided and nothing that can be made from it."""
+    """This process works too.  The others send back what they decided and nothing that can be made from it, piece by piece, so that reading is shared work."""
     size = max(1, len(starts) // (64 * jobs))
     # a fork of a process with threads can hang; without threads it saves the start of an interpreter, and the copying of the starts
     forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
@@ -383,11 +383,20 @@ def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
         process.start()
         sender.close()
         workers.append((process, receiver))
-    found = {k: _decide_all(starts[k : k + size]) for k in _turns(turn, size, len(starts))}
-    for process, receiver in workers:
+    found: dict[int, list[Answer]] = {}
+
+    def read(receiver: Any, *, to_the_end: bool) -> None:
         with suppress(EOFError, OSError):  # the work of a process that died is done again here
-            sent = marshal.loads(receiver.recv_bytes())
-            found.update({k: [Answer.of_entries(1, e, _LATER, s) for s, e in zip(starts[k : k + size], entries, strict=True)] for k, entries in sent.items()})
+            while to_the_end or receiver.poll():
+                k, entries = marshal.loads(receiver.recv_bytes())
+                found[k] = [Answer.of_entries(1, e, _LATER, s) for s, e in zip(starts[k : k + size], entries, strict=True)]
+
+    for k in _turns(turn, size, len(starts)):
+        found[k] = _decide_all(starts[k : k + size])
+        for _, receiver in workers:
+            read(receiver, to_the_end=False)
+    for process, receiver in workers:
+        read(receiver, to_the_end=True)
         receiver.close()
         process.join()
     return [answer for k in range(0, len(starts), size) for answer in (found[k] if k in found else _decide_all(starts[k : k + size]))]
@@ -406,11 +415,9 @@ def _turns(turn: Any, size: int, stop: int) -> Iterator[int]:
 def _work(starts: list[tuple], size: int, turn: Any, sender: Any) -> None:
     """What another process does.  A start that is refused ends its piece, and is refused again by the process that asked."""
     gc.disable()
-    found = {}
     for k in _turns(turn, size, len(starts)):
         with suppress(Exception):
-            found[k] = [_decision(_scalars(s)).entries for s in starts[k : k + size]]
-    sender.send_bytes(marshal.dumps(found))
+            sender.send_bytes(marshal.dumps((k, [_decision(_scalars(s)).entries for s in starts[k : k + size]])))
     sender.close()
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from flint import arb, fmpq
-
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.every_order import limit_digits
 from exactkf.dynamics.exact_json import polynomial_words
-from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 
 __all__ = ["decision_lines", "number_lines", "shown_number"]
@@ -31,9 +29,12 @@ def number_lines(answer: Answer, digits: int) -> list[str]:
     """The limit and the other numbers of the answer."""
     rows: list[tuple[str, str]] = []
     for name, values in (answer.limit or {}).items():
-        for k, value in enumerate(values if isinstance(values, list) else [values]):
-            index = f"_{k + 1}" if isinstance(values, list) and len(values) > 1 else ""
-            rows.append((f"limit of {name}{index}", shown_number(value, digits)))
+        several = isinstance(values, list)
+        if several and isinstance(values[0], dict) and "minpoly" not in values[0]:
+            shown = [f"{f'0 to {digits} digits' if x.contains(0) else x.str(digits, radius=False)}  (enclosed)" for x in limit_digits(answer, digits).alpha]
+        else:
+            shown = [shown_number(value, digits) for value in (values if several else [values])]
+        rows += [(f"limit of {name}" + f"_{k}" * (len(shown) > 1), text) for k, text in enumerate(shown, 1)]
     if answer.rate is not None:
         rows.append(("rate", shown_number(answer.rate, digits)))
     if answer.region:
@@ -66,7 +67,7 @@ def _headline(answer: Answer) -> str:
 
 
 def shown_number(value: Any, digits: int) -> str:
-    """An exact number of an answer, with its decimal digits.
+    """An exact number of an answer, with its decimal digits; it is rational, or the root of a polynomial.
 
     Examples
     --------
@@ -75,10 +76,6 @@ def shown_number(value: Any, digits: int) -> str:
     """
     if not isinstance(value, dict):
         return str(value)
-    if "minpoly" not in value:
-        lo, hi = (fmpq(*map(int, end.split("/"))) for end in value["interval"])
-        with precision(4 * digits + 64):
-            return f"{arb(lo).union(arb(hi)).str(digits, radius=False)}  (enclosed)"
     field = RealField(value["minpoly"], value["interval"])
     digits_of = field.gen().enclose(digits).str(digits, radius=False)
     return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"

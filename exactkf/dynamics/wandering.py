@@ -4,6 +4,7 @@ r"""Searches for orbits that neither converge nor repeat; what they find, the ch
 Main definitions
 ----------------
 ``places_without_escape``  primes that together show that the orbit never escapes
+``more_places_without_escape``  more of them, with larger periods
 ``aperiodic_place``        a prime that shows that the zeros of `D` are not distinct roots of unity
 ``modulus_without_escape``  one small prime that shows it
 ``escapes_before``         the times before the start at which the orbit would have escaped
@@ -30,7 +31,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
-from math import isqrt, lcm
+from itertools import takewhile
+from math import gcd, isqrt, lcm, prod
 from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
@@ -42,10 +44,12 @@ from exactkf.kernel.orbit_sieve import intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
 __all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
-           "no_escape_modulo", "places_without_escape", "primes"]
+           "more_places_without_escape", "no_escape_modulo", "places_without_escape", "primes"]
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
+_PRIME_BOUND_MANY, _LONGEST, _MARGIN, _MOST_LEFT_OF_MANY = 1000, (10_000, 30_000, 100_000, 300_000), 1, 50_000
+_MOST_READ = 1_500_000
 _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 12, 10_000, 200_000, 10_000
 _Taken = tuple[int, int | None, int, set[int]]
 
@@ -202,6 +206,103 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
             if len(left) > _MOST_LEFT or period > 1 << 60 and min(left) < _SOON:  # an escape, it seems
                 return None
     return None
+
+
+def more_places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] | None:
+    """Return places as `places_without_escape` does, of larger periods and more of them, or None.
+
+    Places with periods L_i and a part q_i of the residues leave about lcm(L_i) prod q_i times, as far as chance goes.  So those are taken whose
+    periods have much in common, the shorter the better; q_i is about 1/p_i before it is known.
+    """
+    some = takewhile(lambda p: p < _PRIME_BOUND_MANY, primes(5 if before else 2))
+    candidates = [(p, root, L) for p in some for root in pair.roots(p)[:1] if (L := _order(pair, p, root))]
+    known: dict[int, _Taken] = {}
+    for most in _LONGEST:
+        within = [c for c in candidates if c[2] <= most]
+        chosen = _with_much_in_common(within, known)
+        while _expected(chosen, known) < _MARGIN and (unknown := [c for c in chosen if c[0] not in known]):
+            if sum(L for _, _, L, _ in known.values()) + sum(L for _, _, L in unknown) > _MOST_READ:
+                return None
+            for p, root, L in unknown:
+                known[p] = p, root, L, _read_zeros(pair, p, root, L, before)
+            chosen = _with_much_in_common(within, known)
+        if _expected(chosen, known) < _MARGIN:
+            taken = _few_left([known[p] for p, _, _ in chosen])
+            for one in sorted(taken or [], key=lambda x: -x[2]):
+                taken = _few_left([x for x in taken or [] if x is not one]) or taken
+            if taken:
+                return [_place(p, root, L) for p, root, L, _ in taken]
+    return None
+
+
+def _read_zeros(pair: Readings, p: int, root: int | None, L: int, before: list[int]) -> set[int]:
+    """The times that a place leaves."""
+    found = _zeros_modulo(pair, p, root, L)
+    if found is None:
+        return set(range(L))
+    return found - {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, root, L)}
+
+
+_Place = tuple[int, int | None, int]
+
+
+def _part(place: _Place, known: dict[int, _Taken]) -> Fraction:
+    """The part of the residues that a place leaves, or about that."""
+    p, _, L = place
+    return Fraction(len(known[p][3]), L) if p in known else Fraction(1, p)
+
+
+def _expected(places: list[_Place], known: dict[int, _Taken]) -> Fraction:
+    """How many times are left, as far as chance goes."""
+    return lcm(*(L for _, _, L in places)) * prod((_part(x, known) for x in places), start=Fraction(1))
+
+
+def _with_much_in_common(places: list[_Place], known: dict[int, _Taken]) -> list[_Place]:
+    """Leave out, one after the other, places that add more to the common period than they take from the times left."""
+    while len(places) > 1:
+        full = lcm(*(L for _, _, L in places))
+        added, worst = max((full // lcm(*(x[2] for x in places if x is not one)) * _part(one, known), one) for one in places)
+        if added < 1:
+            return places
+        places = [x for x in places if x is not worst]
+    return places
+
+
+def _few_left(taken: list[_Taken]) -> list[_Taken] | None:
+    """The places in an order in which few times are left on the way to none, or None if some are left."""
+    period, left, order = 1, [0], []
+    while taken and left:
+        one = min(taken, key=lambda x: (Fraction(len(x[3]), gcd(period, x[2])), x[2]))
+        taken = [x for x in taken if x is not one]
+        if len(left) * len(one[3]) > _MOST_LEFT_OF_MANY * gcd(period, one[2]):
+            return None
+        period, left = intersected(period, left, one[2], one[3])
+        order.append(one)
+    return None if left else order
+
+
+def _order(pair: Readings, p: int, root: int | None) -> int | None:
+    """The order of z modulo `D` at a place, if it is not too large."""
+    d = pair.read(pair.D, p, root)
+    if d is None:
+        return None
+    f = nmod_poly(d, p)
+    if f.degree() < len(pair.D) - 1:
+        return None
+    exponent, repeated = 1, 1
+    for g, k in f.factor()[1]:
+        n = g.degree()
+        own = n % 2 == 0 and nmod_poly(g.coeffs()[::-1], p) * g[n] == g * g[0]  # with a zero 1/z for each zero z
+        exponent = lcm(exponent, p ** (n // 2) + 1 if own else p**n - 1)
+        while repeated < k:
+            repeated *= p
+        if exponent > 100 * _LONGEST[-1]:
+            return None
+    z = nmod_poly([0, 1], p)
+    if z.pow_mod(exponent * repeated, f) != 1:
+        return None
+    order = _least(z, f, exponent * repeated)
+    return order if order <= _LONGEST[-1] else None
 
 
 def _needed(taken: list[_Taken]) -> list[_Taken]:

@@ -65,7 +65,7 @@ class Chains:
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
     not_smaller: Callable[..., bool]
-    need_smaller: Callable[..., None]
+    hides: Callable[..., bool]
     deeper: Callable[..., Symbolic]
     _meet: Callable[..., None]
     _factors: Callable[..., tuple[list[list], list]]
@@ -195,11 +195,13 @@ class Chains:
         for tree, env, flip in parts:
             power: Form = _ONE
             if tree[0] == "^":
-                self.shape(tree, env)  # it is square
                 tree, power = tree[1], self.index(tree[2], env)
-                if not self.region.holds(power):
-                    raise Unknown("a power of a matrix with a negative exponent")
-            self.need_smaller(tree, env)
+                rows, cols = self.shape(tree, env)
+                if not self.region.holds(power) or self.region.reduce(plus(rows, cols, -1)):
+                    raise Unknown("a power with a negative exponent, or of a matrix that is not square")
+            looked_at = power is _ONE and tree[0] == "at" and tree[1] in self.recursive  # at its index
+            if not looked_at and self.hides(tree, env):
+                raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
             text, forms = opaque(tree, env, self.index)
             forms = [self.region.reduce(x) for x in forms]
             if self.inverts(tree):

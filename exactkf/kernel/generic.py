@@ -33,7 +33,6 @@ from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
-from exactkf.kernel.wellformed import BINDERS
 
 __all__ = ["Terms"]
 
@@ -182,7 +181,7 @@ class Terms(Indefinite, Chains):
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
-        if op == "at" and (tree[1] in self.known.matrices or self.definitions.get(tree[1], ("",))[0] == "let" and not self.definitions[tree[1]][2]):
+        if op == "at" and self.known.is_named_matrix(tree[1]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
@@ -289,7 +288,7 @@ class Terms(Indefinite, Chains):
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
         text, forms = opaque(tree, env, self.index)
-        if self.within and self.within[1].intersection(names(tree)):
+        if self.hides(tree, env):
             raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if self.inverts(tree):
             self._meet(text, forms)
@@ -358,20 +357,19 @@ class Terms(Indefinite, Chains):
         """A value that may not be used, in a look at what a recursion is made of."""
         return self.within is not None and name in self.within[1] and self.region.decide(plus(self.within[0], last, -1)) is not True
 
-    def need_smaller(self, tree: Any, env: Mapping[str, Form]) -> None:
-        """The same of all values that a term which is not opened is made of, through definitions as far as they are no recursions."""
+    def hides(self, tree: Any, env: Mapping[str, Form]) -> bool:
+        """Whether a term that is not opened may contain such a value."""
         if self.within is None or not isinstance(tree, list):
-            return
-        if tree[:1] in (["sym"], ["at"]) and tree[1] in self.within[1]:
-            args, d = [self.index(a, env) for a in tree[2:]], self.definitions[tree[1]]
-            if tree[1] not in self.recursive:
-                self.need_smaller(d[3], dict(zip(d[2], args, strict=True)))
-            elif not args or self.not_smaller(tree[1], args[-1]):
-                raise Unknown(f"{tree[1]} at an index that is not smaller")
-        bound = tree[1:1 + BINDERS.get(tree[0], 0)] if tree and isinstance(tree[0], str) else []
-        inner = {name: form for name, form in env.items() if name not in bound}  # what is bound has no index here
-        for x in tree:
-            self.need_smaller(x, inner)
+            return False
+        env = {name: form for name, form in env.items() if name not in tree[1:]} if tree and isinstance(tree[0], str) else env  # what is bound here
+        if tree[:1] not in (["sym"], ["at"]) or tree[1] not in self.within[1]:
+            return any(self.hides(x, env) for x in tree)
+        if tree[0] == "sym" or self.definitions[tree[1]][0] != "rec":
+            return True
+        try:
+            return self.not_smaller(tree[1], self.index(tree[2], env))
+        except Unknown:
+            return True
 
     def deeper(self, d: Any, args: tuple[Form, ...], read: Callable) -> Symbolic:
         """What a definition says, unless too many are open."""
@@ -496,7 +494,10 @@ class Terms(Indefinite, Chains):
             both = [self.shape(x, env) for x in tree[2:]]
             return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
         if op == "sum":
-            return self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
+            found = self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
+            if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
+                raise Unknown("a sum of matrices without terms")  # it is the number zero
+            return found
         if op == "*":
             chain = self._factors(tree, env)[1]
             return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})

@@ -256,10 +256,10 @@ class _Proof:
         yield from self._said(terms, lemma["says"], {lemma["index"]: t}, places)
 
     def _assumed(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
-        """Equations that a hypothesis says at the places given."""
+        """Equations that a hypothesis says at the places given; what is said of all t holds as long as it has a value."""
         formula = next((formula for label, formula, _ in self.statement["given"] if label == use["given"]), None)
-        if formula is None:
-            raise Rejected(f"there is no hypothesis {use['given']!r}")
+        if formula is None or _mentions(formula, "always"):
+            raise Rejected(f"there is no hypothesis {use['given']!r}, or it is about all t")
         self.assumes = True
         with suppress(Unknown):  # places of another part
             places = {name: terms.index(tree, names) for name, tree in use["at"].items()}

@@ -97,6 +97,11 @@ class Known:
             return self.is_matrix(tree[{"/": 1, "if": 2, "sum": 4}[tree[0]]])
         return tree[0] in ("+", "-", "*", "neg") and any(self.is_matrix(x) for x in tree[1:])
 
+    def is_named_matrix(self, name: str) -> bool:
+        """Whether a name without indices stands for a matrix that is no column of numbers."""
+        d = self.definitions.get(name)
+        return name in self.matrices or d is not None and d[0] == "let" and not d[2] and self.is_matrix(d[3])
+
     def others(self, tree: Any) -> bool:
         """Whether a term may be something else than a number or a polynomial."""
         if id(tree) not in self._others:
@@ -105,6 +110,8 @@ class Known:
 
     def _other(self, tree: Any, found: set[str]) -> bool:
         if isinstance(tree, int):
+            return False
+        if tree[0] == "at" and self.is_named_matrix(tree[1]):  # an entry
             return False
         if tree[0] in ("sym", "at"):
             return tree[1] in found | (self._named if tree[0] == "sym" else self._called)

@@ -35,6 +35,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import gcd, isqrt, lcm
 from operator import mul
+from struct import iter_unpack
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
@@ -152,7 +153,8 @@ def _horner(f: list[int], x: int, N: int) -> int:
 def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     """The t from 0 to L - 1 with det X_t = 0 modulo p, where S_m^L = I modulo p.
 
-    With S^{i + jB} in two parts, det X is a sum of products of minors (Cauchy and Binet).
+    With S^{i + jB} in two parts, det X is a sum of products of minors (Cauchy and Binet). For one j the sums for all i come from
+    products with integers that hold one minor for all i, 64 bits each, which none of the sums exceeds.
     """
     S, size = step_matrix(q, g, p), isqrt(L) + 1
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
@@ -163,10 +165,12 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
         top.append(_minors(power, p))
     leap = _power(S, size, p)
     _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
+    _need(len(top[0]) * p * p < 1 << 64, "the minors are too many")
+    packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):
-        minors = _minors(columns, p)
-        found |= {start + i for i, row in enumerate(top) if sum(map(mul, row, minors)) % p == 0}
+        sums = sum(map(mul, packed, _minors(columns, p)))
+        found |= {start + i for i, (x,) in enumerate(iter_unpack("<Q", sums.to_bytes(8 * size, "little"))) if x % p == 0}
         columns = _product(columns, leap, p)
     return {t for t in found if t < L}
 

@@ -159,6 +159,12 @@ class Statement:
         set_(self, "says", self.says.tree if isinstance(self.says, Expr) else self.says)
         _check(self)
 
+    def _repr_latex_(self) -> str:
+        """The formula, as a notebook shows it."""
+        from exactkf.language.latex import statement_latex
+
+        return f"$\\displaystyle {statement_latex(self)}$"
+
     def to_json(self) -> dict:
         """Plain data, see the module's docstring."""
         return {"sizes": list(self.sizes), "over": as_lists(self.over), "where": as_lists(self.where),

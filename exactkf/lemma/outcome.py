@@ -60,6 +60,12 @@ class Outcome:
     checks: int = 0
     seconds: float = 0.0
 
+    def __str__(self) -> str:
+        """What ``exactkf lemma`` prints."""
+        from exactkf.lemma.show import outcome_lines
+
+        return "\n".join(outcome_lines(self))
+
     def to_json(self) -> dict[str, Any]:
         """Plain data, with the lemma as text of the grammar and as LaTeX."""
         from exactkf.language.latex import given_latex, over_latex, says_latex, statement_latex, where_latex

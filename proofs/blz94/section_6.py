@@ -181,7 +181,7 @@ claim("BLZ94-L6.2.1", "Lemma 6.1 with J - bh' in place of F = J - ah' and nothin
       nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"], over={a0: vector(n), g0: vector(n)},
       where=[let(b0, a0 + 2 * g0), let(D, symmetric_part(monic_of(a0), monic_of(b0)))],
       given=[given("(b, b + 2g) stable", schur(monic_of(b0))), given("(b, b + 2g) positive", pos_on_circle(_OTHER_D)), standing("alpha_n != 0", a0[n] + g0[n] != 0)],
-      by=[example(n=1, abar=[2], gbar=["-9/16"]), instances(n=(1, 2), made_by={g0: 0 * a0, a0: column(i, n, w[i] / to_expr(4) ** i)}, using={w: vector(n)})],
+      by=[example(n=1, abar=[2], gbar=["-9/16"]), instances(n=(1, 2), made_by={a0: column(i, n, w[i] / to_expr(4) ** i), g0: 0 * a0}, using={w: vector(n)})],
       note="A consequence: if the recursion with J - bh' and g converges from zero, so does (4.4), and then D is sign definite (Corollary 5.3). It converges if J - bh' "
            "and g belong to a positive real function, that of b and b + 2g. In the example, n = 1, a = 2, b = 7/8, this is so, but D is not sign definite. "
            "The proof exchanges a and b, which is more than the lemma says: g = (b - a)/2 changes its sign.",

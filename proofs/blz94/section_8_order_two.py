@@ -250,8 +250,9 @@ claim("BLZ94-F8.4a", "one bounded and four unbounded regions in Figure 8.4, v po
                 prose="The values of D at z = 1 and -1 are a(1)b(1) and a(-1)b(-1), p = b(1), q = a(-1), and the other two factors have their signs. So no point with p = 0 or q = 0 is in a region, which "
                       "leaves four parts. Let m = sqrt(a(1)b(1)) + sqrt(a(-1)b(-1)), to be compared with 4 sqrt(y) if y > 0. p, q < 0 makes y < -3/2: a convex part. If p and q differ in sign, each "
                       "horizontal line meets the part in a half-line to the same side, as m is concave and grows without bound along it: it is connected. If p, q > 0, then "
-                      "20m <= 11(1 + 2y) + (100/11)(3 + 2y) by arithmetic means, which is less than 80 sqrt(y) for 2/3 <= y <= 1. For y > 1 raising y by e raises m by 2e at least and 4 sqrt(y) by less, and horizontal lines meet the part in intervals: it is connected. "
-                      "For y < 2/3 it is a star around the origin, as m there is sqrt(8/3) and m is concave. v is positive real at the origin."),
+                      "20m <= 11(1 + 2y) + (100/11)(3 + 2y) by arithmetic means, which is less than 80 sqrt(y) for 2/3 <= y <= 1; and with the weights sqrt(3) and "
+                      "1/sqrt(2) m <= sqrt(8) + 9(y - 1/2)/4 <= 4 sqrt(y) for 1/2 <= y <= 2/3, as the mean falls with x, from p = 0 on. For y > 1 raising y by e raises m by 2e at least and 4 sqrt(y) by less, and horizontal lines meet the part in intervals: it is connected. "
+                      "For y < 1/2 it is a star around the origin, as m there is sqrt(8/3) and m is concave. v is positive real at the origin."),
           *[example({x: x_, y: y_, u: u_, w: w_}) for x_, y_, u_, w_ in _REGIONS], instances(24)],
       note="(x, y) = (alpha_1, alpha_2), gamma = (1/2, 1/3), and the regions are those of D > 0: D is never negative, and without their boundaries no two regions meet; with them the bounded one has a corner in common "
            "with the region to the left, (-5/3, 1/2), and with the one to the right, (1/3, -1/2). Each region is closed under the shift by r = u^2 or, the bounded one, under the contraction by s, which lies between 0 and 1.")
@@ -266,7 +267,9 @@ claim("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to"
       note="gamma(t) tends to zero where D is sign definite (y = 1): q is the first t at which its square length is at most x. Where it is not, none of the first gamma(t) is zero.")
 
 not_checked("BLZ94-F8.5", "the plot of an orbit", "a picture without printed numbers; what the text says of it is in X8.1a, X8.1b and X8.1c")
-not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point", "the initial point and its rounding are not printed")
+not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point",
+            "which point was rounded is not printed, and whether an orbit is dense on its manifold depends on the relations between the angles of its own D. Rational data, at least, "
+            "never have the period 144: the zeros of their D have degree four at most, and as roots of unity orders up to 12")
 
 claim("BLZ94-S66", "which points of the manifold of an interior point tend to it", ~coprime(w, Z - p), over={u: monic(1), v: monic(1), w: monic(2), s: nonzero(), r: nonzero()},
       where=[let(p, when(abs(s) < 1, s, 1 / s))],

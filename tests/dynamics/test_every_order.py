@@ -24,6 +24,7 @@ from exactkf.kernel.intervals import is_schur
 from exactkf.kernel.replay import Rejected, digest, replay
 from exactkf.theory.fast_filter import ag_from_alpha_gamma, step_ag, step_alpha_gamma
 from exactkf.theory.invariants import pseudo_polynomial, pseudo_polynomial_from_parameters
+from exactkf.theory.orbits import first_escape
 
 STEPS = 40
 #: points of the unit circle with rational coordinates
@@ -286,6 +287,20 @@ def test_an_orbit_that_comes_from_an_escape_is_decided():
     assert (answer.behaviour, answer.never_escapes) == ("not convergent, not periodic", True)
     assert answer.certificate["evidence"]["before"] == [1]
     replay(answer.certificate)
+
+
+def test_many_primes_exclude_an_escape_of_order_five():
+    """Where no two primes do, five do together, and all of them are needed; stepping meets no escape."""
+    a, g = ([fmpq(*map(int, x.split("/"))) if "/" in x else fmpq(int(x)) for x in text.split()] for text in ("1/2 -3/4 1/4 -1 6", "1/2 -3 0 5 -5/4"))
+    answer = decide(a, g)
+    assert (answer.behaviour, answer.torus_dimension) == ("not convergent, not periodic", 2)
+    replay(answer.certificate)
+    assert first_escape(a, g, 500) is None
+    places = answer.certificate["evidence"]["places"]
+    assert len(places) > 3
+    for k in range(len(places)):
+        with pytest.raises(Rejected):
+            replay(edited(answer.certificate, ("evidence", "places"), places[:k] + places[k + 1:]))
 
 
 def test_related_roots_give_a_smaller_torus():

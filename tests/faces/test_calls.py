@@ -118,7 +118,7 @@ def test_what_can_never_be_written_is_one_line(paper, monkeypatch):
 
     monkeypatch.setattr(exactkf.files.os, "replace", full)
     for args, argument in ((["verify", "BBB", "--json", "out.json"], "--json"), (["report", "BBB", "-o", "page.html"], "--output"),
-                           (["verify", "BBB", "--certificates", "certs"], "--certificates")):
+                           (["verify", "BBB", "--certificates", "certs"], "--certificates"), (["verify", "BBB", "--record"], "--record")):
         done = p.run(*args)
         assert done.exit_code == 2 and done.stderr.count("\n") == 1 and argument in done.stderr and "No space left" in done.stderr, done.output
     assert [f.name for f in p.root.iterdir() if f.suffix in (".json", ".html") or f.name.endswith(".part")] == []

@@ -59,3 +59,10 @@ def test_unreadable_record(tmp_path, monkeypatch):
     monkeypatch.syspath_prepend(tmp_path)
     with pytest.raises(BadInput, match="unreadable"):
         Record.read("odd_proofs")
+
+
+def test_list_says_what_is_corrected(paper):
+    p = paper("ok", engine="exactkf.engine")
+    p.run("verify", "--record", engine="exactkf.engine")
+    lines = p.run("list", "AAA", engine="exactkf.engine").stdout.splitlines()
+    assert lines[0].split("  ")[1] == "holds, proved" and lines[1].split("  ")[1] == "fails, corrected", lines

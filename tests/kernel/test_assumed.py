@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from exactkf.evidence import fact, generic_index, lemma, use
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import (
@@ -19,8 +21,10 @@ from exactkf.language import (
     matrix_of,
     nonzero,
     prod,
+    rec,
     scalar,
     sequence,
+    signal,
     standing,
     sym,
     symbols,
@@ -52,6 +56,19 @@ def test_an_equation_at_every_index_of_its_range():
     assert not accepts(x[n + 1] == x[n], steps, over=over, uses=[use("steps", k=n)])
     assert not accepts(x[n] == x[0], steps, over=over, lemmas=[lemma(t, x[t] == x[0], uses=[use("steps", k=t)])], uses=[use(0, t=n)])
     assert not accepts(x[n] == x[0], given("steps", forall(k, 0, n - 1, x[k + 1] <= x[k])), over=over, lemmas=[to], uses=[use(0, t=n, u=n)])
+
+
+def test_what_holds_as_long_as_it_has_a_value():
+    """With y_t = 1, 1, .., and none from t = 2 on, x_t = y_t for all t is true of an instance, and so is z_t = y_t; x_5 = z_5 is not."""
+    where = [rec(y, t, 1, y[t] / when(t < 1, 1, b))]
+    both = [given("first", forall(t, 0, n, x[t] == y[t])), given("second", forall(t, 0, n, v[t] == y[t]))]  # all of these have a value
+    over = {"x": signal(0), "v": signal(0), "b": scalar()}
+    uses = [use("first", t=n), use("second", t=n)]
+    assert accepts(x[n] == v[n], *both, over=over, where=where, uses=uses)
+    data = Statement(says=x[n] == v[n], sizes=["n"], over=over, where=where, given=both).to_json()
+    data["given"] = [[label, ["always", "t", formula[4]], kind] for label, formula, kind in data["given"]]
+    with pytest.raises(Rejected, match="about all t"):
+        replay(seal("test", "generic index", data, generic_index(uses=uses).hints))
 
 
 def test_no_division_that_is_not_allowed():

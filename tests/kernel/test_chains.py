@@ -151,6 +151,22 @@ def test_an_inverse_stays_where_it_is_left_out():
                                                                                  uses=[use(2, t=0, row=sym("row"))])
 
 
+def test_powers_are_of_square_matrices():
+    """X^0 has no value for a matrix with more rows than columns, and so it is nothing."""
+    over = {"X": matrix(n, m), "G": matrix(m, n)}
+    for says in (X**0 == X**0, X**1 == X, (X * G) ** 1 == X * G, forall(t, 0, m, X**t == X**t)):
+        assert accepts(says, over=over, where=()) is (says.tree[1][1][0] == "*" if says.tree[0] == "=" else False)
+
+
+def test_a_recursion_behind_a_power_or_an_inverse_defines_nothing():
+    """Y(t) made of the square, or the inverse, of Y(t) is not used."""
+    over = {"F": matrix(n, n)}
+    for step in (F * Y(t) ** 2, Y(t) ** t, F * inv(Y(t)), T(Y(t)), Y(t) * h * T(g)):
+        where = [function(Y, [t], when(t == 0, F, step))]
+        assert not accepts(Y(1) == F, over={**over, "h": vector(n), "g": vector(n)}, where=where)
+        assert not accepts(forall(t, 1, m, Y(t) == step), over={**over, "h": vector(n), "g": vector(n)}, where=where, uses=[use(Y, t)])
+
+
 def test_a_polynomial_of_a_matrix_in_a_product():
     """F p(F) g is the sum of p_k F^(k+1) g, and h' p(F) p(F) g is left as one product of two sums."""
     over = {"F": matrix(n, n), "h": vector(n), "g": vector(n), "b": scalar()}

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import pytest
 
+from exactkf.kernel.defined import ill_founded
 from tests.kernel.test_false_claims import accepted, statement
 
 n, t, k, s, i, j, c, w = (["sym", name] for name in ("n", "t", "k", "s", "i", "j", "c", "w"))
@@ -52,6 +53,15 @@ def test_a_polynomial_has_coefficients():
     assert accepted("generic index", {**made, "over": [["p", ["scalar"]]]}, {"lemmas": []})
 
 
+@pytest.mark.parametrize("low, sized", [(0, True), (1, False)])
+def test_a_sum_without_terms_has_no_size(low, sized):
+    """For n = 0 a sum of matrices from 1 to n is the number zero, with one row."""
+    total = ["sum", "k", low, n, A]
+    made = statement(["=", ["nrows", total], n], [["A", ["matrix", n, n]]])
+    assert accepted("generic index", made, {"lemmas": []}) is sized
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 0}, "values": {"A": []}}}) is not sized
+
+
 def test_a_reversed_number_is_a_polynomial():
     """rev(c, n) = c z^n, though there is no z in it."""
     for tree in (["rev", c, 2], at("f", 2)):
@@ -86,6 +96,15 @@ def test_a_recursion_behind_a_determinant_defines_nothing():
     assert not accepted("generic index", made, evidence)
     assert accepted("generic index", {**made, "says": ["=", ["det", matrix(at("X", 1))], at("X", 1)], "where": step(t)}, {"lemmas": [fact], "uses": [
         {"lemma": 0, "at": {"s": 1}}]})
+
+
+@pytest.mark.parametrize("index, solved", [(["+", t, 1], False), (t, True)])
+def test_a_recursion_behind_an_inverse_is_looked_at(index, solved):
+    """X[t + 1] = f(X[t + 1]) is not made of smaller values, however f is written."""
+    matrix = ["mat", "i", "j", 2, 2, when("=", i, j, 1, at("X", index))]
+    for term in (["*", ["inv", matrix], ["col", "i", 2, 1]], ["*", ["^", M, n], matrix, ["col", "i", 2, 1]]):
+        where = [["rec", "X", "t", 0, [0], ["entry", term, 1]]]
+        assert (not ill_founded(statement(["=", c, c], [["M", ["matrix", 2, 2]]], (), where), [{"n": 1}])) is solved
 
 
 # ---------------------------------------------------------------------- what is not zero

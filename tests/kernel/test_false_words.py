@@ -118,6 +118,16 @@ def test_two_divisions_by_zero_do_not_excuse_each_other():
     assert accepts({**made, "says": ["always", "t", ["=", at("X", t), 1]]}, {**evidence, "uses": [x_is]})
 
 
+@pytest.mark.parametrize("later", [["^", at("X", ["+", t, 1]), 1], ["*", ["^", at("X", ["+", t, 1]), 1], ["I", n]], at("X", ["+", t, 1])])
+def test_a_recursion_made_of_itself_as_a_letter_defines_nothing(later):
+    """X_(t+1) = X_(t+1)^1 + I has no solution, and X_t = X_t^1 tells nothing else."""
+    lemma = {"index": "t", "direct": True, "says": ["=", at("X", t), ["^", at("X", t), 1]]}
+    made = {**NULL, "over": [["F", ["matrix", n, n]], *NUMBER], "given": SOME, "where": [rec("X", F, ["+", later, ["I", n]])]}
+    evidence = {"lemmas": [lemma], "uses": [{"lemma": 0, "at": {"t": 1, "row": 1, "column": 1}, "times": c}]}
+    assert not accepts(made, evidence)
+    assert accepts({**made, "says": ["=", at("X", 1), ["+", F, ["I", n]]], "where": [rec("X", F, ["+", ["^", at("X", t), 1], ["I", n]])]}, evidence)
+
+
 def test_a_chain_of_denominators_is_looked_at_in_order():
     """1/U and 1/V are allowed, as V = U + 1 and U = 1 by lemmas, one of which divides by the other."""
     where = [rec("U", 1, at("U", t)), rec("V", 2, ["/", at("V", t), at("U", t)])]

@@ -7,13 +7,14 @@ import json
 
 import pytest
 
+from exactkf import engine
 from exactkf.check import check_paths
 from exactkf.engine import verify_statement
 from exactkf.evidence import identity, instances
 from exactkf.kernel.replay import Rejected, replay, seal
-from exactkf.language import Statement, given, integer, let, rational, scalar, symbols
+from exactkf.language import Statement, given, integer, let, rational, scalar, sum_of, symbols
 
-x, y, c, s, t, k = symbols("x y c s t k")
+x, y, c, s, t, k, pp = symbols("x y c s t k pp")
 CIRCLE = {"over": {c: scalar(), s: scalar()}, "given": [given("on the circle", c**2 + s**2 == 1)]}
 HALF_ANGLE = {c: (1 - t**2) / (1 + t**2), s: 2 * t / (1 + t**2)}
 FACT = "every point of the circle but (-1, 0) has a rational parameter"
@@ -84,6 +85,17 @@ def test_what_a_parametrisation_rests_on_is_said(tmp_path, capsys):
     (tmp_path / "b.json").write_text(json.dumps(plain))
     assert check_paths([tmp_path]) == 0
     assert "assuming T-2 (a proof by that name replays here) for" in capsys.readouterr().out
+
+
+def test_a_parametrisation_is_worth_no_more_sizes_than_what_covers_it(monkeypatch):
+    """Of a claim proved for p up to three: what rests on it is not proved for p = 4."""
+    monkeypatch.setattr(engine, "_standing_of", lambda id: ("proved-sizes", {"pp": [1, 2, 3]}))
+    says = sum_of(k, 1, pp, (1 - c) * (1 + c)) == sum_of(k, 1, pp, s**2)
+    for sizes, strength in (((1, 2, 3), "proved-sizes"), ((1, 2, 3, 4), "instances")):
+        proof = identity(given_by=HALF_ANGLE, using={t: scalar()}, covered_by="T-0", pp=sizes)
+        drawn = instances(made_by=HALF_ANGLE, using={t: scalar()}, pp=(1, 2))
+        found = verify_statement(_statement(says, sizes=["pp"]), [proof, drawn])
+        assert (found["verdict"], found["strength"]) == ("holds", strength), found["evidence"]
 
 
 def test_every_instances_evidence_is_searched():

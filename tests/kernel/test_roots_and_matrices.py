@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import random
 from fractions import Fraction
 from functools import reduce
 
 import pytest
 import sympy
+from flint import fmpq, fmpq_poly
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -177,3 +179,21 @@ def test_expansion_at_infinity(num, den, k):
     series = {-j: f.at_infinity(j) for j in range(-4, k + 8)}
     product = Laurent(series) * Laurent(dict(enumerate(den)))
     assert all(product.get(j) == Laurent(dict(enumerate(num))).get(j) for j in range(-k, 4))
+
+
+def test_sturm_chains_in_integers_count_as_flint_does():
+    """Random rational polynomials with repeated and rational roots, some at the ends: distinct roots in (lo, hi]."""
+    rng = random.Random(9)
+    for _ in range(300):
+        p = fmpq_poly([1])
+        for _ in range(rng.randint(1, 4)):
+            factor = [fmpq(rng.randint(-4, 4), rng.randint(1, 3)) for _ in range(rng.randint(1, 3))] + [fmpq(rng.choice((-2, 1, 3)), 2)]
+            p *= fmpq_poly(factor) ** rng.choice((1, 1, 2, 3))
+        lo, hi = sorted(rng.sample([Fraction(k, 2) for k in range(-8, 9)], 2))
+        count = 0
+        for f, _ in p.numer().factor()[1]:
+            if f.degree() == 1:
+                count += lo < Fraction(-int(f[0]), int(f[1])) <= hi
+            else:
+                count += sum(z.imag == 0 and fmpq(lo.numerator, lo.denominator) < z.real < fmpq(hi.numerator, hi.denominator) for z, _ in f.complex_roots())
+        assert count_real([Fraction(int(c.p), int(c.q)) for c in p.coeffs()], lo, hi) == count
