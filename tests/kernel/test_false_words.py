@@ -125,7 +125,8 @@ def test_a_recursion_made_of_itself_as_a_letter_defines_nothing(later):
     made = {**NULL, "over": [["F", ["matrix", n, n]], *NUMBER], "given": SOME, "where": [rec("X", F, ["+", later, ["I", n]])]}
     evidence = {"lemmas": [lemma], "uses": [{"lemma": 0, "at": {"t": 1, "row": 1, "column": 1}, "times": c}]}
     assert not accepts(made, evidence)
-    assert accepts({**made, "says": ["=", at("X", 1), ["+", F, ["I", n]]], "where": [rec("X", F, ["+", ["^", at("X", t), 1], ["I", n]])]}, evidence)
+    assert accepts({**made, "says": ["=", at("X", 1), ["+", ["^", at("X", 0), 1], ["I", n]]], "where": [rec("X", F, ["+", ["^", at("X", t), 1], ["I", n]])]},
+                   {"lemmas": [lemma]})
 
 
 def test_a_chain_of_denominators_is_looked_at_in_order():
