@@ -29,6 +29,7 @@ from exactkf.language import (
     rank,
     rec,
     scalar,
+    sym,
     symbols,
     vector,
     vstack,
@@ -48,13 +49,13 @@ for id_, title in (("D71-E9.6", "the decomposition of the transpose"), ("D71-E9.
           by=[order(lemmas=[inv(TT)*A == Lam*inv(TT)]), example({**ONE, "Lam": [[1]]}), instances(8, n=(1, 2, 3), made_by={A: TT*Lam*inv(TT)})],
           note="A stands for Phi in discrete time. The prime on A in the sentence before (9.6) is read into the scan.")
 
-PARTS = [let(T1, matrix_of(i, j, n, q, TT[i, j])), let(T2, matrix_of(i, j, n, n - q, TT[i, j + q])),
-         let(S1, matrix_of(i, j, n, q, inv(TT)[j, i])), let(S2, matrix_of(i, j, n, n - q, inv(TT)[j + q, i]))]
+m = sym("m")
+PARTS = [let(S1, T(hstack(Identity(q), Zero(q, m))*inv(hstack(T1, T2)))), let(S2, T(hstack(Zero(m, q), Identity(m))*inv(hstack(T1, T2))))]
 
 claim("D71-E9.8", "two direct sums that are biorthogonal",
-      (T(S1)*T2 == Zero(q, n - q)) & (T(S2)*T1 == Zero(n - q, q)) & (T1*T(S1) + T2*T(S2) == I) & (S1*T(T1) + S2*T(T2) == I),
-      sizes=["n", "q"], over={TT: nonsingular(n)}, where=PARTS, by=[instances(n=(2, 3), q=(1, 2))],
-      note="Two blocks, of sizes q and n - q: every vector is a sum of one in the range of T_1 and one in that of T_2, and the same for S_1 and S_2.")
+      (T(S1)*T2 == Zero(q, m)) & (T(S2)*T1 == Zero(m, q)) & (T1*T(S1) + T2*T(S2) == Identity(q + m)) & (S1*T(T1) + S2*T(T2) == Identity(q + m)),
+      sizes=["q", "m"], over={T1: matrix(q + m, q), T2: matrix(q + m, m)}, where=PARTS, by=[order(), instances(q=(1, 2), m=(1, 2))],
+      note="Two blocks, of sizes q and m: every vector is a sum of one in the range of T_1 and one in that of T_2, and the same for S_1 and S_2.")
 
 SUM = [rec(Up, k, I, T(Phi)*Up[k]), rec(Rd, k, Zero(n, n), Rd[k] + T(Up[k])*H*Up[k])]
 MODE = {Phi: matrix(n, n), H: positive_semidefinite(n)}
