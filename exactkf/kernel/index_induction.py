@@ -398,7 +398,7 @@ class _Equations:
     def __init__(self, terms: Terms, rows: Iterator[_Row]) -> None:
         self.terms, self.rows = terms, rows
         self.read: list[_Row] = []
-        self.allowed: Collection[int] | None = None  # what those that are used may divide by
+        self.allowed: set[int] | None = None  # what those that are used may divide by
         self.first: Collection[int] = ()
         self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
 
@@ -410,7 +410,7 @@ class _Equations:
                 break
         return goal
 
-    def again(self, first: Collection[int], allowed: Collection[int]) -> None:
+    def again(self, first: Collection[int], allowed: set[int]) -> None:
         """Read all equations that divide by nothing but what is allowed, and choose atoms once more: some come first, those in denominators last."""
         self.rows, self.read, self.solved, self.first, self.allowed = iter([*self.read, *self.rows]), [], [], first, set(allowed)
 

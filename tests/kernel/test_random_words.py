@@ -28,7 +28,8 @@ WHERE = [["rec", "X", "t", 0, [["I", n]], ["*", F, at("X", t)]], ["rec", "V", "t
          ["let", "E", ["a"], ["mat", "i", "j", n, n, ["if", ["<=", ["sym", "i"], a], at("h", ["sym", "j"]), 0]]],
          ["let", "Z", ["a"], ["+", ["^", F, a], ["*", h, ["T", g]]]]]
 Y_IS = ["if", ["<", a, t], ["*", ["^", F, ["-", ["-", t, 1], a]], G], ["O", n, n]]
-RULES = [{"index": "t", "says": ["=", at("X", t), ["^", F, t]], "rule": True}, {"index": "t", "says": ["always", "a", ["=", at("Y", a, t), Y_IS]], "rule": True}]
+RULES = [{"index": "t", "says": ["=", at("X", t), ["^", F, t]], "rule": True},
+         {"index": "t", "says": ["always", "a", ["=", at("Y", a, t), Y_IS]], "rule": True}]
 SIZES = {"n": n, "m": m, "1": 1}
 LEAVES = {"nn": [F, F, G, P, D, ["I", n], ["O", n, n]], "mn": [H], "n1": [h, g, ["O", n, 1]], "1n": [r], "11": [c, b, 2], "mm": [["I", m]],
           "m1": [["O", m, 1]]}
