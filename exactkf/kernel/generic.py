@@ -27,7 +27,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -69,11 +69,12 @@ class Terms(Indefinite, Chains):
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
+        self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
         self.nested = self.perhaps = 0
-        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple]]] = {}
+        self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -186,7 +187,9 @@ class Terms(Indefinite, Chains):
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
         if op == "entry":
-            return self.entry(tree[1], self.index(tree[2], env), self.index(tree[3], env) if len(tree) > 3 else {"": 1}, env)
+            i, j = self.index(tree[2], env), self.index(tree[3], env) if len(tree) > 3 else {"": 1}
+            self._need_place(tree[1], i, j, env)
+            return self.entry(tree[1], i, j, env)
         raise Unknown(f"{op!r} at a generic index")
 
     def coefficient(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
@@ -305,20 +308,21 @@ class Terms(Indefinite, Chains):
 
     # ------------------------------------------------------------------ definitions
     def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met then."""
+        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met and what is divided by then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
         key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
-            before = self.met, self.sure, self.perhaps
-            self.met, self.sure, self.perhaps = set(), set(), 0
+            before = self.met, self.sure, self.perhaps, self.field.used
+            self.met, self.sure, self.perhaps, self.field.used = set(), set(), 0, set()
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure
+                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure, self.field.used
             finally:
                 before[0].update(self.met)
-                self.met, self.sure, self.perhaps = before
-        out, met, sure = self.called[key]
+                self.met, self.sure, self.perhaps, self.field.used = before
+        out, met, sure, used = self.called[key]
         self.met |= met
+        self.field.used |= used
         if not self.perhaps:
             self.sure |= sure
         return out
@@ -401,6 +405,7 @@ class Terms(Indefinite, Chains):
             return self._call(name, args, read, m) - self._open(d, args, read)
         if d[0] == "rec" and self.is_matrix(d[4][0]):
             place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
+            self._need_place(["sym", name], place[0], place[1] if len(place) > 1 else {"": 1}, {})
             read = lambda body, inner: self.entry(body, place[0], place[1] if len(place) > 1 else {"": 1}, inner)
             return self._call(name, args, read, place=place) - self._open(d, args, read)
         return self.atom(("at", name, *map(form_key, args))) - self._open(d, args, self.value)
@@ -478,19 +483,18 @@ class Terms(Indefinite, Chains):
                 self._need_one_shape(d)
                 return self.shape(d[3][2], inner)
             return self.shape(d[3], inner)
-        if op in ("/", "^"):
+        if op == "/":
             return self.shape(tree[1], env)
-        if op == "inv":
-            return self.shape(tree[1], env)[::-1]
-        if op == "subst":
-            return self.shape(tree[2], env)
+        if op in ("^", "inv", "subst"):
+            rows, cols = self.shape(tree[2 if op == "subst" else 1], env)
+            if self.region.reduce(plus(rows, cols, -1)):
+                raise Undefined("a matrix that is not square has no powers and no inverse")
+            return rows, cols
         if op == "if":
             both = [self.shape(x, env) for x in tree[2:]]
             return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
         if op == "sum":
-            found = self.shape(tree[4], {**env, tree[1]: {tree[1]: 1}})
-            if any(tree[1] in form for form in found):
-                raise Unknown("a sum of matrices of different sizes")
+            found = self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
             if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
                 raise Unknown("a sum of matrices without terms")  # it is the number zero
             return found
@@ -501,6 +505,33 @@ class Terms(Indefinite, Chains):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
+        """A term that is not known to be a number is made of matrices of one row and column."""
+        if tree[0] not in OF_PARTS:
+            raise Unknown("the size of a term that may be a matrix")
+
+        def read(x: Any) -> tuple[Form, Form]:
+            return self._at_any(tree[1], env, lambda inner: self.shape(x, inner)) if tree[0] in ("sum", "prod") else self.shape(x, env)
+
+        if any(read(x) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+            raise Unknown("the size of a term that may be a matrix")
+
+    def _at_any(self, name: str, env: Mapping[str, Form], shape: Callable[[Mapping[str, Form]], tuple[Form, Form]]) -> tuple[Form, Form]:
+        """The shape that a term has whatever an index is: nothing is known of a parameter that stands for it, nor decided by cases."""
+        free = f"#{self.nested}"
+        self.nested += 1
+        try:
+            found = shape({**env, name: {free: 1}})
+        except Split as split:
+            if free in split.form:
+                raise Unknown("a sum of matrices of different sizes") from None
+            raise
+        finally:
+            self.nested -= 1
+        if any(free in form for form in found):
+            raise Unknown("a sum of matrices of different sizes")
+        return found
 
     def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Size of a block matrix, whose blocks fit."""
@@ -514,13 +545,6 @@ class Terms(Indefinite, Chains):
         for _, w in shapes[0]:
             width = plus(width, w)
         return height, width
-
-    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
-        """A term that is not known to be a number is made of matrices of one row and column."""
-        if tree[0] in ("sum", "prod"):
-            env = {**env, tree[1]: {f"@{len(env)}": 1}}
-        if tree[0] not in OF_PARTS or any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
-            raise Unknown("the size of a term that may be a matrix")
 
     def _need_one_shape(self, d: Any) -> None:
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
@@ -539,6 +563,14 @@ class Terms(Indefinite, Chains):
                 self.kept[name] = False
         if not self.kept[name]:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
+
+    def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
+        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
+        if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
+            return
+        rows, cols = self.shape(tree, env)
+        if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
+            raise Undefined("no entry there")
 
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
@@ -656,6 +688,11 @@ def _form_text(form: tuple) -> str:
     parts = [n.replace(INDEX, "t") if c == 1 else f"{c}{n.replace(INDEX, 't')}" for n, c in form if n]
     constant = dict(form).get("", 0)
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
+
+
+def _first(d: Any) -> Any:
+    """A term that is a matrix if the values of a definition are."""
+    return d[4][0] if d[0] == "rec" else d[3]
 
 
 def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:

@@ -188,11 +188,15 @@ class Indefinite:
         return out
 
     def _at(self, monomial: tuple, place: Form) -> Symbolic:
-        """A monomial in atoms, with the place for its index."""
+        """A monomial in atoms, with the place for its index, which is perhaps no index of the sum: that its inverses exist is not sure."""
         out = self.number(1)
-        for key, e in monomial:
-            for _ in range(e):
-                out = out * self._again(_moved(key, "#", 0, place))
+        self.perhaps += 1
+        try:
+            for key, e in monomial:
+                for _ in range(e):
+                    out = out * self._again(_moved(key, "#", 0, place))
+        finally:
+            self.perhaps -= 1
         return out
 
     def _again(self, key: tuple) -> Symbolic:

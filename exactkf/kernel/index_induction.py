@@ -49,6 +49,7 @@ _MASK = (1 << BITS) - 1
 _RESERVED = {INDEX, "z", "row", "column"}
 _ONE: Form = {"": 1}
 Goal = Callable[[Terms], list[Symbolic]]
+_Row = tuple[Symbolic, frozenset[int]]  # what is zero, and the numbers of what it divides by
 
 
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
@@ -220,13 +221,13 @@ class _Proof:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
         self.close(region, goal, uses, names, place, current, in_values=self.in_values)
 
-    def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[Symbolic]:
-        """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too."""
-        terms.met.clear()
+    def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[_Row]:
+        """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too; with what they divide by."""
+        terms.met, terms.field.used = set(), set()
         for x in self._instances(terms, use, names, current):
             if terms.met <= granted:
-                yield x
-            terms.met.clear()
+                yield x, frozenset(terms.field.used)
+            terms.met, terms.field.used = set(), set()
 
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
@@ -282,9 +283,9 @@ class _Proof:
         """At one of the points a polynomial is not zero."""
         return any(witness.is_not_zero(terms, p) for witness in self.witnesses)
 
-    def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations) -> bool:
-        """What a polynomial is by the equations used here is not zero."""
-        known.again(_places(p))
+    def _equal_is_not_zero(self, terms: Terms, p: Mapping[int, int], known: _Equations, proven: set[int]) -> bool:
+        """What a polynomial is by the equations used here is not zero; they divide by nothing but what is known not to be zero."""
+        known.again(_places(p), proven)
         equal = known.reduced(Symbolic(terms.field, dict(p), 1, ())).num
         return bool(equal) and self._is_not_zero(terms, equal)
 
@@ -344,30 +345,45 @@ class _Proof:
         if any(x.num for x in wanted):
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
-                    for x in islice(self._granted(terms, use, names, current, granted), 1):
+                    for x, _ in islice(self._granted(terms, use, names, current, granted), 1):
                         wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
         known = _Equations(terms, (x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)))
         for x in wanted:
             if (rest := known.reduced(x)).num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in terms.region.forms)
                 raise Rejected(f"{place}: left over where {where}: {terms.field.text(rest.num)[:300]}")
-        for f in terms.field.factors:  # grows while it is gone through
-            key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
-            if key in self.not_zero:
-                continue
-            text = terms.field.text(f)
-            given = self._is_granted(terms, f)
-            if not given:
-                self.at_point.append(text)
-            if self._is_not_zero(terms, f):
-                if not given:  # whatever the indices are
-                    self.not_zero.add(key)
-            elif given:  # by a hypothesis, which is used that way
-                self.assumes = True
-            elif not self._equal_is_not_zero(terms, f, known):
-                raise Rejected(f"{place}: nothing tells that {text} is not zero")
-            if text not in self.denominators:
+        todo, proven, factors = list[int](), set[int](), terms.field.factors
+        while True:  # one after the other: an equation that divides by what is zero would tell that anything is not
+            while (index := len(todo) + len(proven)) < len(factors):  # they grow while they are looked at
+                (proven.add if self._needs_no_equation(terms, factors[index]) else todo.append)(index)
+            if not todo:
+                break
+            found = next((index for index in todo if self._equal_is_not_zero(terms, factors[index], known, proven)), None)
+            if found is None and len(todo) + len(proven) == len(factors):
+                raise Rejected(f"{place}: nothing tells that {terms.field.text(factors[todo[0]])} is not zero")
+            if found is not None:
+                todo.remove(found)
+                proven.add(found)
+        for f in factors:
+            if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
+
+    def _needs_no_equation(self, terms: Terms, f: dict[int, int]) -> bool:
+        """Something divided by is not zero at a point, or by a hypothesis; what is known of it is kept."""
+        key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
+        if key in self.not_zero:
+            return True
+        given = self._is_granted(terms, f)
+        if not given:
+            self.at_point.append(terms.field.text(f))
+        if self._is_not_zero(terms, f):
+            if not given:  # whatever the indices are
+                self.not_zero.add(key)
+        elif given:  # by a hypothesis, which is used that way
+            self.assumes = True
+        else:
+            return False
+        return True
 
 
 class _Equations:
@@ -376,12 +392,13 @@ class _Equations:
     Parameters
     ----------
     terms : what they are made of
-    rows : the x
+    rows : the x, with what they divide by
     """
 
-    def __init__(self, terms: Terms, rows: Iterator[Symbolic]) -> None:
+    def __init__(self, terms: Terms, rows: Iterator[_Row]) -> None:
         self.terms, self.rows = terms, rows
-        self.read: list[Symbolic] = []
+        self.read: list[_Row] = []
+        self.allowed: set[int] | None = None  # what those that are used may divide by
         self.first: Collection[int] = ()
         self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
 
@@ -393,14 +410,16 @@ class _Equations:
                 break
         return goal
 
-    def again(self, first: Collection[int]) -> None:
-        """Read all equations, and choose atoms once more, now that all denominators are known: some come first, those in denominators last."""
-        self.rows, self.read, self.solved, self.first = iter([*self.read, *self.rows]), [], [], first
+    def again(self, first: Collection[int], allowed: set[int]) -> None:
+        """Read all equations that divide by nothing but what is allowed, and choose atoms once more: some come first, those in denominators last."""
+        self.rows, self.read, self.solved, self.first, self.allowed = iter([*self.read, *self.rows]), [], [], first, set(allowed)
 
     def _values(self) -> Iterator[tuple[int, Symbolic]]:
         yield from list(self.solved)
-        for row in self.rows:
-            self.read.append(row)
+        for row, used in self.rows:
+            self.read.append((row, used))
+            if self.allowed is not None and not used <= self.allowed:
+                continue
             for pivot, value in self.solved:
                 row = _eliminated(self.terms, row, value, pivot)
             place = _pivot(self.terms, row, self.first)

@@ -28,12 +28,13 @@ __all__ = ["Symbolic", "SymbolicField"]
 class SymbolicField:
     """Rational functions over Q in the variables that `variable` has made.
 
-    ``factors`` lists the polynomials divided by so far.
+    ``factors`` lists the polynomials divided by so far, ``used`` the numbers of those divided by since somebody emptied it.
     """
 
     def __init__(self, trials: Trials | None = None) -> None:
         self.names: list[str] = []
         self.factors: list[Poly] = []
+        self.used: set[int] = set()
         self.divisors: list[Divisor] = []
         self.trials = Trials() if trials is None else trials
         self._products: dict[tuple, Divisor] = {}
@@ -98,6 +99,7 @@ class SymbolicField:
         if any(p):
             index = self._record(p)
             powers[index] = powers.get(index, 0) + 1
+        self.used |= powers.keys()
         return sorted(powers.items())
 
     def _content(self, p: Poly, place: int) -> list[Poly]:
