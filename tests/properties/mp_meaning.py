@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from typing import Any
 
 from mpmath import mp, mpf
@@ -299,8 +300,16 @@ def _rank(x: Any) -> int:
     if not t.m or not t.n:
         return 0
     wide = t if t.m >= t.n else t.turned()
-    values = mp.svd_r(wide.mp(), compute_uv=False)
+    values = _svd(wide, compute_uv=False)
     return sum(not _vanishes(s / max(values[0], 1)) for s in values) if not _vanishes(values[0]) else 0
+
+
+def _svd(t: Table, **options: bool) -> Any:
+    """Singular values (and vectors); for some matrices the iteration comes to an end with more digits only."""
+    for more in (0, 10, 30):
+        with suppress(RuntimeError), mp.workdps(mp.dps + more):
+            return mp.svd_r(t.mp(), **options)
+    raise NoValueError("singular values")
 
 
 def _det(x: Any) -> Any:
@@ -413,7 +422,7 @@ def _null_space(x: Any) -> Table:
     if not t.m:
         return _unit(t.n)
     square = _stack([[t], [Table([[0] * t.n for _ in range(max(t.n - t.m, 0))], t.n)]]) if t.m < t.n else t
-    _, _, right = mp.svd_r(square.mp())
+    _, _, right = _svd(square)
     return Table([[right[k, i] for k in range(rank, t.n)] for i in range(t.n)], t.n - rank)
 
 
