@@ -89,13 +89,15 @@ print(time.process_time() - started)
 
 
 def test_checking_is_twenty_times_faster_than_verifying(tmp_path):
-    """Of every sixth claim that has a proof for every size: the proofs replay in a twentieth of the time of `verify_claim`.
+    """All proofs for every size replay in a twentieth of the time that `verify_claim` takes for their claims: several minutes.
 
     `verify_claim` searches for counterexamples, finds the proofs, and judges the mutants. The proofs are replayed as in use,
     by the checker alone in a process of its own, and read from JSON there. Both are measured in processor time.
     """
     verifying, proofs = 0.0, list[str]()
-    for claim in [claim for claim in load().values() if claim.statement is not None][::6]:
+    for claim in load().values():
+        if claim.statement is None:
+            continue
         started = time.process_time()
         own = [c for c in verify_claim(claim)["certificates"] if c["kind"] in KINDS]
         if own:
