@@ -112,6 +112,6 @@ def test_symbolic_invariance(n):
     def bare():
         assert hand_written(q, g, one, zero)
 
-    mine, theirs = best(ours, 7), best(bare, 7)
+    mine, theirs = map(min, zip(*((best(ours, 3), best(bare, 3)) for _ in range(12)), strict=True))  # in turn: the clock rate of a processor changes
     print(f"\ninvariance, n = {n}: {1e3 * mine:.2f} ms, by hand {1e3 * theirs:.2f} ms, ratio {mine / theirs:.2f}")
     assert mine <= (3 if n < 4 else 2) * theirs
