@@ -26,6 +26,7 @@ from exactkf.signals import terminal_signals
 __all__ = ["Ended", "OutOfTime", "bounded"]
 
 _HEARTBEAT = 0.5
+_STARTING = 60  # seconds that an interpreter may take to begin
 _GRACE = 5  # seconds after which an abandoned process ends itself
 
 
@@ -48,7 +49,7 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
     request : object
         Plain data.
     seconds : float
-        After so many the process is ended, whatever it is doing.
+        So many after the function has begun the process is ended, whatever it is doing.
     heard, idle : callables
         Called with each message, and when nothing has come for half a second.
 
@@ -60,7 +61,7 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
     KeyboardInterrupt
         The process is ended first; so it is at SIGTERM.
     """
-    until = time.monotonic() + seconds
+    until = time.monotonic() + seconds + _STARTING
     # a fresh interpreter: forking a process that runs threads (a progress display has one) can hang
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe(duplex=False)
@@ -78,7 +79,9 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
                     idle()
                     continue
                 kind, value = ours.recv()
-                if kind == "told":
+                if kind == "begun":
+                    until = time.monotonic() + seconds
+                elif kind == "told":
                     heard(value)
                 elif kind == "raised":
                     raise value
@@ -103,6 +106,7 @@ def _run(function: Callable[[Any, Callable[[Any], None]], None], request: Any, t
     if hasattr(signal, "setitimer"):  # if nobody is left to end it
         with contextlib.suppress(OverflowError, OSError, ValueError):
             signal.setitimer(signal.ITIMER_REAL, math.ceil(seconds) + _GRACE)
+    there.send(("begun", None))
     try:
         function(request, lambda message: there.send(("told", message)))
     except ExactkfError as error:

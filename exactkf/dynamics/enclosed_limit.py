@@ -29,14 +29,13 @@ from flint import acb_poly, arb, fmpq, fmpq_poly
 
 from exactkf._errors import Unsupported
 from exactkf.dynamics.exact_json import element_json, field_json
-from exactkf.dynamics.spectral_factor import times
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import around, product
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.roots import chebyshev, count_circle, divmod_poly, squarefree
+from exactkf.kernel.roots import chebyshev, count_circle, divmod_poly, squarefree, times_poly
 from exactkf.kernel.spectral import enclosed_factor
 
 __all__ = ["EnclosedLimit"]
@@ -78,13 +77,13 @@ class EnclosedLimit:
                 if on and on < len(monic) - 1 and sum((x * root**k for k, x in enumerate(monic)), 0 * one) == 0:
                     monic, on = divmod_poly(monic, [-root * one, one])[0], on - 1
                     for _ in range(multiplicity // 2):
-                        circle = times(circle, [-root * one, one])
+                        circle = times_poly(circle, [-root * one, one])
             if not on:
                 rest.append((monic, multiplicity))
             elif on < len(monic) - 1:
                 mixed.append((monic, multiplicity))
             for _ in range(multiplicity // 2 if on == len(monic) - 1 else 0):
-                circle = times(circle, monic)
+                circle = times_poly(circle, monic)
         return cls(list(D), rest, mixed, circle, list(removed))
 
     @cached_property

@@ -71,6 +71,7 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.replay import seal
+from exactkf.kernel.roots import times_poly
 from exactkf.theory._scalars import Scalar, check_length, unify
 from exactkf.theory.orbits import first_escape, integer_orbit
 
@@ -252,21 +253,13 @@ class _Limit:
     @property
     def limit(self) -> dict[str, Any]:
         """The limit as an answer has it."""
-        full = _product(self.factor.coefficients, self.case.reduced.removed)
+        full = times_poly(self.factor.coefficients, self.case.reduced.removed)
         return {"alpha": [number_json(x) for x in reversed(full[:-1])], "gamma": "0"}
 
     @property
     def evidence(self) -> dict[str, Any]:
         """The spectral factor in its field, for the checker."""
         return {"field": field_json(self.factor.field), "factor": [element_json(x) for x in self.factor.coefficients]}
-
-
-def _product(p: Sequence[Any], q: Sequence[Any]) -> list:
-    out = [0 * p[0]] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out
 
 
 def _entry(case: _Case, max_steps: int) -> int | Answer:

@@ -43,8 +43,9 @@ from exactkf._errors import Unsupported
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.exact.polynomials import count_roots
+from exactkf.kernel.roots import times_poly
 
-__all__ = ["Factor", "number_of_choices", "spectral_factor", "times", "zeros"]
+__all__ = ["Factor", "number_of_choices", "spectral_factor", "zeros"]
 
 _BOUND = 1 << 15
 
@@ -172,10 +173,10 @@ def _with_field(w: fmpq_poly, mixed: list[tuple[fmpz_poly, int]]) -> Factor:
     for number, (f, multiplicity) in enumerate(mixed):
         half = _half(choices, orbit, quotients, number, f.leading_coefficient(), slope, theta, field)
         for _ in range(multiplicity):
-            result = times(result, half)
+            result = times_poly(result, half)
         circle = _circle_part(f, half)
         for _ in range(multiplicity // 2 if len(circle) > 1 else 0):
-            result = times(result, circle)
+            result = times_poly(result, circle)
     return Factor(field, tuple(result))
 
 
@@ -231,7 +232,7 @@ def _circle_part(f: fmpz_poly, half: list) -> list:
     rest = [x * fmpq(1, f.leading_coefficient()) + 0 * half[0] for x in fmpq_poly(f).coeffs()]
     if len(rest) <= 2 * len(half) - 1:
         return [half[-1]]
-    divisor = times(half, [x / half[0] for x in reversed(half)])
+    divisor = times_poly(half, [x / half[0] for x in reversed(half)])
     out = []
     for _ in range(len(rest) - len(divisor) + 1):
         q = rest[-1]
@@ -240,12 +241,3 @@ def _circle_part(f: fmpz_poly, half: list) -> list:
             rest[len(rest) - len(divisor) + i] = rest[len(rest) - len(divisor) + i] - q * divisor[i]
         rest.pop()
     return out[::-1]
-
-
-def times(p: list, q: list) -> list:
-    """Return the product of two polynomials, given by coefficients of one field from the constant up."""
-    out = [0 * p[0]] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out

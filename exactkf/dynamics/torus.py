@@ -27,12 +27,11 @@ from typing import Any
 from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz_mat, fmpz_poly
 
 from exactkf._errors import Unsupported
-from exactkf.dynamics.spectral_factor import times
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_real_roots, count_roots, palindromic_to_x
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.roots import chebyshev, count_circle, count_real, squarefree
+from exactkf.kernel.roots import chebyshev, count_circle, count_real, squarefree, times_poly
 from exactkf.kernel.torus import CircleNumbers, bound_of_relations, is_relation
 
 __all__ = ["torus_evidence"]
@@ -78,7 +77,7 @@ def _over_a_field(D: Sequence[Any]) -> tuple[fmpz_poly, int, list[list[str]], di
     """The wandering factor of a rational multiple of D, the number of wandering zeros of D and their intervals, and evidence."""
     odd = [D[-1] / D[-1]]
     for factor, multiplicity in squarefree(list(D)):
-        odd = times(odd, factor) if multiplicity % 2 else odd
+        odd = times_poly(odd, factor) if multiplicity % 2 else odd
     if len(odd) == 1 or count_circle(odd)[1] == 0:
         return fmpz_poly([1]), 0, [], {}
     norm = _norm([x / odd[-1] for x in odd])

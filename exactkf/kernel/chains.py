@@ -52,7 +52,6 @@ class Chains:
     supported: set[str]
     known: Known
     limited: bool
-    depth: int
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
     index: Callable[..., Form]

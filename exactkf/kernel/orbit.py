@@ -43,7 +43,7 @@ from typing import Any
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.numbers import Undefined, fraction, sign
-from exactkf.kernel.roots import count_real, divmod_poly
+from exactkf.kernel.roots import count_real, divmod_poly, value_at
 from exactkf.kernel.rotation import coefficients, first_zero, modulus, order, sign_at, zero_bound
 
 __all__ = ["check_order_one"]
@@ -117,7 +117,7 @@ class _Root:
         if not isinstance(data, dict) or set(data) != {"minpoly", "interval"}:
             return False
         p, (lo, hi) = [fraction(c) for c in data["minpoly"]], (fraction(x) for x in data["interval"])
-        if not lo < hi or _at(p, lo) == 0 or _at(p, hi) == 0 or count_real(p, lo, hi) != 1:
+        if not lo < hi or value_at(p, lo) == 0 or value_at(p, hi) == 0 or count_real(p, lo, hi) != 1:
             return False
         rest = divmod_poly(p, [self.q, -2 * self.b, Fraction(1)])[1]
         rest = [*rest, Fraction(0), Fraction(0)]
@@ -134,13 +134,6 @@ class _Root:
         if self.smaller:
             return self.form(lo) > 0 and lo < self.b and (self.form(hi) < 0 or hi > self.b)
         return self.form(hi) > 0 and hi > self.b and (self.form(lo) < 0 or lo < self.b)
-
-
-def _at(p: list, x: Any) -> Any:
-    acc = Fraction(0)
-    for c in reversed(p):
-        acc = acc * x + c
-    return acc
 
 
 def _number(x: Any) -> _Root:

@@ -54,7 +54,7 @@ from exactkf.kernel.numbers import Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
-from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly
+from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly, times_poly, value_at
 from exactkf.kernel.spectral import check_circle_part, enclosed_factor
 
 __all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
@@ -179,7 +179,7 @@ def reduce_pair(Q: list, S: list) -> Reduced:
     removed = [zero + 1]
     while True:
         common = gcd_poly(Q, S)
-        removed = _product(removed, common)
+        removed = times_poly(removed, common)
         Q = [zero + x for x in divmod_poly(Q, common)[0]]
         S = [zero + x for x in _padded(divmod_poly(S, common)[0] if any(x != 0 for x in S) else [], len(Q))]
         if len(Q) == 1 or Q[0] != 0:
@@ -195,17 +195,9 @@ def _padded(p: list, length: int) -> list:
     return [*p, *[0] * (length - len(p))]
 
 
-def _product(p: list, q: list) -> list:
-    out: list[Any] = [0] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out
-
-
 def spectral_polynomial(Q: list, S: list) -> list:
     """z^m D, of degree 2m."""
-    return [x - y for x, y in zip(_product(Q, Q[::-1]), _product(S, S[::-1]), strict=True)]
+    return [x - y for x, y in zip(times_poly(Q, Q[::-1]), times_poly(S, S[::-1]), strict=True)]
 
 
 def spectral_sign(D: list) -> str:
@@ -301,12 +293,12 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     w = [_number(x, field) for x in evidence["factor"]]
     _need(len(w) == len(reduced.Q) and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
     _need(w[0] != 0, "the spectral factor vanishes at zero")
-    square = _product(w, w[::-1])
+    square = times_poly(w, w[::-1])
     _need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
     if len(w) > 1:
         stable = is_schur(w) if field is not None and spectral_sign(D) in ("+", "-") else count_circle(w)[2] == 0
         _need(stable, "the spectral factor has a zero outside the closed disc")
-    full = _product(w, [one * x for x in reduced.removed])
+    full = times_poly(w, [one * x for x in reduced.removed])
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
         _need(_same(claimed, value), "the limit is another number than the coefficient of the spectral factor")
@@ -333,15 +325,8 @@ def _same(claimed: Any, value: Any) -> bool:
         return value == fraction(claimed)
     _need(set(claimed) == {"minpoly", "interval"}, "a number of the limit is not a zero of a polynomial in an interval")
     p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
-    _need(lo < hi and count_real(p, lo, hi) - (_eval(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
-    return value > lo and value < hi and _eval(p, value) == 0
-
-
-def _eval(p: list, x: Any) -> Any:
-    acc: Any = 0
-    for c in reversed(p):
-        acc = acc * x + c
-    return acc
+    _need(lo < hi and count_real(p, lo, hi) - (value_at(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
+    return value > lo and value < hi and value_at(p, value) == 0
 
 
 def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
@@ -370,7 +355,7 @@ def power_of_z(k: int, modulus: list) -> list:
     """z^k modulo a polynomial of degree at least one, without trailing zeros."""
     out: list[Any] = [1]
     for bit in bin(k)[2:]:
-        out = _product(out, out)
+        out = times_poly(out, out)
         if bit == "1":
             out = [0, *out]
         out = divmod_poly([Fraction(x) if isinstance(x, int) else x for x in out], modulus)[1]

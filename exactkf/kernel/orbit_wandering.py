@@ -21,7 +21,7 @@ from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.numbers import Undefined, divide, fraction
-from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree
+from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree, times_poly
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
 __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
@@ -63,9 +63,9 @@ def _modular_power(base: list[int], k: int, modulus: list[int], p: int) -> list[
     """base^k modulo a monic polynomial, modulo p."""
     out = [1]
     for bit in bin(k)[2:]:
-        out = _modular_rest(_times(out, out), modulus, p)
+        out = _modular_rest(times_poly(out, out), modulus, p)
         if bit == "1":
-            out = _modular_rest(_times(out, base), modulus, p)
+            out = _modular_rest(times_poly(out, base), modulus, p)
     return out
 
 
@@ -151,7 +151,7 @@ def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
     """
     odd: list = [D[-1] / D[-1]]
     for factor, multiplicity in squarefree(D):
-        odd = _times(odd, factor) if multiplicity % 2 else odd
+        odd = times_poly(odd, factor) if multiplicity % 2 else odd
     if len(odd) == 1 or count_circle(odd)[1] == 0:
         return [Fraction(1)], 0
     whole = [fraction(c) for c in evidence["norm"]]
@@ -184,7 +184,7 @@ def wandering_factor(D: list) -> list:
         y = gcd_poly(w, g)
         f = divmod_poly(w, y)[0]
         if k % 2 and len(f) > 1:
-            odd = _times(odd, f)
+            odd = times_poly(odd, f)
         w, g, k = y, divmod_poly(g, y)[0], k + 1
     return _without_roots_of_unity(odd)
 
@@ -209,14 +209,6 @@ def _coprime_modulo(f: list, g: list, p: int = 2**31 - 1) -> bool:
         y = [c * u % p for c in y]
         x, y = y, _modular_rest(x, y, p)
     return len(x) == 1
-
-
-def _times(p: list, q: list) -> list:
-    out: list[Any] = [0] * max(0, len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out
 
 
 def _need(condition: bool, step: str) -> None:

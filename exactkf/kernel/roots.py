@@ -15,6 +15,7 @@ References: Schur (1917), Cohn (1922), Sturm (1829), Yun (1976).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
@@ -22,7 +23,7 @@ from typing import Any
 from exactkf.kernel.linear import Matrix, inertia
 from exactkf.kernel.numbers import Laurent, Undefined, divide, sign
 
-__all__ = ["chebyshev", "circle_sign", "circle_sign_of", "count_circle", "count_real", "divmod_poly", "gcd_poly", "squarefree"]
+__all__ = ["chebyshev", "circle_sign", "circle_sign_of", "count_circle", "count_real", "divmod_poly", "gcd_poly", "squarefree", "times_poly", "value_at"]
 
 
 def _trim(p: list) -> list:
@@ -73,11 +74,21 @@ def squarefree(p: list) -> list[tuple[list, int]]:
     return out
 
 
-def _at(p: list, x: Any) -> Any:
+def value_at(p: list, x: Any) -> Any:
+    """Value of a polynomial, from the constant up."""
     acc: Any = 0
     for c in reversed(p):
         acc = acc * x + c
     return acc
+
+
+def times_poly(p: Sequence, q: Sequence) -> list:
+    """Product of polynomials, from the constant up; of one without coefficients, zeros."""
+    out: list[Any] = [0] * max(0, len(p) + len(q) - 1)
+    for i, x in enumerate(p):
+        for j, y in enumerate(q):
+            out[i + j] = out[i + j] + x * y
+    return out
 
 
 def count_real(p: list, lo: Any, hi: Any) -> int:
@@ -90,7 +101,7 @@ def count_real(p: list, lo: Any, hi: Any) -> int:
         chain = [divmod_poly(q, chain[-1])[0] for q in chain]
 
     def changes(x: Any) -> int:
-        signs = [s for s in (sign(_at(q, x)) for q in chain) if s]
+        signs = [s for s in (sign(value_at(q, x)) for q in chain) if s]
         return sum(a != b for a, b in zip(signs, signs[1:], strict=False))
 
     return changes(lo) - changes(hi)
@@ -130,7 +141,7 @@ def _integral_remainder(p: list[int], q: list[int]) -> list[int]:
 def _strip(p: list, root: int) -> tuple[list, int]:
     """Divide out (x - root) as often as it goes."""
     times = 0
-    while len(p) > 1 and _at(p, root) == 0:
+    while len(p) > 1 and value_at(p, root) == 0:
         p, times = divmod_poly(p, [-root, 1])[0], times + 1
     return p, times
 
@@ -193,15 +204,15 @@ def circle_sign(d: Laurent) -> str:
         return "0"
     m = d.degree
     g = chebyshev([d.get(k - m) for k in range(2 * m + 1)])
-    inside = [(count_real(f, -2, 2) - (_at(f, 2) == 0), k) for f, k in (squarefree(g) if len(g) > 1 else [])]
+    inside = [(count_real(f, -2, 2) - (value_at(f, 2) == 0), k) for f, k in (squarefree(g) if len(g) > 1 else [])]
     if any(count > 0 and k % 2 for count, k in inside):
         return "+-"
-    touches = _at(g, -2) == 0 or _at(g, 2) == 0 or any(count > 0 for count, _ in inside)
+    touches = value_at(g, -2) == 0 or value_at(g, 2) == 0 or any(count > 0 for count, _ in inside)
     # g keeps one sign on (-2, 2): any point that is not a root shows it
     x: Any = 0
-    while _at(g, x) == 0:
+    while value_at(g, x) == 0:
         x = divide(x + 2, 3) if x else divide(g[-1] - g[-1] + 1, 7)  # a scalar of the type of the coefficients
-    positive = sign(_at(g, x)) > 0
+    positive = sign(value_at(g, x)) > 0
     return ("0+" if touches else "+") if positive else ("-0" if touches else "-")
 
 

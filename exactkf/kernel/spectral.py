@@ -23,11 +23,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any
 
 from exactkf.kernel.intervals import Interval, around, minus, product, stable_factor
 from exactkf.kernel.numbers import Undefined, sign
-from exactkf.kernel.roots import chebyshev, circle_sign_of, count_circle, divmod_poly, squarefree
+from exactkf.kernel.roots import chebyshev, circle_sign_of, count_circle, divmod_poly, squarefree, times_poly, value_at
 
 __all__ = ["Pair", "check_circle_part", "enclosed_factor"]
 
@@ -39,7 +38,7 @@ def check_circle_part(D: list, e: list, pairs: Sequence[Pair]) -> None:
     """Accept if e and the pairs are all zeros of D on the circle, with half of their multiplicity."""
     _need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
     _need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
-    rest, left = divmod_poly(D, _times(e, e))
+    rest, left = divmod_poly(D, times_poly(e, e))
     _need(not left, "e^2 does not divide D")
     if not pairs:
         _need(len(rest) == 1 or circle_sign_of(rest) in ("+", "-"), "D has other zeros on the circle than the squares of e")
@@ -49,20 +48,21 @@ def check_circle_part(D: list, e: list, pairs: Sequence[Pair]) -> None:
     for f, multiplicity in squarefree(rest):
         inside, on, _ = count_circle(f)
         if on:
-            _need(multiplicity % 2 == 0 and f == f[::-1] and len(f) % 2 == 1 and _at(f, 1) != 0 and _at(f, -1) != 0 and inside + on + inside == len(f) - 1,
+            paired = f == f[::-1] and len(f) % 2 == 1 and value_at(f, 1) != 0 and value_at(f, -1) != 0
+            _need(multiplicity % 2 == 0 and paired and inside + on + inside == len(f) - 1,
                   "the zeros on the circle do not come in pairs of even multiplicity")
             mine = sorted((lo, hi) for lo, hi, k in pairs if 2 * k == multiplicity)
             _need(2 * len(mine) == on, f"there are {on} zeros of multiplicity {multiplicity} on the circle")
             _need(all(-2 <= lo < hi <= 2 for lo, hi in mine) and all(a[1] <= b[0] for a, b in zip(mine, mine[1:], strict=False)), "the intervals overlap")
             in_x = chebyshev(f)
-            _need(all(sign(_at(in_x, lo)) * sign(_at(in_x, hi)) < 0 for lo, hi in mine), "an interval may not hold a zero")
+            _need(all(sign(value_at(in_x, lo)) * sign(value_at(in_x, hi)) < 0 for lo, hi in mine), "an interval may not hold a zero")
             named += len(mine)
     _need(named == len(pairs), "a pair is not on the circle")
 
 
 def enclosed_factor(D: list, e: list, pairs: Sequence[Pair], center: list[int], bits: int) -> list[Interval]:
     """Intervals around the coefficients of w, for what `check_circle_part` accepts."""
-    d = [around(x, bits) for x in divmod_poly(D, _times(e, e))[0]]
+    d = [around(x, bits) for x in divmod_poly(D, times_poly(e, e))[0]]
     circle = [around(x, bits) for x in e]
     for lo, hi, k in pairs:
         low, high = around(lo, bits)[0], around(hi, bits)[1]
@@ -86,21 +86,6 @@ def _quotient(p: list[Interval], q: list[Interval], bits: int) -> list[Interval]
             p[shift + i] = minus(p[shift + i], x)
         p.pop()
     return out[::-1]
-
-
-def _times(p: list, q: list) -> list:
-    out: list[Any] = [0] * (len(p) + len(q) - 1)
-    for i, x in enumerate(p):
-        for j, y in enumerate(q):
-            out[i + j] = out[i + j] + x * y
-    return out
-
-
-def _at(p: list, x: Any) -> Any:
-    acc: Any = 0
-    for c in reversed(p):
-        acc = acc * x + c
-    return acc
 
 
 def _need(condition: bool, step: str) -> None:

@@ -3,16 +3,14 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import queue
 import re
-from concurrent.futures import Future, TimeoutError
+from collections.abc import Callable
 from pathlib import Path
 
 import click
-from pebble import ProcessExpired, ProcessPool
 
 from exactkf import __version__
+from exactkf.bounded import Ended, OutOfTime, bounded
 from exactkf.cli import INTERRUPTED
 from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.language import Statement
@@ -23,7 +21,6 @@ from exactkf.progress import Meter
 
 __all__ = ["lemma_command"]
 
-_HEARTBEAT = 0.5
 _SOFT = 0.9  # part of the time limit after which no new search is begun; what is left is for those under way
 
 
@@ -47,34 +44,23 @@ def lemma_command(file: Path, json_file: Path | None, certificates: Path | None,
 
 def _settled(statement: Statement, time_limit: float, degree: int, seed: int) -> Outcome:
     """Run in a process of its own, which ends at the time limit whatever it is doing."""
-    done: queue.SimpleQueue[Future] = queue.SimpleQueue()
-    # a fresh interpreter: forking a process that runs threads (a progress display has one) can hang
-    with Meter("lemma", 1) as meter, ProcessPool(max_workers=1, context=multiprocessing.get_context("spawn")) as pool:
-        task: Future = pool.schedule(_task, (statement, time_limit, degree, seed), timeout=time_limit)
-        task.add_done_callback(done.put)
+    found: list[Outcome] = []
+    with Meter("lemma", 1) as meter:
         try:
-            while True:
-                try:
-                    done.get(timeout=_HEARTBEAT)
-                    break
-                except queue.Empty:
-                    meter.tick()
+            bounded(_task, (statement, time_limit, degree, seed), time_limit, found.append, meter.tick)
+        except OutOfTime:
+            return Outcome(statement, reason=f"out of time after {time_limit:g} s; a larger --time-limit may settle it", seconds=time_limit)
+        except Ended as error:
+            return Outcome(statement, reason=f"{error}; a smaller --degree may settle it" if str(error) == "out of memory" else str(error))
         except KeyboardInterrupt:
-            pool.stop()
             click.echo("exactkf: stopped", err=True)
             raise click.exceptions.Exit(INTERRUPTED) from None
-    try:
-        return task.result()
-    except TimeoutError:
-        return Outcome(statement, reason=f"out of time after {time_limit:g} s; a larger --time-limit may settle it", seconds=time_limit)
-    except MemoryError:
-        return Outcome(statement, reason="out of memory; a smaller --degree may settle it")
-    except ProcessExpired as error:
-        return Outcome(statement, reason=f"crashed: the process ended with exit code {error.exitcode}")
+    return found[0]
 
 
-def _task(statement: Statement, time_limit: float, degree: int, seed: int) -> Outcome:
-    return prove_lemma(statement, time_limit=_SOFT * time_limit, degree=degree, seed=seed)
+def _task(request: tuple[Statement, float, int, int], tell: Callable[[Outcome], None]) -> None:
+    statement, time_limit, degree, seed = request
+    tell(prove_lemma(statement, time_limit=_SOFT * time_limit, degree=degree, seed=seed))
 
 
 def _write_certificates(outcome: Outcome, folder: Path, stem: str) -> None:

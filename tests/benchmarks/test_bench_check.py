@@ -7,28 +7,15 @@ are replayed as they are in use: by the checker alone, in a process of its own, 
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
 import time
 
 import pytest
 
 from exactkf.claims import find, load
 from exactkf.engine import verify_claim
+from tests.benchmarks.alone import seconds_to_replay
 
 pytestmark = pytest.mark.benchmark
-
-_REPLAY = """
-import json, sys, time
-from exactkf.kernel.replay import replay
-certificates = json.load(open(sys.argv[1]))
-started = time.process_time()
-for certificate in certificates:
-    replay(certificate)
-print(time.process_time() - started)
-"""
-
 
 def test_checking_is_ten_times_faster_than_finding(tmp_path):
     """The certificates of every fifth claim replay in a tenth of the time it takes to find them (search, proofs, mutants).
@@ -50,5 +37,4 @@ def _spans(key, path):
     started = time.process_time()
     certificates = [c for claim in claims for c in verify_claim(claim)["certificates"]]
     finding = time.process_time() - started
-    path.write_text(json.dumps(certificates), encoding="utf-8")
-    return finding, float(subprocess.run([sys.executable, "-c", _REPLAY, str(path)], check=True, capture_output=True, text=True).stdout)
+    return finding, seconds_to_replay(certificates, path)

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import json
-import subprocess
-import sys
 import time
 from fractions import Fraction
 
@@ -16,6 +13,7 @@ from exactkf.engine import verify_claim
 from exactkf.kernel.replay import replay, seal
 from exactkf.kernel.words import multiply
 from exactkf.language import Statement, matrix, standing, symbols
+from tests.benchmarks.alone import seconds_to_replay
 
 pytestmark = pytest.mark.benchmark
 KINDS = ("membership", "order", "word induction", "generic index")
@@ -77,24 +75,13 @@ def test_ten_thousand_words_replay_like_adding_fractions():
     assert ours <= fractions
 
 
-_REPLAY = """
-import json, sys, time
-from exactkf.kernel.replay import replay
-texts = open(sys.argv[1]).read().splitlines()
-started = time.process_time()
-for text in texts:
-    replay(json.loads(text))
-print(time.process_time() - started)
-"""
-
-
 def test_checking_is_twenty_times_faster_than_verifying(tmp_path):
     """All proofs for every size replay in a twentieth of the time that `verify_claim` takes for their claims: several minutes.
 
     `verify_claim` searches for counterexamples, finds the proofs, and judges the mutants. The proofs are replayed as in use,
     by the checker alone in a process of its own, and read from JSON there. Both are measured in processor time.
     """
-    verifying, proofs = 0.0, list[str]()
+    verifying, proofs = 0.0, list[dict]()
     for claim in load().values():
         if claim.statement is None:
             continue
@@ -102,9 +89,7 @@ def test_checking_is_twenty_times_faster_than_verifying(tmp_path):
         own = [c for c in verify_claim(claim)["certificates"] if c["kind"] in KINDS]
         if own:
             verifying += time.process_time() - started
-            proofs += map(json.dumps, own)
-    path = tmp_path / "proofs.jsonl"
-    path.write_text("\n".join(proofs), encoding="utf-8")
-    checking = float(subprocess.run([sys.executable, "-c", _REPLAY, str(path)], check=True, capture_output=True, text=True).stdout)
+            proofs += own
+    checking = seconds_to_replay(proofs, tmp_path / "proofs.jsonl")
     print(f"\n{len(proofs)} proofs; verified in {verifying:.2f} s, checked in {checking:.3f} s, ratio {verifying / checking:.0f}")
     assert proofs and verifying >= 20 * checking
