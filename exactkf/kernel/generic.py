@@ -90,6 +90,8 @@ class Terms(Indefinite, Chains):
         return Symbolic(self.field, {1 << (BITS * self.places[key]): 1}, 1, ())
 
     def number(self, value: Any) -> Symbolic:
+        if type(value) is int:
+            return Symbolic(self.field, {0: value} if value else {}, 1, ())
         value = Fraction(value)
         return Symbolic(self.field, {0: value.numerator} if value else {}, value.denominator, ())
 
@@ -550,7 +552,7 @@ class Terms(Indefinite, Chains):
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
         name, region = d[1], self.region
         if name not in self.kept:
-            self.kept[name], self.region = True, Region([])
+            self.kept[name], self.region = True, Region.of()
             try:
                 first, *others = (self.shape(tree, env) for tree, env in _branches(d))
                 keeps = all(shape == first for shape in others)

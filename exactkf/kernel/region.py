@@ -34,24 +34,33 @@ class Split(Exception):
 
 
 def plus(x: Form, y: Form, factor: int = 1) -> Form:
+    """x + factor y."""
+    if not y:
+        return x
     out = dict(x)
+    get = out.get
     for name, c in y.items():
-        out[name] = out.get(name, 0) + factor * c
-    return {name: c for name, c in out.items() if c} if 0 in out.values() else out
+        total = get(name, 0) + factor * c
+        if total:
+            out[name] = total
+        else:
+            out.pop(name, None)
+    return out
 
 
 def form_key(form: Form) -> tuple:
-    return tuple(sorted(form.items()))
+    return tuple(sorted(form.items())) if len(form) > 1 else tuple(form.items())
 
 
 def _bounded(forms: list[Form]) -> list[Form]:
     """The forms without those that hold where a parameter is large enough, or small enough: no other form bounds it on that side."""
     while True:
-        signs: dict[str, int] = {}
+        above, below = set[str](), set[str]()
         for f in forms:
             for n, c in f.items():
-                signs[n] = signs.get(n, 0) | (1 if c > 0 else 2)
-        free = {n for n, s in signs.items() if n and s != 3}
+                (above if c > 0 else below).add(n)
+        free = above ^ below
+        free.discard("")
         if not free:
             return forms
         forms = [f for f in forms if free.isdisjoint(f)]
@@ -74,6 +83,11 @@ class Region:
                 return
 
     @staticmethod
+    def of(*forms: Form) -> Region:
+        """The region of these forms; one that is asked for again is the same, with the answers that it has given."""
+        return _made(tuple(map(form_key, forms)), ())
+
+    @staticmethod
     def _unit(form: Form) -> str:
         return max((n for n, c in form.items() if n and abs(c) == 1), key=lambda n: (n != INDEX, n), default="")
 
@@ -83,7 +97,7 @@ class Region:
 
     def reduce(self, form: Form) -> Form:
         """The form with solved parameters inserted."""
-        if not self.solved:
+        if self.solved.keys().isdisjoint(form):
             return form
         for name in [n for n in form if n in self.solved]:
             form = self._put(form, name, self.solved[name])
@@ -100,7 +114,7 @@ class Region:
     def decide(self, form: Form) -> bool | None:
         """form >= 0: True, False, or None where it depends."""
         form = self.reduce(form)
-        if set(form) <= {""}:
+        if not form or len(form) == 1 and "" in form:
             return form.get("", 0) >= 0
         key = form_key(form)
         if key not in self.answers:
@@ -123,7 +137,7 @@ class Region:
         """The part with these forms >= 0; regions do not change, so that one that is asked for again is the same."""
         key = tuple(map(form_key, forms))
         if key not in self.parts:
-            self.parts[key] = Region([*self.forms, *forms], self.solved)
+            self.parts[key] = _made((*map(form_key, self.forms), *key), tuple((n, form_key(f)) for n, f in self.solved.items()))
         return self.parts[key]
 
     def cases(self, form: Form) -> Iterator[Region]:
@@ -131,6 +145,11 @@ class Region:
             region = self.and_(part)
             if not region.empty:
                 yield region
+
+
+@lru_cache(maxsize=1 << 13)
+def _made(keys: tuple[tuple, ...], solved: tuple[tuple[str, tuple], ...]) -> Region:
+    return Region([dict(key) for key in keys], {name: dict(key) for name, key in solved})
 
 
 @lru_cache(maxsize=1 << 16)
