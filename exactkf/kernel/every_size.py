@@ -19,6 +19,7 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from exactkf.kernel.index_induction import generic_index
@@ -80,19 +81,27 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
     for c, left, name, right, *more in terms:
         before, behind = tuple(left), tuple(right)
         scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
-        _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
-        _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
+        if scalars:
+            _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
+            _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
         relation = assumed[name] if isinstance(name, str) else _between_numbers(reader, assumed, name)
         start = after(before, rows)
         if relation.rows is not None:
-            _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
+            if start != relation.rows:
+                raise Rejected(f"relation {name} has other sizes than the word before it")
             start = relation.cols  # type: ignore[assignment]
-        _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
-        factor = number(fraction(c))
+        if after(behind, start) != cols:
+            raise Rejected(f"a word of relation {name} has other sizes than the block")
+        factor = c if type(c) is int else _factor(c)
         for (s, word), value in relation.poly.items():
             key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
             rest[key] = rest.get(key, 0) - factor * value
     return {key: value for key, value in rest.items() if value}
+
+
+@lru_cache(maxsize=1 << 10)
+def _factor(text: str) -> Any:
+    return number(fraction(text))
 
 
 def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any) -> Relation:
