@@ -73,8 +73,14 @@ class Region:
         self.solved = dict(solved or {})
         self.forms = [self.reduce(f) for f in forms]
         self.keys = frozenset(map(form_key, self.forms))
+        self.greatest: dict[tuple, int] = {}  # of linear forms without a constant
+        for key in self.keys:
+            rest, constant = tuple((n, -c) for n, c in key if n), dict(key).get("", 0)
+            self.greatest[rest] = min(constant, self.greatest.get(rest, constant))
         self.answers: dict[tuple, bool | None] = {}
         self.parts: dict[tuple, Region] = {}
+        if _possible(frozenset(form_key(plus(form, {"": 1}, -1)) for form in self.forms if form)):
+            return  # no form is zero everywhere
         for form in list(self.forms):
             if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
                 value = {n: -c * form[name] for n, c in form.items() if n != name}
@@ -119,8 +125,17 @@ class Region:
         key = form_key(form)
         if key not in self.answers:
             below = plus({n: -c for n, c in form.items()}, {"": 1}, -1)
-            self.answers[key] = True if not self._possible(below) else None if self._possible(form) else False
+            answer = self._at_sight(form_key(below), key)
+            self.answers[key] = answer if answer is not None else True if not self._possible(below) else None if self._possible(form) else False
         return self.answers[key]
+
+    def _at_sight(self, below: tuple, form: tuple) -> bool | None:
+        """The answer, where one form of the region and the negative of what is asked for differ by a constant."""
+        for negative, answer in ((below, True), (form, False)):
+            constant, rest = (negative[0][1], negative[1:]) if negative[0][0] == "" else (0, negative)
+            if self.greatest.get(rest, -constant) < -constant:
+                return answer
+        return None
 
     def holds(self, form: Form) -> bool:
         """form >= 0; `Split` where it depends."""
