@@ -404,8 +404,6 @@ class _Equations:
 
     def reduced(self, goal: Symbolic) -> Symbolic:
         """The goal after one equation and the next has been used, until it is zero."""
-        if not goal.num:
-            return goal
         for pivot, value in self._values():
             goal = _eliminated(self.terms, goal, value, pivot)
             if not goal.num:
