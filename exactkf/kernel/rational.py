@@ -22,6 +22,8 @@ class Rational(Fraction):
     """Numerator and denominator without a common divisor, the denominator positive."""
 
     __slots__ = ()
+    _numerator: int  # the places in which Fraction keeps them
+    _denominator: int
 
     def __add__(self, other: Any) -> Any:
         if type(other) is Rational:
