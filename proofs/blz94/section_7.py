@@ -13,6 +13,7 @@ from exactkf.language import (
     Identity,
     T,
     Z,
+    coeff,
     column,
     forall,
     given,
@@ -96,9 +97,11 @@ claim("BLZ94-X.1", "a multiple of w(z)w(1/z) does not change sign on the circle"
 
 claim("BLZ94-X.3", "a common factor of a and b goes through a step",
       (symmetric_part(u * w, v * w) == symmetric_part(u, v) * w * recip(w))
-      & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n), x: scalar()},
-      by=[identity(n=range(1, 5)), instances(n=(1, 2))],
-      note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor; so a_t and b_t keep it, and the limit is "
+      & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w)
+      & (Z * (v * w - u * w) - x * (u * w + v * w) == (Z * (v - u) - x * (u + v)) * w)
+      & (coeff(v * w - u * w, n + k - 1) == coeff(v - u, n - 1)), sizes=["n", "k"], over={u: monic(n), v: monic(n), w: monic(k), x: scalar()},
+      by=[identity(n=range(1, 5), k=range(5)), instances(n=(1, 2), k=(1, 2))],
+      note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor, as the last equation says; so a_t and b_t keep it, and the limit is "
            "that of the reduced orbit times the factor.")
 
 claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc", u == w, sizes=["n"], over={u: monic(n), w: monic(n), r: nonzero()},
