@@ -51,6 +51,7 @@ from proofs.blz94.notation import (
     a,
     a0,
     a_of,
+    alpha,
     alpha0,
     apoly,
     b,
@@ -60,7 +61,10 @@ from proofs.blz94.notation import (
     g0,
     gamma,
     gamma0,
+    i,
+    j,
     k,
+    m,
     monic_of,
     n,
     r,
@@ -69,7 +73,8 @@ from proofs.blz94.notation import (
     t,
 )
 
-Q, Qs, p, q, s, u, v, w, x, y = symbols("Q Qstar p q s u v w x y")
+Q, Qs, l, p, q, s, u, v, w, x, y = symbols("Q Qstar l p q s u v w x y")
+aa, aa0, gg, A2, G2 = symbols("beta betabar delta A2 G2")
 
 _ALONG = (*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])))
 claim("BLZ94-E7.4", "the algorithm in the polynomials Q_t and Q_t*",
@@ -113,5 +118,23 @@ claim("BLZ94-E7.7", "the limit polynomial has its zeros in the closed disc if an
       by=[steps("BLZ94-X.3", facts=["the zeros of a product are those of its factors"], prose="The limit of the reduced orbit times the factor is the limit (Theorem 7.1 (iii))."),
           example(n=1, k=1, u=["1/2", 1], v=["1/2", 1], y=["1/2", 1], x=[3, 1], q=1), example(n=1, k=1, u=[2, 1], v=[2, 1], y=[2, 1], x=["1/3", 1], q=1),
           example(n=1, k=1, u=["1/2", 1], v=["1/2", 1], y=["1/3", 1], x=["1/3", 1], q=1),
+          example(n=1, k=1, u=[0, 1], v=["4/5", 1], y=["1/2", 1], x=[3, 1], q="4/5"), example(n=1, k=2, u=[0, 1], v=["4/5", 1], y=["1/2", 1], x=["1/3", 2, 1], q="4/5"),
           instances(20, n=(1, 2), k=(0, 1, 2), made_by={u: y, v: y, q: 1})],
       note="y is the limit polynomial of the reduced data, w = yx that of the full data; both have as many zeros outside as the factor, so none if it has none. w satisfies (5.4) with the same factor.")
+
+# ---------------------------------------------------------------------- vanishing alphas
+_A2 = matrix_of(i, j, m, m, when(i > j, 0, when(i == j, 1 / (1 - gg[t][m - i + 1] ** 2), gg[t][m - i + 1] * gg[t][m - j + 1] / prod(k, i, j, 1 - gg[t][m - k + 1] ** 2))))
+_REDUCED = (function(A2, [t], _A2), function(G2, [t], matrix_of(i, j, m, m, when(i < m, when(j == i + 1, 1, 0), -aa[t][m - j + 1]))),
+            rec(aa, t, aa0, A2[t] * aa[t]), rec(gg, t, bottom(gamma0, m), G2[t + 1] * gg[t]))
+claim("BLZ94-S57", "if the last alphas vanish, D has the degree of the others, and after n - k steps the orbit is one of order k",
+      always(t, (alpha[t] == vstack(aa[t], Zero(l, 1))) & forall(j, 1, n, gamma[t + l][j] == gg[t + j - 1][1]))
+      & forall(i, m + 1, n, coeff(D, i) == 0) & (coeff(D, m) == prod(i, 1, l, 1 - gamma0[i] ** 2) * aa0[m]),
+      sizes=["m", "l"], over={aa0: vector(m), gamma0: vector(m + l)},
+      where=[let(n, m + l), let(alpha0, vstack(aa0, Zero(l, 1))), *ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), *_REDUCED],
+      given=[standing("k >= 1", m >= 1)],
+      by=[steps("BLZ94-S26", "BLZ94-EA.3", prose="By S26 the orbit of order k is that of the other alphas and the last k entries of gamma(t), and D is that of order k times the product, with leading coefficient alpha_k by (A-3). As gamma(t) is shifted "
+                                  "in each step, its first n - k entries are those that the last k entries had before."),
+          instances(m=(1, 2), l=(1, 2), horizon=3), instances(m=(3,), l=(1,), horizon=2)],
+      note="m is the k of the text, l = n - k; (beta, delta) is the orbit of order k from (alpha_1..alpha_k; gamma_{n-k}..gamma_{n-1}). D has degree k as alpha_k is not zero and no gamma_i "
+           "has modulus one, without which the first step divides by zero. The j-th entry of gamma(t + n - k) is the first of delta(t + j - 1): from time n - k on nothing else is left, "
+           "and both orbits converge together, with alpha(z) = z^(n-k) alphahat(z).")
