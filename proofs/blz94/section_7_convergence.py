@@ -10,7 +10,7 @@ Convergence as such is decided on instances: of an orbit with sign definite D it
 one asks, of one with indefinite D that it never meets them.
 """
 
-from exactkf.claims import claim, not_checked, repair
+from exactkf.claims import claim, repair
 from exactkf.evidence import example, instances, steps
 from exactkf.language import (
             Identity,
@@ -123,10 +123,6 @@ claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergen
                     made_by={x: u**2 / 8 + rational("1/20"), alpha0: column(i, n, v[i] / 4), gamma0: column(i, n, w[i] / 9)})],
       note="The statement of Theorem 7.1 once more, in the coordinates (alpha, gamma). gamma(t) tends to zero: q is the first t at which its square length is at most x; "
            "y = 1 for sign definite D, and p counts the zeros among the first gamma(t).")
-
-not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those among them with sign definite D, have measure zero",
-            "a statement about Lebesgue measure and closure, for which there is no formula here. Its exact part: for each t escape is one equation 1 - gamma_t^2 = 0, which is not an "
-            "identity as equilibria never escape (BLZ94-X.4)")
 
 FACTORED = factored(J, h)
 _LIMIT = q * (g0 - F * P * h) + a0
