@@ -13,7 +13,7 @@ discriminant of D. They are not zero: a - b is constant for alpha = 0, gamma = (
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, identity, instances, steps
 from exactkf.language import (
     Expr,
     Identity,
@@ -32,13 +32,10 @@ from exactkf.language import (
     inv,
     let,
     matrix_of,
-    monic,
     nonneg_on_circle,
-    outside_roots,
     pos_on_circle,
     prod,
     rec,
-    recip,
     scalar,
     schur,
     standing,
@@ -56,7 +53,6 @@ from proofs.blz94.notation import (
     SHIFT,
     VECTORS,
     D,
-    F,
     J,
     a,
     a0,
@@ -186,7 +182,7 @@ _D_NEAR = (function(y, [k], symmetric_part(phi(k, n) + sum_of(i, 1, n, a0(k)[i] 
            let(b, Z**n + x * Z ** (n - 1)), let(e, symmetric_part(b - x, b + x)))
 _INDEFINITE = ~(nonneg_on_circle(y(-1)) | nonneg_on_circle(-y(-1)))
 claim("BLZ94-S58", "the points whose D is not sign definite are an unbounded open set",
-      (q >= 0) & iff(abs(x) > HALF, ~(nonneg_on_circle(e) | nonneg_on_circle(-e))), sizes=["n"], over={alpha0: vector(n), gamma0: vector(n), v: vector(n), w: vector(n), x: scalar()},
+      (q >= 0) & (coeff(e, 0) == 1) & iff(abs(x) > HALF, ~nonneg_on_circle(e)), sizes=["n"], over={alpha0: vector(n), gamma0: vector(n), v: vector(n), w: vector(n), x: scalar()},
       where=[function(a0, [k], alpha0 + when(k < 0, 0, 1 / to_expr(2) ** k) * v), function(g0, [k], gamma0 + when(k < 0, 0, 1 / to_expr(2) ** k) * w), *_SZEGO, *_D_NEAR],
       given=[given("D is not sign definite", _INDEFINITE)],
       by=[steps("BLZ94-X.12", facts=["a polynomial is continuous"],
@@ -194,4 +190,4 @@ claim("BLZ94-S58", "the points whose D is not sign definite are an unbounded ope
                       "values 1 + 2x and 1 - 2x."),
           example({alpha0: [3], gamma0: [0], v: [1], w: [0], x: 1}, n=1), instances(24, n=(1, 2))],
       note="Open: of the points (alpha, gamma) + (v, w)/2^k, in any direction (v, w), one with k <= 60 has an indefinite D too, the first such k being q. Unbounded: e is D of alpha = (x, 0, ..., 0), gamma = (0, ..., 0, x), "
-           "whose length is |x| times the root of two.")
+           "whose length is |x| times the root of two; its mean on the circle is one, so D has positive values, and negative ones exactly if |x| > 1/2.")

@@ -10,14 +10,13 @@ and after n - k steps nothing is left of the other n - k entries.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import (
     Z,
     Zero,
     always,
     bottom,
     coeff,
-
     eq,
     forall,
     function,
@@ -33,7 +32,6 @@ from exactkf.language import (
     rec,
     recip,
     standing,
-    sum_of,
     symbols,
     vector,
     vstack,
