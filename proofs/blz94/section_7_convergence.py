@@ -90,15 +90,18 @@ _VECTORS = {"sizes": ["n", "m"], "over": {a0: vector(n), g0: vector(n), x: posit
             "where": [*FAST, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0))), _DEFINITE, _NEAR,
                       let(p, sum_of(t, 0, m, when(g[t] == 0 * g0, 1, 0)))]}
 POWERS_TEND = ["Parlett and Poole: the powers of a matrix take a subspace to the dominant one, in the sense of exponents, if it is complementary to the codominant one",
-          "powers of a matrix with all eigenvalues in the open disc tend to zero"]
+               "a subspace of half the dimension has a Lagrangian complement", "powers of a matrix with all eigenvalues in the open disc tend to zero"]
 CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
-          "BLZ94-X.7", "BLZ94-X.8")
-_GLUE = ("Necessity: in the limit (2.18) makes D a multiple of v(z)v(1/z), see X.1. Sufficiency: if a and b are coprime, Im(I; 0) does not meet the codominant subspace "
-         "(Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. A common factor goes "
-         "through all steps (X.3), and alpha_n = 0 lowers the order (S26).")
+               "BLZ94-X.7", "BLZ94-X.8", "BLZ94-X.13", "BLZ94-P6.6", "BLZ94-E6.12", "BLZ94-E4.13", "BLZ94-E7.4", "BLZ94-S26")
+_SIGNS = ["a number times its conjugate is not negative", "a function that does not change sign has zeros of even multiplicity only"]
+_GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v(1/z), which has one sign on the circle. Sufficiency: if a and b are coprime, an eigenvalue of S on the circle has one Jordan block "
+         "(X.13), of even size for definite D, so that half of its exponents are positive and half negative: the dominant and the codominant subspace "
+         "are determined, and Lagrangian as limits of Lagrangian subspaces under powers of S and S^(-1). Im(I; 0) does not "
+         "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. "
+         "A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
 claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
       TENDS, **_VECTORS,
-      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose=_GLUE),
+      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS], prose=_GLUE),
           example({a0: ["1/3"], g0: ["7/3"], x: "1/9"}, n=1, m=4), example({a0: ["-1/3", "5/3"], g0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({a0: [2], g0: [0], x: "1/9"}, n=1, m=2), example({a0: [3], g0: ["-1"], x: "1/25"}, n=1, m=2), example({a0: [-3], g0: [2], x: "1/25"}, n=1, m=2),
           instances(10, n=(1, 2), m=(3, 4), using={u: scalar(), v: vector(n)}, made_by={x: u**2 / 8 + rational("1/20")}),
@@ -114,7 +117,7 @@ claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergen
       TENDS, sizes=["n", "m"],
       over={alpha0: vector(n), gamma0: vector(n), x: positive()},
       where=ALONG,
-      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", facts=POWERS_TEND, prose=_GLUE),
+      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", "BLZ94-T4.3.2", facts=[*POWERS_TEND, *_SIGNS], prose=_GLUE),
           example({alpha0: [0, 2], gamma0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({alpha0: ["8/3"], gamma0: ["7/3"], x: "1/9"}, n=1, m=3),
           example({alpha0: [2], gamma0: [0], x: "1/9"}, n=1, m=2), example({alpha0: [3], gamma0: [2], x: "1/25"}, n=1, m=2), example({alpha0: [1], gamma0: [3], x: "1/25"}, n=1, m=2),
@@ -136,7 +139,7 @@ claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc,
              rec(u, t, monic_of(a0) * x, (u[t] + (1 - Z) * v[t]) / (1 - p(t))), rec(v, t, strict_of(g0) * x, ((Z - p(t)) * v[t] - p(t) * u[t]) / (1 - p(t) ** 2))],
       given=[standing("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), standing("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
              standing("zeros in the closed disc", outside_roots(monic_of(alpha)) == 0), standing("coprime", coprime(monic_of(a0), monic_of(a0 + 2 * g0)))],
-      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose="By X.2, X.8 and (2.17). The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
+      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS], prose="By X.2, X.8 and (2.17). By X.13 and as D is definite, S has Jordan blocks of even size on the circle. The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
                                             "Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the common factor, their difference to zero."),
           instances(16, n=(1, 2), k=(0, 1), m=(1, 2, 3), **FACTORED)],
       note="(a, g) are the reduced data and x the common factor theta; u and v are a_t(z) and g_t(z) along (2.16) from the full data. alpha is (6.2) for the P whose closed loop has its "

@@ -119,7 +119,7 @@ claim("BLZ94-X.12", "a and b without common factor, D with simple zeros, and D t
 
 # ---------------------------------------------------------------------- Theorem 7.1 (i)
 #: convergence if D has no zero on the circle: then S has n eigenvalues inside and n outside
-_GAP = (*CONVERGENCE, "BLZ94-S26", "BLZ94-E4.13", "BLZ94-X.4", "BLZ94-X.12")
+_GAP = (*CONVERGENCE, "BLZ94-X.4", "BLZ94-X.12")
 _POWERS_OF_S = [POWERS_TEND[-1], "a matrix without eigenvalues on the circle is similar to the direct sum of one with all inside and one with all outside"]
 _TAME = ["zeros of a polynomial and the least value of D on the circle depend continuously on the coefficients", "Schur: |gamma_t| < 1 for positive real v, and a step keeps v positive real"]
 _NULL = ["a polynomial that is not zero vanishes on a set of measure zero; countably many such sets have measure zero together"]
