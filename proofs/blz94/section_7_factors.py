@@ -10,7 +10,7 @@ and after n - k steps nothing is left of the other n - k entries.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import (
     Z,
     Zero,
@@ -28,10 +28,12 @@ from exactkf.language import (
     nonneg_on_circle,
     nonzero,
     outside_roots,
+    polynomial,
     prod,
     rec,
     recip,
     standing,
+    substitute,
     symbols,
     vector,
     vstack,
@@ -119,6 +121,14 @@ claim("BLZ94-E7.7", "the limit polynomial has its zeros in the closed disc if an
           example(n=1, k=1, u=[0, 1], v=["4/5", 1], y=["1/2", 1], x=[3, 1], q="4/5"), example(n=1, k=2, u=[0, 1], v=["4/5", 1], y=["1/2", 1], x=["1/3", 2, 1], q="4/5"),
           instances(20, n=(1, 2), k=(0, 1, 2), made_by={u: y, v: y, q: 1})],
       note="y is the limit polynomial of the reduced data, w = yx that of the full data; both have as many zeros outside as the factor, so none if it has none. w satisfies (5.4) with the same factor.")
+
+claim("BLZ94-R7.3", "the stable manifold in the large contains points at which the invariant manifold is singular",
+      (symmetric_part(a, b) == symmetric_part(u, v) * x * recip(x)) & (substitute(a * recip(q) + recip(a) * q + b * recip(p) + recip(b) * p, s) == 0), sizes=["n"],
+      over={u: monic(n), v: monic(n), s: nonzero(), p: polynomial(n + 1), q: polynomial(n + 2)}, where=[let(x, (Z - s) * (Z - 1 / s)), let(a, u * x), let(b, v * x)],
+      by=[identity(n=range(4)), instances(n=(0, 1, 2))],
+      note="For |s| < 1, coprime u and v, and uv(1/z) + u(1/z)v = 2r y(z)y(1/z) with stable y, the orbit tends to yx by Theorem 7.1 (iii), if it does not escape: it lies on the stable manifold of the equilibrium "
+           "with stable factor y(z)(z - s) and theta = z - 1/s. The variations (5.17) of D all vanish at s there, for the pair s, 1/s that a and b have in common (Theorem 5.11), so they do not reach all of the n + 1 "
+           "dimensions and X_D is singular. Corollary 7.2 as printed leaves these points out: if the common factor is theta, with all zeros outside, it has no such pair; but see C7.2.1.")
 
 # ---------------------------------------------------------------------- vanishing alphas
 _A2 = matrix_of(i, j, m, m, when(i > j, 0, when(i == j, 1 / (1 - gg[t][m - i + 1] ** 2), gg[t][m - i + 1] * gg[t][m - j + 1] / prod(k, i, j, 1 - gg[t][m - k + 1] ** 2))))
