@@ -148,6 +148,7 @@ claim("BLZ94-S56", "the closure of the definite points that escape adds only poi
                       "one, so that a zero on the circle would be a double zero of D: all are inside, and the orbit enters the open set P_n. What is near enough follows it there, without dividing by zero "
                       "before, and then stays. F_1 and F_2 are zero sets of polynomials, or have alpha_n = 0; by X.12 these polynomials are not zero."),
           example({a0: [2], g0: [0], v: [0], w: [1]}, n=1), example({a0: [3], g0: ["-1"], v: [1], w: [1]}, n=1), example({a0: [0, 2], g0: ["1/2", "1/3"], v: [1, -1], w: [-1, 1]}, n=2),
+          example({a0: ["9/2", -4], g0: ["1/2", 4], v: [1, 0], w: [0, 1]}, n=2),
           instances(20, n=(1, 2), using={u: vector(n), x0: vector(n)}, made_by={a0: column(i, n, u[i] / 2), g0: column(i, n, x0[i] / 5)})],
       note="The points outside the right side of the inclusion are those here and those with indefinite D, which are an open set: no sequence of definite points tends to them. "
            "The orbit from (a, g) enters P_n at a time q, and then that from (a, g) + (v, w)/2^k is in P_n at time q for some k, the first of which is e. (alpha, gamma) are "
@@ -169,6 +170,7 @@ claim("BLZ94-T7.1.1", "the points that escape, and the closure of those among th
                       "the zero function. The points that escape at time t are in its zero set. The closure lies in the union of the definite points that escape and the two sets of S56, "
                       "in which the polynomials of X.12 vanish."),
           example({alpha0: [2], gamma0: [0]}, n=1, m=1), example({alpha0: [3], gamma0: [2]}, n=1, m=2), example({alpha0: [0, 2], gamma0: ["1/2", "1/3"]}, n=2, m=1),
+          example({alpha0: [4, 0], gamma0: ["1/2", 2]}, n=2, m=1),
           instances(14, n=(1, 2), m=(1,)), instances(6, n=(1,), m=(2, 3))],
       note="y(t) is what step t divides by along the line through (alpha, 0) at z = 0 and (alpha, gamma) at z = 1: it is one at z = 0, so the points that escape at time t are finitely many on this line. "
            "For the closure: if a point with sign definite D is in neither of the sets F_1 and F_2 of S56, its orbit enters the positive real region, at a time q; then no point near it "

@@ -10,13 +10,16 @@ and after n - k steps nothing is left of the other n - k entries.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import (
+    Expr,
+    Identity,
     Z,
     Zero,
     always,
     bottom,
     coeff,
+    column,
     eq,
     forall,
     function,
@@ -101,15 +104,20 @@ claim("BLZ94-S55", "a common factor cancels in v, written as a over 2b, and does
       repair=repair("other", "Numerator and denominator are exchanged: v is b/(2a), as in (2.12).",
                     eq(HALF + (b - a) / (2 * a), HALF * b / a, HALF * v / u) & _SAME_SIGN, **_OF_FACTORS, by=_BY_FACTORS))
 
-_FULL = (function(p, [t], coeff(Qs[t], n + k - 1) / s[t]), rec(s, t, 1, (1 - p(t) ** 2) * s[t]),
-         rec(Q, t, HALF * (monic_of(a0) + monic_of(a0 + 2 * g0)) * x, Q[t] - p(t) * Z * Qs[t]), rec(Qs, t, strict_of(g0) * x, Z * Qs[t] - p(t) * Q[t]))
+def _of_product(p: Expr) -> Expr:
+    """The coefficients of p x after z^(n+k)."""
+    return column(i, n + k, coeff(p * x, n + k - i))
+
+
+#: the fast algorithm in dimension n + k
+_FULL = (let(G2, matrix_of(i, j, n + k, n + k, when(j == i + 1, 1, 0))),
+         rec(aa, t, _of_product(monic_of(a0)), 1 / (1 - gg[t][1]) * (aa[t] + (Identity(n + k) - G2) * gg[t])),
+         rec(gg, t, _of_product(strict_of(g0)), 1 / (1 - gg[t][1] ** 2) * (-gg[t][1] * aa[t] + (G2 - gg[t][1] * Identity(n + k)) * gg[t])))
 claim("BLZ94-E7.6", "a common factor of a and b stays, and the rest is the orbit of the reduced data",
-      always(t, ((Q[t] - Qs[t]) / s[t] == monic_of(a[t]) * x) & ((Q[t] + Qs[t]) / s[t] == monic_of(a[t] + 2 * g[t]) * x)), sizes=["n", "k"],
+      always(t, (aa[t] == _of_product(monic_of(a[t]))) & (gg[t] == _of_product(strict_of(g[t])))), sizes=["n", "k"],
       over={a0: vector(n), g0: vector(n), x: monic(k)}, where=[*FAST, *_FULL], given=[standing("n >= 1", n >= 1)],
-      by=[steps("BLZ94-X.3", "BLZ94-E7.4", "BLZ94-E2.16", prose="By induction on t: the data at t have the factor, so gamma_t is that of the reduced data and Q_{t+1}, Q_{t+1}* have it."),
-          instances(n=(1, 2, 3), k=(1, 2), horizon=3)],
-      note="The left sides are a_t(z) and b_t(z) by (7.4) and (7.5) from a = atilde x and b = btilde x; the right sides come from the fast algorithm (2.16) for the reduced data. "
-           "p(t) is gamma_t, the leading coefficient of (b_t - a_t)/2, and s_t is r_t, both of the full data.")
+      by=[induction(n=(1, 2, 3, 4), k=(1, 2, 3)), instances(n=(1, 2, 3), k=(1, 2), horizon=3)],
+      note="x is theta; (beta, delta) is the orbit of (2.16) in dimension n + k that starts from the coefficients of a = atilde x and g = gtilde x, and (a, g) that from atilde, gtilde. With b = a + 2g this is (7.6).")
 
 claim("BLZ94-E7.7", "the limit polynomial has its zeros in the closed disc if and only if the common factor has",
       (outside_roots(w) == outside_roots(x)) & (symmetric_part(u * x, v * x) == q * w * recip(w)), sizes=["n", "k"],
