@@ -94,11 +94,11 @@ POWERS_TEND = ["Parlett and Poole: the powers of a matrix take a subspace to the
 CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
                "BLZ94-X.7", "BLZ94-X.8", "BLZ94-X.13", "BLZ94-P6.6", "BLZ94-E6.12", "BLZ94-E4.13", "BLZ94-E7.4", "BLZ94-S26")
 _SIGNS = ["a number times its conjugate is not negative", "a function that does not change sign has zeros of even multiplicity only"]
-_GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v(1/z), which has one sign on the circle. Sufficiency: if a and b are coprime, an eigenvalue of S on the circle has one Jordan block "
-         "(X.13), of even size for definite D, so that half of its exponents are positive and half negative: the dominant and the codominant subspace "
+_GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v(1/z), which has one sign on the circle. Sufficiency: if a and b are "
+         "coprime, an eigenvalue of S on the circle has one Jordan block (X.13), of even size for definite D, so that half of its exponents are positive and half negative: the dominant and the codominant subspace "
          "are determined, and Lagrangian as limits of Lagrangian subspaces under powers of S and S^(-1). Im(I; 0) does not "
-         "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. "
-         "A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
+         "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the "
+         "difference of two P_t. A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
 claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
       TENDS, **_VECTORS,
       by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS], prose=_GLUE),
@@ -139,8 +139,10 @@ claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc,
              rec(u, t, monic_of(a0) * x, (u[t] + (1 - Z) * v[t]) / (1 - p(t))), rec(v, t, strict_of(g0) * x, ((Z - p(t)) * v[t] - p(t) * u[t]) / (1 - p(t) ** 2))],
       given=[standing("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), standing("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
              standing("zeros in the closed disc", outside_roots(monic_of(alpha)) == 0), standing("coprime", coprime(monic_of(a0), monic_of(a0 + 2 * g0)))],
-      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS], prose="By X.2, X.8 and (2.17). By X.13 and as D is definite, S has Jordan blocks of even size on the circle. The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
-                                            "Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the common factor, their difference to zero."),
+      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS],
+                prose="By X.2, X.8 and (2.17). By X.13 and as D is definite, S has Jordan blocks of even size on the circle. The right side tends to zero since the powers of the "
+                      "closed loop do; with zeros on the circle by the theorem of Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the "
+                      "common factor, their difference to zero."),
           instances(16, n=(1, 2), k=(0, 1), m=(1, 2, 3), **FACTORED)],
       note="(a, g) are the reduced data and x the common factor theta; u and v are a_t(z) and g_t(z) along (2.16) from the full data. alpha is (6.2) for the P whose closed loop has its "
            "zeros in the closed disc, and r_t goes to 1/q, so that alpha(z)theta(z) is the limit.")
