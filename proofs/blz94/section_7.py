@@ -110,7 +110,8 @@ claim("BLZ94-X.13", "an eigenvector of S to an eigenvalue on the circle is seen 
           example(n=1, A=[["5/2"]], g=[1], h=[1], x=[1], y=[0], u=[-4], v=[0], c=2, s=0),
           example(n=1, A=[[1]], g=[1], h=[2], x=[1], y=[0], u=[1], v=[0], c=1, s=0), example(n=1, A=[[1]], g=[1], h=[2], x=[0], y=[1], u=[0], v=[1], c=1, s=0)],
       note="Not printed. lambda = c + is. If h'(u + iv) = 0, then g'(x + iy) = 0 as well, hence A(u + iv) = lambda(u + iv) and A'(x + iy) = (x + iy)/lambda, "
-           "and both vectors are zero if (h, A) is observable and (A, g) reachable. So an eigenvalue on the circle has one eigenvector only, up to factors, and one Jordan block of the size of its multiplicity, "
+           "and both vectors are zero if (h, A) is observable and (A, g) reachable. So an eigenvalue on the circle has one eigenvector only, up to factors, "
+           "and one Jordan block of the size of its multiplicity, "
            "as the proof of Lemma 6.10 assumes.")
 
 claim("BLZ94-X.1", "a multiple of w(z)w(1/z) does not change sign on the circle", nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"],
