@@ -160,7 +160,8 @@ claim("BLZ94-S56", "the closure of the definite points that escape adds only poi
       note="The points outside the right side of the inclusion are those here and those with indefinite D, which are an open set: no sequence of definite "
            "points tends to them. The orbit from (a, g) enters P_n at a time q, and then that from (a, g) + (v, w)/2^k is in P_n at time q for some k, the "
            "first of which is e. (alpha, gamma) are coordinates of (a, b) near a point that does not escape (Proposition 4.1). A double zero of D off the "
-           "circle, and alpha_n = 0, would do no harm: with D definite it is enough that D has no zero on the circle.")
+           "circle, and alpha_n = 0, would do no harm: with D definite it is enough that D has no zero on the circle. "
+           "F_2 is not closed for n > 1 (gamma = 0, alpha(z) = (z - s)^n, s to 0), so no algebraic set, but lies in one that is not everything.")
 
 #: along the line from (alpha0, 0) to (alpha0, gamma0), that is from (alpha0, z gamma0)
 _LINE = (function(X, [t], matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - v[t][n - i + 1] ** 2),
