@@ -10,6 +10,8 @@ rank of the matrix M of all derivatives with (d_0, ..., d_n) as last column.
 
 from __future__ import annotations
 
+from typing import Any
+
 from exactkf.language import Expr, Z, coeff, column, function, hstack, let, matrix_of, rank, recip, rev, rows, sum_of, sym, symbols, vstack, when
 from proofs.blz94.notation import HALF, a, alpha0, b, gamma0, i, j, k, n, t
 
@@ -52,7 +54,9 @@ def coordinates(p: list, q: list) -> dict:
     c: list = []
     for m in range(order):
         c.append(HALF * (q[m] - p[m]) - sum((p[m - 1 - l] * c[l] for l in range(m)), start=0 * HALF))
-    phi, reverse, norm, gammas, phis = [[1]], [1], 1, [], []
+    phi: list = [[1]]
+    norm: Any = 1
+    gammas: list = []
     for m in range(order):
         g = sum((phi[m][l] * c[m - l] for l in range(m + 1)), start=0 * HALF) / norm
         gammas.append(g)

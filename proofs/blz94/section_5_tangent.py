@@ -11,7 +11,7 @@ dimensions come out wrong when a, or a and b, have a double root there.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, instances
 from exactkf.language import (
     Identity,
     T,
@@ -33,14 +33,11 @@ from exactkf.language import (
     rank,
     recip,
     rev,
-    scalar,
-    size_of,
     standing,
     substitute,
     symbols,
     top,
     vector,
-    when,
 )
 from proofs.blz94.lemmas_tangent import DIMENSION, PARITY, TANGENT, M, a_, b_, coordinates, d, operator, pairs, shared
 from proofs.blz94.notation import a, alpha0, b, gamma0, i, j, k, m, n
