@@ -115,11 +115,11 @@ claim("BLZ94-E6.3", "the increment of P is Lambda(P)", P[1] - P[0] == F * X * T(
       over={F: matrix(n, n), h: vector(n), g0: vector(n), X: symmetric_matrix(n)}, where=[rec(P, t, X, F * P[t] * T(F) + _GAIN * T(g0 - F * P[t] * h))],
       by=[order(), instances(n=(1, 2, 3))], note="From an arbitrary X; the step from t to t + 1 is that from X = P_t.")
 
-claim("BLZ94-E6.4", "from zero the increment is r_t g(t)g(t)'", always(t, _LAMBDA == r[t] * g[t] * T(g[t])), **_WORDS,
-      by=[induction(also=[_SYMMETRIC, _SCALED, g0 - F * P[t] * h == _f * r[t], _INCREMENT]), _IN_WORDS], note="r_t is the product of the 1 - g_1(k)^2, k < t, as a 1 x 1 matrix.")
+claim("BLZ94-E6.4", "from zero the increment is r_t g(t)g(t)'", always(t, (_GAIN == _f) & (_LAMBDA == r[t] * g[t] * T(g[t]))), **_WORDS,
+      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS], note="The first equation is (2.17). r_t is the product of the 1 - g_1(k)^2, k < t, as a 1 x 1 matrix.")
 
-claim("BLZ94-E6.5", "r_t is 1 - h'P_t h", always(t, r[t] == 1 - T(h) * P[t] * h), **_WORDS,
-      by=[induction(also=[_SYMMETRIC, g0 - F * P[t] * h == _f * r[t], _INCREMENT]), _IN_WORDS], note="r_t is the product of the 1 - gamma_k^2, k < t, with gamma_k = g_1(k).")
+claim("BLZ94-E6.5", "r_t is 1 - h'P_t h", always(t, (_GAIN == _f) & (r[t] == 1 - T(h) * P[t] * h)), **_WORDS,
+      by=[induction(also=[_SYMMETRIC, _INCREMENT]), _IN_WORDS], note="The first equation is (2.17). r_t is the product of the 1 - gamma_k^2, k < t, with gamma_k = g_1(k).")
 
 _ORBITS = {"sizes": ["n"], "over": {a0: vector(n), g0: vector(n)}}
 _BOTH = (*FAST, *SCALE, let(F, J - a0 * T(h)), RICCATI[-1], function(X, [t], F * P[t] * T(F) - P[t] + _GAIN * T(g0 - F * P[t] * h)))
@@ -211,7 +211,7 @@ _COMPANION = factored(_SHIFTED, _UNIT)
 _SOLVED = {"using": {**_COMPANION["using"], a0: vector(n), P: matrix(n, n), q: scalar(), B: nonsingular(n)},
            "made_by": {**_COMPANION["made_by"], h: _UNIT, A: _SHIFTED - (a0 + g0) * T(_UNIT), X: B, Y: P * X, R: inv(X) * (inv(T(A)) - inv(T(A)) * h * T(h) * P) * X}}
 _FIXED = g0 * T(g0) + A * P * inv(Identity(n) - h * T(h) * P) * T(A) == P
-claim("BLZ94-S46", "an invariant Lagrangian subspace with nonsingular X is a solution of (6.1), and conversely",
+claim("BLZ94-S46", "an invariant Lagrangian subspace with nonsingular X is a solution of (6.1)",
       symmetric(P) & invertible(Identity(n) - h * T(h) * P) & _FIXED, sizes=["n"],
       over={A: nonsingular(n), g0: vector(n), h: vector(n), X: nonsingular(n), Y: matrix(n, n), R: nonsingular(n)},
       where=[let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))], [g0 * T(g0) * inv(T(A)), A - g0 * T(g0) * inv(T(A)) * h * T(h)]])), let(P, Y * inv(X))],
