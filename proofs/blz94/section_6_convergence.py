@@ -10,7 +10,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -49,16 +49,12 @@ from exactkf.language import (
     when,
 )
 from proofs.blz94.notation import (
-    COMPANION,
     FAST,
     HALF,
     KIMURA,
-    NORM,
     OBSERVER,
-    ORBIT,
     RICCATI,
     SCALE,
-    SHIFT,
     A,
     D,
     F,
@@ -72,7 +68,6 @@ from proofs.blz94.notation import (
     g,
     g0,
     gamma,
-    gamma0,
     h,
     i,
     j,
@@ -84,7 +79,6 @@ from proofs.blz94.notation import (
     symmetric_part,
     t,
 )
-
 from proofs.blz94.section_6 import PAIR_A, PAIR_G, PAIR_H, PAIR_P, PAIR_USING, factored
 from proofs.blz94.section_6 import E as PAIR_E
 
