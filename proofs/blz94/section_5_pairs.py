@@ -100,6 +100,12 @@ claim("BLZ94-X.20", "a factor that is its own reversal up to a sign, and the ker
           instances(10, m=(1, 3), k=(1, 2), made_by={epsilon: -1, theta: Z**m - 1})],
       note="Let theta be the common factor of a and its reversal, a = theta c, epsilon = 1 or -1.")
 
+claim("BLZ94-X.24", "what S(a)v is divisible by",
+      (S_of(x * rev(x, k) * w, v) == x * recip(x) * (Z**k * w * recip(v) + recip(Z**k * w) * v)) & (substitute(S_of((Z - 1) * w, v), 1) == 0)
+      & (substitute(S_of((Z + 1) * w, v), -1) == 0), sizes=["m", "k"],
+      over={x: polynomial(k), w: polynomial(m), v: polynomial(m)}, by=[identity(m=(0, 1, 2, 3), k=(0, 1, 2, 3)), instances(m=(1, 2), k=(1, 2))],
+      note="S(a)v is divisible by x(z)x(1/z) if a is by x and its reversal; and it vanishes at 1 and at -1 if a does, there doubly, being symmetric.")
+
 #: a polynomial with k pairs, roots at 1 and -1 of multiplicity p and q, and no other reciprocal roots
 _ROOTS = (Z - 1) ** p * (Z + 1) ** q * x * rev(x, k) * w
 _DEGREE = p + q + 2 * k + m
@@ -174,6 +180,6 @@ claim("BLZ94-E5.21", "the variational equation at an equilibrium, and its soluti
 claim("BLZ94-L5.8", "at an equilibrium without pairs of reciprocal roots the level set is smooth, of dimension n",
       DIMENSION(rank(M)) == n, sizes=["n"], over={alpha0: vector(n)}, where=[let(gamma0, 0 * alpha0), *TANGENT],
       given=[given("no pair of reciprocal roots", coprime(monic_of(alpha0), rev(monic_of(alpha0), n)))],
-      by=[steps("BLZ94-L5.6", "BLZ94-L5.7", "BLZ94-E5.21", facts=["implicit function theorem"], prose="S(a) has no kernel by (5.13), which counts no pair here; p = -q leaves n dimensions. "
+      by=[steps("BLZ94-X.21", "BLZ94-L5.7", "BLZ94-X.20", facts=["implicit function theorem"], prose="S(a) has no kernel by (5.13), which counts no pair here; p = -q leaves n dimensions. "
                 "M has rank n + 1, so the differentials of h_1, ..., h_n are independent."),
           instances(10, n=(1, 2, 3)), example({alpha0: [1]}, n=1), example({alpha0: ["-5/2", 1]}, n=2), example({alpha0: [0, 0]}, n=2)])
