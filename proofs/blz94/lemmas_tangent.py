@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Notation for the tangent spaces of section 5.
 
-`operator` is the matrix of S(a)v = a(z)v(1/z) + a(1/z)v(z) in the coefficients of v and of z^0, ..., z^n.
-`TANGENT` has the derivatives of d_0, ..., d_n at (alpha, gamma), as coefficients of z^1 along lines: line e = 1, ..., 2n goes in the direction of the
-e-th coordinate, alpha_1, ..., alpha_n, gamma_0, ..., gamma_{n-1}, and has the parameter z; line 0 stays at the point. The level set of the h_i = 2d_i/d_0 has as tangent
-space the directions in which the derivative of (d_0, ..., d_n) is a multiple of (d_0, ..., d_n), so its dimension is 2n + 1 less the
-rank of the matrix M of all derivatives with (d_0, ..., d_n) as last column.
+`operator` is the matrix of S(a)v = a(z)v(1/z) + a(1/z)v(z) in the coefficients of v and of z^0, ..., z^n. `TANGENT` has the derivatives of d_0, ...,
+d_n at (alpha, gamma), as coefficients of z^1 along lines: line e = 1, ..., 2n goes in the direction of the e-th coordinate, alpha_1, ..., alpha_n,
+gamma_0, ..., gamma_{n-1}, and has the parameter z; line 0 stays at the point. The level set of the h_i = 2d_i/d_0 has as tangent space the directions
+in which the derivative of (d_0, ..., d_n) is a multiple of (d_0, ..., d_n), so its dimension is 2n + 1 less the rank of the matrix M of all
+derivatives with (d_0, ..., d_n) as last column.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Section 6: the fast algorithm converges if and only if the Riccati recursion from zero does.
 
-Along the orbits P_{t+1} - P_t = r_t g(t)g(t)', r_t = 1 - h'P_t h, and (1 - h'P_t h)(a(t) + g(t) - a) = g - FP_t h. If (alpha(t), gamma(t)) tends to (w, 0), D = r_t S(a_t)b_t/2
-makes r_t tend to a number that is not zero, so the product of the 1 - gamma_t^2 converges and with it the sum of the gamma_t^2 and that of the increments of P_t. If P_t tends to a
-limit with r = 1 - h'Ph not zero, g(t) tends to zero; and r = 0 would mean g = FPh, whose last entry is -a_n, so that alpha_n = a_n + g_n = 0.
+Along the orbits P_{t+1} - P_t = r_t g(t)g(t)', r_t = 1 - h'P_t h, and (1 - h'P_t h)(a(t) + g(t) - a) = g - FP_t h. If (alpha(t), gamma(t)) tends to
+(w, 0), D = r_t S(a_t)b_t/2 makes r_t tend to a number that is not zero, so the product of the 1 - gamma_t^2 converges and with it the sum of the
+gamma_t^2 and that of the increments of P_t. If P_t tends to a limit with r = 1 - h'Ph not zero, g(t) tends to zero; and r = 0 would mean g = FPh,
+whose last entry is -a_n, so that alpha_n = a_n + g_n = 0.
 
 The last entry of F is -a_n, so F is nonsingular exactly if a_n is not zero; h'F^(-1)g = -g_n/a_n.
 The increments are semidefinite of rank one or zero, but of the sign of r_t, which is that of (1 - gamma_0^2) ... (1 - gamma_{t-1}^2).
@@ -88,9 +89,11 @@ claim("BLZ94-S40", "if the last alphas vanish, D has the degree of the last that
       over={beta: sequence(1, k), gamma: sequence(0, k + l - 1)},
       where=[let(n, k + l), function(alpha, [i], when(i <= k, beta[i], 0)), *KIMURA, let(D, symmetric_part(a, b))],
       given=[given("alpha_k != 0", beta[k] != 0), given("gamma_k^2 != 1", forall(i, 0, n - 1, gamma[i] ** 2 != 1))],
-      by=[steps("BLZ94-S34", "BLZ94-S26", prose="The coefficients of D beyond the k-th vanish, and the k-th is r_{n-k} alpha_k; the algorithm is that of dimension k, for the last k Schur parameters."),
+      by=[steps("BLZ94-S34", "BLZ94-S26", prose="The coefficients of D beyond the k-th vanish, and the k-th is r_{n-k} alpha_k; the algorithm is that of "
+                                                "dimension k, for the last k Schur parameters."),
           instances(20, k=(1, 2), l=(0, 1, 2)), example({beta: [0], gamma: [2, 3]}, k=1, l=1), example({beta: [3], gamma: [1, 3]}, k=1, l=1)],
-      note="n = k + l; z^n D is a polynomial. That the smaller algorithm is the same is S26. If all alphas vanish, there is no such k, and gamma is zero after n steps.")
+      note="n = k + l; z^n D is a polynomial. That the smaller algorithm is the same is S26. If all alphas vanish, there is no such k, and gamma is zero "
+           "after n steps.")
 
 # ---------------------------------------------------------------------- Lemma 6.1
 _g1, _f = T(h) * g[t], a[t] + g[t] - a0
@@ -110,41 +113,56 @@ claim("BLZ94-E6.3", "the increment of P is Lambda(P)", P[1] - P[0] == F * X * T(
       by=[order(), instances(n=(1, 2, 3))], note="From an arbitrary X; the step from t to t + 1 is that from X = P_t.")
 
 claim("BLZ94-E6.4", "from zero the increment is r_t g(t)g(t)'", always(t, (_GAIN == _f) & (_LAMBDA == r[t] * g[t] * T(g[t]))), **_WORDS,
-      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS], note="The first equation is (2.17). r_t is the product of the 1 - g_1(k)^2, k < t, as a 1 x 1 matrix.")
+      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS],
+      note="The first equation is (2.17). r_t is the product of the 1 - g_1(k)^2, k < t, as a 1 x 1 matrix.")
 
 claim("BLZ94-E6.5", "r_t is 1 - h'P_t h", always(t, (_GAIN == _f) & (r[t] == 1 - T(h) * P[t] * h)), **_WORDS,
-      by=[induction(also=[_SYMMETRIC, _INCREMENT]), _IN_WORDS], note="The first equation is (2.17). r_t is the product of the 1 - gamma_k^2, k < t, with gamma_k = g_1(k).")
+      by=[induction(also=[_SYMMETRIC, _INCREMENT]), _IN_WORDS],
+      note="The first equation is (2.17). r_t is the product of the 1 - gamma_k^2, k < t, with gamma_k = g_1(k).")
 
 _ORBITS = {"sizes": ["n"], "over": {a0: vector(n), g0: vector(n)}}
 _BOTH = (*FAST, *SCALE, let(F, J - a0 * T(h)), RICCATI[-1], function(X, [t], F * P[t] * T(F) - P[t] + _GAIN * T(g0 - F * P[t] * h)))
-claim("BLZ94-S41", "the increments are nonnegative definite of rank one", always(t, psd(X[t]) & (rank(X[t]) == 1)), **_ORBITS, where=_BOTH, given=[given("g != 0", g0 != 0 * g0)],
+claim("BLZ94-S41", "the increments are nonnegative definite of rank one", always(t, psd(X[t]) & (rank(X[t]) == 1)), **_ORBITS, where=_BOTH,
+      given=[given("g != 0", g0 != 0 * g0)],
       by=[example({a0: [0], g0: [2]}, n=1), instances(n=(1, 2))],
-      note="X_t is Lambda(P_t). In the example g(0) = 2, so r_1 = 1 - 4, and Lambda(P_1) = -16/3. The sentence has no hypothesis on v; the section allows v that are not positive real.",
-      repair=repair("missing hypothesis", "The sign is that of r_t, so definiteness is kept only if all |gamma_t| < 1, and the rank can fall to zero, where g(t) vanishes.",
+      note="X_t is Lambda(P_t). In the example g(0) = 2, so r_1 = 1 - 4, and Lambda(P_1) = -16/3. The sentence has no hypothesis on v; the section allows v "
+           "that are not positive real.",
+      repair=repair("missing hypothesis", "The sign is that of r_t, so definiteness is kept only if all |gamma_t| < 1, and the rank can fall to zero, where "
+                                          "g(t) vanishes.",
                     always(t, psd(X[t] / r[t]) & (rank(X[t]) == rank(g[t]))), **_ORBITS, where=_BOTH,
-                    by=[steps("BLZ94-E6.4", prose="Lambda(P_t) is r_t g(t)g(t)'."), instances(12, n=(1, 2, 3), horizon=3), instances(4, n=(1, 2), made_by={g0: -a0}),
+                    by=[steps("BLZ94-E6.4", prose="Lambda(P_t) is r_t g(t)g(t)'."), instances(12, n=(1, 2, 3), horizon=3),
+                        instances(4, n=(1, 2), made_by={g0: -a0}),
                         instances(4, n=(1, 2), made_by={a0: 0 * g0})]))
 
 _LAST = a[t][n] + g[t][n]
 claim("BLZ94-L6.1.1", "the orbit of the fast algorithm and that of the Riccati recursion from zero, step by step",
-      always(t, ((P[t + 1] - P[t]) * _LAST == (a0[n] + g0[n]) * g[t] * T(g[t])) & ((1 - T(h) * P[t] * h) * (a[t] + g[t] - a0) == g0 - F * P[t] * h) & (_LAST * (1 - (T(h) * P[t] * h)[1, 1]) == a0[n] + g0[n])),
+      always(t, ((P[t + 1] - P[t]) * _LAST == (a0[n] + g0[n]) * g[t] * T(g[t])) & ((1 - T(h) * P[t] * h) * (a[t] + g[t] - a0) == g0 - F * P[t] * h)
+          & (_LAST * (1 - (T(h) * P[t] * h)[1, 1]) == a0[n] + g0[n])),
       **_ORBITS, where=_BOTH[:-1], given=[standing("alpha_n != 0", a0[n] + g0[n] != 0)],
-      by=[steps("BLZ94-E2.17", "BLZ94-E6.4", "BLZ94-E6.5", "BLZ94-EA.3", "BLZ94-E2.18", "BLZ94-S42", facts=["an infinite product of factors 1 - c_t, c_t >= 0 from some t on, has a limit that is not zero only if the sum of "
+      by=[steps("BLZ94-E2.17", "BLZ94-E6.4", "BLZ94-E6.5", "BLZ94-EA.3", "BLZ94-E2.18", "BLZ94-S42",
+          facts=["an infinite product of factors 1 - c_t, c_t >= 0 from some t on, has a limit that is not zero only if the sum of "
                                                                                                 "the c_t converges"],
-                prose="If (alpha, gamma) tends to (w, 0), (2.18) gives r_t a limit that is not zero, so the sum of gamma_t^2 converges, and with it that of the increments of P, since g(t) is a combination "
-                      "of gamma_t, ..., gamma_{t+n-1}. If P_t tends to P, r = 1 - h'Ph is not zero by S42, so g(t)g(t)' tends to zero, and a(t) + g(t) to the right side of (6.2)."),
+                prose="If (alpha, gamma) tends to (w, 0), (2.18) gives r_t a limit that is not zero, so the sum of gamma_t^2 converges, and with it that of "
+                      "the increments of P, since g(t) is a combination "
+                      "of gamma_t, ..., gamma_{t+n-1}. If P_t tends to P, r = 1 - h'Ph is not zero by S42, so g(t)g(t)' tends to zero, and a(t) + g(t) to the "
+                      "right side of (6.2)."),
           instances(16, n=(1, 2, 3), horizon=3)],
-      note="The last entry of alpha(t) is a_n(t) + g_n(t), and r_t alpha_n(t) = alpha_n. That one side converges if and only if the other does is read off these equations.")
+      note="The last entry of alpha(t) is a_n(t) + g_n(t), and r_t alpha_n(t) = alpha_n. That one side converges if and only if the other does is read off "
+           "these equations.")
 
-claim("BLZ94-L6.1.2", "the limit polynomial from the limit of P", always(t, a[t] + g[t] == inv(1 - T(h) * P[t] * h) * (g0 - F * P[t] * h) + a0), **_ORBITS, where=_BOTH[:-1],
-      by=[steps("BLZ94-E2.17", "BLZ94-E5.4", prose="If (alpha(t), gamma(t)) tends to (w, 0), a(t) tends to w and g(t) to zero; the right side is continuous where 1 - h'Ph is not zero."),
+claim("BLZ94-L6.1.2", "the limit polynomial from the limit of P", always(t, a[t] + g[t] == inv(1 - T(h) * P[t] * h) * (g0 - F * P[t] * h) + a0), **_ORBITS,
+      where=_BOTH[:-1],
+      by=[steps("BLZ94-E2.17", "BLZ94-E5.4", prose="If (alpha(t), gamma(t)) tends to (w, 0), a(t) tends to w and g(t) to zero; the right side is continuous "
+                                                   "where 1 - h'Ph is not zero."),
           instances(16, n=(1, 2, 3), horizon=3)],
       note="At every t; (6.2) is the limit.")
 
-claim("BLZ94-S42", "if g = FPh, then alpha_n is a_n(1 - h'Ph)", (a0[n] + v[n] == a0[n] * (1 - (T(h) * P * h)[1, 1])) & (v[n] == -(a0[n] * (T(h) * P * h)[1, 1])), sizes=["n"],
+claim("BLZ94-S42", "if g = FPh, then alpha_n is a_n(1 - h'Ph)",
+      (a0[n] + v[n] == a0[n] * (1 - (T(h) * P * h)[1, 1])) & (v[n] == -(a0[n] * (T(h) * P * h)[1, 1])), sizes=["n"],
       over={a0: vector(n), P: symmetric_matrix(n)}, where=[*OBSERVER, let(v, F * P * h)], given=[standing("n >= 1", n >= 1)],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
-      note="v is the g of the case r_infinity = 1 - h'Ph = 0, where alpha_n = a_n + v_n is zero. The formula for the gain is (2.8) in the limit, and alpha_n = a_n + g_n is (A-3).")
+      note="v is the g of the case r_infinity = 1 - h'Ph = 0, where alpha_n = a_n + v_n is zero. The formula for the gain is (2.8) in the limit, and alpha_n "
+           "= a_n + g_n is (A-3).")
 
 # ---------------------------------------------------------------------- Lemmas 6.2 and 6.3
 f, fs, q, qs = symbols("f f_star q q_star")
@@ -164,46 +182,61 @@ claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits diff
              rec(q, t, 1, Z * q[t] + delta[t] * qs[t]), rec(qs, t, 1, qs[t] + delta[t] * Z * q[t]), let(u, f[n] + sum_of(i, 1, n, alpha[i] * f[n - i])),
              let(v, q[n] + sum_of(i, 1, n, alpha[i] * q[n - i])), let(x, _PLUS[0]), let(R, _PLUS[1](x)), let(w, _MINUS[0]), let(y, _MINUS[1](w))],
       by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
-      note="delta = -gamma; (u, v) are the a and b of (alpha, delta), (w, y) and (x, R) are (alpha, delta) and (alpha, gamma) after one step. The next steps are the same, so one orbit tends to (w, 0) if and only if the "
+      note="delta = -gamma; (u, v) are the a and b of (alpha, delta), (w, y) and (x, R) are (alpha, delta) and (alpha, gamma) after one step. The next steps "
+           "are the same, so one orbit tends to (w, 0) if and only if the "
            "other does.")
 
-claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero", (invertible(F) | invertible(B)) & (alpha0 == HALF * (a0[n] + v[n])), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=[*OBSERVER, let(v, a0 + 2 * g0), let(B, J - v * T(h)), let(alpha0, a0[n] + g0[n])], given=[given("alpha_n != 0", alpha0 != 0)],
-      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="The determinants are a_n and b_n up to a sign, and alpha_n is half of their sum."), instances(10, n=(1, 2, 3)),
-          instances(5, n=(1, 2), made_by={a0: 0 * g0}), instances(5, n=(1, 2), made_by={g0: -HALF * a0}), example({a0: [0, 0], g0: [1, 1]}, n=2), example({a0: [1, 0], g0: [0, 1]}, n=2), example({a0: [0], g0: [0]}, n=1), example({a0: [1, 0], g0: [1, 0]}, n=2)],
+claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero", (invertible(F) | invertible(B)) & (alpha0 == HALF * (a0[n] + v[n])),
+      sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, where=[*OBSERVER, let(v, a0 + 2 * g0), let(B, J - v * T(h)), let(alpha0, a0[n] + g0[n])],
+      given=[given("alpha_n != 0", alpha0 != 0)],
+      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="The determinants are a_n and b_n up to a sign, and alpha_n is half of their sum."),
+          instances(10, n=(1, 2, 3)),
+          instances(5, n=(1, 2), made_by={a0: 0 * g0}), instances(5, n=(1, 2), made_by={g0: -HALF * a0}), example({a0: [0, 0], g0: [1, 1]}, n=2),
+          example({a0: [1, 0], g0: [0, 1]}, n=2), example({a0: [0], g0: [0]}, n=1), example({a0: [1, 0], g0: [1, 0]}, n=2)],
       note="F = J - ah' and B = J - bh', with v the vector b, and alphabar is alpha_n, which is a_n + g_n by (A-3).")
 
-claim("BLZ94-X.23", "the determinant of F, and h'F^(-1)g", (det(F) ** 2 == a0[n] ** 2) & (T(h) * inv(F) * g0 * a0[n] == -g0[n]), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
+claim("BLZ94-X.23", "the determinant of F, and h'F^(-1)g", (det(F) ** 2 == a0[n] ** 2) & (T(h) * inv(F) * g0 * a0[n] == -g0[n]), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
       given=[standing("n >= 1", n >= 1)], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))])
 
-claim("BLZ94-L6.3", "h'F^(-1)g = 1 if and only if alpha_n = 0", iff((T(h) * inv(F) * g0)[1, 1] == 1, a0[n] + g0[n] == 0), sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
+claim("BLZ94-L6.3", "h'F^(-1)g = 1 if and only if alpha_n = 0", iff((T(h) * inv(F) * g0)[1, 1] == 1, a0[n] + g0[n] == 0), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
       by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="h'F^(-1)g is -g_n/a_n, and alpha_n = a_n + g_n."), instances(12, n=(1, 2, 3)),
           instances(8, n=(1, 2, 3), using={v: vector(n)}, made_by={g0: column(i, n, when(i == n, -a0[n], v[i]))})],
       note="F is nonsingular where its inverse exists. alpha_n is a_n + g_n by (A-3).")
 
 _SUM = gamma[n - 1] + sum_of(i, 1, n - 1, alpha[i] * gamma[n - 1 - i])
-_AT_ZERO = (*KIMURA, let(a0, column(i, n, coeff(a, n - i))), let(g0, HALF * (column(i, n, coeff(b, n - i)) - a0)), *OBSERVER, let(x, HALF - (T(h) * inv(F) * g0)[1, 1]), let(y, _SUM))
+_AT_ZERO = (*KIMURA, let(a0, column(i, n, coeff(a, n - i))), let(g0, HALF * (column(i, n, coeff(b, n - i)) - a0)), *OBSERVER,
+    let(x, HALF - (T(h) * inv(F) * g0)[1, 1]), let(y, _SUM))
 _SZEGO = forall(t, 0, n - 1, (gamma[t] == -coeff(phi[t + 1], 0)) & (gamma[t] == coeff(psi[t + 1], 0)))
-_ORDER_TWO = (instances(8, n=(1, 2, 3)), instances(6, n=(1, 2), made_by={alpha: (k, when(k == n, 0, gamma[0] + k))}), instances(4, n=(1, 2), made_by={gamma: (k, 0)}))
+_ORDER_TWO = (instances(8, n=(1, 2, 3)), instances(6, n=(1, 2), made_by={alpha: (k, when(k == n, 0, gamma[0] + k))}),
+    instances(4, n=(1, 2), made_by={gamma: (k, 0)}))
 claim("BLZ94-E6.3v", "v(0) in terms of alpha and gamma",
-      (x == HALF * substitute(b, 0) / substitute(a, 0)) & _SZEGO & (x == -HALF * (y - alpha[n]) / (y + alpha[n])) & iff(x == -HALF, alpha[n] == 0), **_POINT, where=_AT_ZERO,
+      (x == HALF * substitute(b, 0) / substitute(a, 0)) & _SZEGO & (x == -HALF * (y - alpha[n]) / (y + alpha[n])) & iff(x == -HALF, alpha[n] == 0), **_POINT,
+      where=_AT_ZERO,
       by=[example({alpha: ["1/2"], gamma: ["1/4"]}, n=1), instances(n=(1, 2))],
-      note="x is 1/2 - h'F^(-1)g, y = gamma_{n-1} + alpha_1 gamma_{n-2} + ... + alpha_{n-1} gamma_0. In the example a(0) = 1/4 and b(0) = 3/4, so v(0) = 3/2, but the printed quotient is 1/6.",
-      repair=repair("sign", "The signs of alpha_n are exchanged: psi_k(0) = gamma_{k-1} and phi_k(0) = -gamma_{k-1}, so numerator and denominator change places. The last sentence holds for both.",
-                    (x == HALF * substitute(b, 0) / substitute(a, 0)) & _SZEGO & (x == -HALF * (y + alpha[n]) / (y - alpha[n])) & iff(x == -HALF, alpha[n] == 0), **_POINT, where=_AT_ZERO,
+      note="x is 1/2 - h'F^(-1)g, y = gamma_{n-1} + alpha_1 gamma_{n-2} + ... + alpha_{n-1} gamma_0. In the example a(0) = 1/4 and b(0) = 3/4, so v(0) = 3/2, "
+           "but the printed quotient is 1/6.",
+      repair=repair("sign", "The signs of alpha_n are exchanged: psi_k(0) = gamma_{k-1} and phi_k(0) = -gamma_{k-1}, so numerator and denominator change "
+                            "places. The last sentence holds for both.",
+                    (x == HALF * substitute(b, 0) / substitute(a, 0)) & _SZEGO & (x == -HALF * (y + alpha[n]) / (y - alpha[n]))
+                        & iff(x == -HALF, alpha[n] == 0), **_POINT, where=_AT_ZERO,
                     given=[standing("n >= 1", n >= 1)],
                     by=[*_ORDER_TWO]))
 
 # ---------------------------------------------------------------------- subspaces
 _HAT = block([[Zero(n, n), Identity(n)], [-Identity(n), Zero(n, n)]])
-claim("BLZ94-S45", "symmetric P makes the span of the columns Lagrangian", (T(vstack(X, Y)) * _HAT * vstack(X, Y) == Zero(n, n)) & (rank(vstack(X, Y)) == n), sizes=["n"],
+claim("BLZ94-S45", "symmetric P makes the span of the columns Lagrangian", (T(vstack(X, Y)) * _HAT * vstack(X, Y) == Zero(n, n)) & (rank(vstack(X, Y)) == n),
+      sizes=["n"],
       over={X: nonsingular(n), P: matrix(n, n)}, where=[let(Y, P * X)], given=[given("P is symmetric", P == T(P))],
       by=[order(), instances(10, n=(1, 2, 3), using={S: symmetric_matrix(n)}, made_by={P: S}), example({X: [[1, 0], [0, 1]], P: [[0, 1], [0, 0]]}, n=2)])
 
 #: a, a factor of D and the solution P of (6.1) that belongs to it, and any basis X of the subspace
 _COMPANION = factored(_SHIFTED, _UNIT)
 _SOLVED = {"using": {**_COMPANION["using"], a0: vector(n), P: matrix(n, n), q: scalar(), B: nonsingular(n)},
-           "made_by": {**_COMPANION["made_by"], h: _UNIT, A: _SHIFTED - (a0 + g0) * T(_UNIT), X: B, Y: P * X, R: inv(X) * (inv(T(A)) - inv(T(A)) * h * T(h) * P) * X}}
+           "made_by": {**_COMPANION["made_by"], h: _UNIT, A: _SHIFTED - (a0 + g0) * T(_UNIT), X: B, Y: P * X,
+               R: inv(X) * (inv(T(A)) - inv(T(A)) * h * T(h) * P) * X}}
 _FIXED = g0 * T(g0) + A * P * inv(Identity(n) - h * T(h) * P) * T(A) == P
 claim("BLZ94-S46", "an invariant Lagrangian subspace with nonsingular X is a solution of (6.1)",
       symmetric(P) & invertible(Identity(n) - h * T(h) * P) & _FIXED, sizes=["n"],
