@@ -9,7 +9,7 @@ equilibrium is hyperbolic in the usual sense.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, steps
 from exactkf.language import (
     Identity,
     Z,
@@ -53,7 +53,7 @@ _F = (function(gamma, [t], gamma0), *COMPANION[:1], let(x, A[0] * alpha0), let(B
 # ---------------------------------------------------------------------- the dynamical system
 claim("BLZ94-E5.1", "a step of the algorithm is the map f", (alpha[1] == A[0] * alpha0) & (gamma[1] == B * gamma0), **_POINT,
       where=[*ORBIT, let(x, A[0] * alpha0), let(B, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -x[n - j + 1])))],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      by=[generic_index(), identity(n=range(1, 6)), instances(n=(1, 2, 3))],
       note="B is G(A(gamma) alpha); the left sides are a step of (4.4). The step from t to t + 1 is the same.")
 
 not_checked("BLZ94-S27", "linear stability, and the decomposition into stable, unstable and central subspaces",

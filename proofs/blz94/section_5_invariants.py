@@ -7,7 +7,7 @@ zero, and r is not zero as D is not. The h_i and d_n = alpha_n, or the last d_k 
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, instances, steps, use
 from exactkf.language import (
     Z,
     always,
@@ -31,11 +31,14 @@ from exactkf.language import (
     vector,
     when,
 )
+from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP
 from proofs.blz94.notation import (
     HALF,
     KIMURA,
     NORM,
     ORBIT,
+    PI_T,
+    RHO_T,
     VECTORS,
     D,
     a,
@@ -97,11 +100,12 @@ claim("BLZ94-E5.5", "the functions h_i, and D from them", 2 * D == coeff(D, 0) *
       over=_POINT, where=[*_D, _H],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))], note="A definition; what is checked is that the h_i determine D up to the factor d_0.")
 
-claim("BLZ94-T5.4.1", "the h_i are constant along an orbit", always(t, forall(i, 1, n, 2 * coeff(D[t], i) / coeff(D[t], 0) == kappa[i])), sizes=["n"],
-      over=_VECTOR_POINT,
-      where=[*_ALONG, let(kappa, column(i, n, 2 * coeff(D[0], i) / coeff(D[0], 0)))],
-      by=[induction(n=(1, 2, 3)), steps("BLZ94-E4.13", prose="r_t is not zero as long as the orbit goes on, and cancels."), instances(n=(1, 2, 3), horizon=3)],
-      note="Of convergence only d_0 != 0 is used.")
+_GENERIC = {"supported": FOUR_ALPHA["supported"], "whole": [alpha, D], "closed": [apoly, bpoly]}
+claim("BLZ94-T5.4.1", "the h_i are constant along an orbit", always(t, forall(i, 1, n, coeff(D[t], i) * coeff(D[0], 0) == coeff(D[0], i) * coeff(D[t], 0))),
+      sizes=["n"], over=_VECTOR_POINT, where=[*_ALONG[:-4], *RHO_T, *PI_T, *_ALONG[-4:]], given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, **_GENERIC, uses=[use(9, t=t, z=i), use(9, t=t, z=0)]), instances(n=(1, 2, 3), horizon=3)],
+      note="h_i(t) = h_i(0), multiplied by d_0(t)d_0(0)/2. Along a convergent orbit d_0 is not zero (BLZ94-S33), so the quotients exist; the constants kappa_i are the h_i(0). "
+           "Nothing else of convergence is used.")
 
 _HALF_D = let(d, HALF * coeff(D, 0) + sum_of(i, 1, n, coeff(D, i) * Z**i))
 claim("BLZ94-T5.4.2", "d(z) from the h_i if alpha_n is not zero",

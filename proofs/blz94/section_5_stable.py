@@ -11,7 +11,7 @@ the same h_i.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, generic_index, identity, instances, steps
 from exactkf.language import (
     T,
     Z,
@@ -138,7 +138,7 @@ claim("BLZ94-T5.9.3", "the minimum phase spectral factor", (c * w * recip(w) / (
 # ---------------------------------------------------------------------- vertical vectors
 claim("BLZ94-E5.24", "a and b for alpha = 0", (a == phi[n]) & (b == psi[n]), sizes=["n"], over={gamma: sequence(0, n - 1)},
       where=[function(alpha, [k], 0), *KIMURA],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      by=[generic_index(), identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
 
 def _derivative(of, low):

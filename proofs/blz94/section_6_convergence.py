@@ -108,9 +108,10 @@ _WORDS = {"sizes": ["n"], "over": {J: matrix(n, n), F: matrix(n, n), h: vector(n
 _SYMMETRIC, _SCALED = P[t] == T(P[t]), r[t] == 1 - T(h) * P[t] * h
 _INCREMENT = F * P[t] * T(F) + r[t] * _f * T(_f) == P[t] + r[t] * g[t] * T(g[t])
 _IN_WORDS = instances(n=(2, 3, 4), horizon=3, made_by={J: _SHIFTED, h: _UNIT, F: _SHIFTED - a0 * T(_UNIT)})
-claim("BLZ94-E6.3", "the increment of P is Lambda(P)", P[1] - P[0] == F * X * T(F) - X + (g0 - F * X * h) / (1 - T(h) * X * h) * T(g0 - F * X * h), sizes=["n"],
-      over={F: matrix(n, n), h: vector(n), g0: vector(n), X: symmetric_matrix(n)}, where=[rec(P, t, X, F * P[t] * T(F) + _GAIN * T(g0 - F * P[t] * h))],
-      by=[order(), instances(n=(1, 2, 3))], note="From an arbitrary X; the step from t to t + 1 is that from X = P_t.")
+claim("BLZ94-E6.3", "the increment of P is Lambda(P)", Y - P == F * P * T(F) - P + (g0 - F * P * h) / (1 - T(h) * P * h) * T(g0 - F * P * h), sizes=["n"],
+      over={F: matrix(n, n), h: vector(n), g0: vector(n), P: symmetric_matrix(n)},
+      where=[let(Y, F * P * T(F) + (g0 - F * P * h) * inv(1 - T(h) * P * h) * T(g0 - F * P * h))],
+      by=[order(), instances(n=(1, 2, 3))], note="Y is the value of (2.2) after P, for an arbitrary symmetric P.")
 
 claim("BLZ94-E6.4", "from zero the increment is r_t g(t)g(t)'", always(t, (_GAIN == _f) & (_LAMBDA == r[t] * g[t] * T(g[t]))), **_WORDS,
       by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS],
