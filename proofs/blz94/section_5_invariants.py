@@ -100,9 +100,10 @@ claim("BLZ94-E5.5", "the functions h_i, and D from them", 2 * D == coeff(D, 0) *
       over=_POINT, where=[*_D, _H],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))], note="A definition; what is checked is that the h_i determine D up to the factor d_0.")
 
+_IN_GENERAL = (*_ALONG[:-4], *RHO_T, *PI_T, *_ALONG[-4:])
 _GENERIC = {"supported": FOUR_ALPHA["supported"], "whole": [alpha, D], "closed": [apoly, bpoly]}
 claim("BLZ94-T5.4.1", "the h_i are constant along an orbit", always(t, forall(i, 1, n, coeff(D[t], i) * coeff(D[0], 0) == coeff(D[0], i) * coeff(D[t], 0))),
-      sizes=["n"], over=_VECTOR_POINT, where=[*_ALONG[:-4], *RHO_T, *PI_T, *_ALONG[-4:]], given=[standing("n >= 1", n >= 1)],
+      sizes=["n"], over=_VECTOR_POINT, where=_IN_GENERAL, given=[standing("n >= 1", n >= 1)],
       by=[generic_index(*ONE_STEP, NEXT, INVARIANT, **_GENERIC, uses=[use(9, t=t, z=i), use(9, t=t, z=0)]), instances(n=(1, 2, 3), horizon=3)],
       note="h_i(t) = h_i(0), multiplied by d_0(t)d_0(0)/2. Along a convergent orbit d_0 is not zero (BLZ94-S33), so the quotients exist; the constants kappa_i are the h_i(0). "
            "Nothing else of convergence is used.")
@@ -139,11 +140,11 @@ claim("BLZ94-T5.4.4", "every point with given h_i keeps them, and its D is the g
           instances(16, n=(1, 2, 3), horizon=3, made_by={kappa: _HV})],
       note="E has the coefficients that the h_i determine; d_0 is not zero where the h_i exist.")
 
-claim("BLZ94-E5.10", "d_0 along a convergent orbit", coeff(D[s], 0) == r[s + m] / r[s] * coeff(D[s + m], 0), sizes=["n", "m", "s"], over=_VECTOR_POINT,
-      where=_ALONG,
-      by=[steps("BLZ94-E4.13", "BLZ94-L4.4.1", prose="r_t d_0 is constant; in the limit (alpha, gamma) is an equilibrium and r_t goes to r_infinity."),
-          instances(20, n=(1, 2, 3), m=(0, 1, 2), s=(0, 1))],
-      note="For two times s and s + m; (5.10) is the limit for m to infinity, d_0 being continuous, with r_s not zero. (A-16), which the text names, has "
+claim("BLZ94-E5.10", "d_0 along a convergent orbit", always(t, coeff(D[t], 0) == r[t + m] / r[t] * coeff(D[t + m], 0)), sizes=["n", "m"], over=_VECTOR_POINT,
+      where=_IN_GENERAL, given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, **_GENERIC, uses=[use(9, t=t, z=0, times=1 / r[t]), use(9, t=t + m, z=0, times=-1 / r[t])]),
+          instances(20, n=(1, 2, 3), m=(0, 1, 2), horizon=2)],
+      note="For any two times t and t + m; (5.10) is the limit for m to infinity: r_m goes to r_infinity, and d_0 is continuous. (A-16), which the text names, has "
            "nothing to do with time: it is (4.13) that gives this.")
 
 claim("BLZ94-S33", "d_0 at an equilibrium, and r_infinity is not zero", (coeff(E, 0) == 1 + sum_of(i, 1, n, w[i] ** 2)) & (coeff(E, 0) > 0) & (c**2 > 0),

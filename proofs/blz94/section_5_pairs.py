@@ -11,7 +11,7 @@ the pairs (p, q) = (u, v + e b), of degrees n - 1 and n, with S(a)q + S(b)p = 0.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, induction, instances, steps
+from exactkf.evidence import combination, example, generic_index, identity, instances, steps, use
 from exactkf.language import (
     Z,
     always,
@@ -32,6 +32,7 @@ from exactkf.language import (
     nonzero,
     polynomial,
     rank,
+    rec,
     recip,
     rev,
     scalar,
@@ -42,22 +43,23 @@ from exactkf.language import (
     vector,
     when,
 )
+from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP
 from proofs.blz94.lemmas_tangent import DIMENSION, LINES, TANGENT, K, M, a_, b_, d, operator
 from proofs.blz94.notation import (
-    FAST,
     KIMURA,
     ORBIT,
-    POLYNOMIALS,
-    SCALE,
+    PI_T,
+    RHO_T,
+    VECTORS,
     D,
     a,
-    a0,
+    a_of,
     alpha,
     alpha0,
     apoly,
     b,
+    b_of,
     bpoly,
-    g0,
     gamma,
     gamma0,
     i,
@@ -150,9 +152,12 @@ claim("BLZ94-S35", "the tangent space of the level set is the kernel of the deri
                     forall(i, 1, n, laurent(2 * d(1, i) / d(1, 0), 1) == 2 * (coeff(d(1, i), -1) * d(0, 0) - d(0, i) * coeff(d(1, 0), -1)) / d(0, 0) ** 2),
                     **_ALONG, where=_LINE, given=[_ON_LEVEL], by=[identity(n=(1, 2, 3)), instances(10, n=(1, 2))]))
 
-claim("BLZ94-E5.14", "the invariance of D, written with S", always(t, r[t] * S_of(apoly[t], bpoly[t]) == 2 * D), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)},
-      where=[*FAST, *SCALE, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))], by=[induction(n=range(1, 7)), instances(n=(1, 2, 3))])
+claim("BLZ94-E5.14", "the invariance of D, written with S", always(t, r[t] * S_of(apoly[t], bpoly[t]) == 2 * D[0]), sizes=["n"], over=_POINT,
+      where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])),
+             function(D, [t], symmetric_part(apoly[t], bpoly[t]))], given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly], in_values=True, uses=[use(9, t=t, times=2)]),
+          instances(n=(1, 2, 3), horizon=3)],
+      note="Along (4.4); a_t and b_t belong to (alpha(t), gamma(t)).")
 
 JA, JB = symbols("J_a J_b")
 _JACOBIANS = tuple(let(name, matrix_of(i, j, n, 2 * n, coeff(f(j, n - i + 1), 1))) for name, f in ((JA, a), (JB, b)))
