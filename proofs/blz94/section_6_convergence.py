@@ -11,7 +11,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -22,7 +22,6 @@ from exactkf.language import (
     coeff,
     column,
     degree,
-    det,
     forall,
     function,
     given,
@@ -151,17 +150,15 @@ claim("BLZ94-L6.1.1", "the orbit of the fast algorithm and that of the Riccati r
       note="The last entry of alpha(t) is a_n(t) + g_n(t), and r_t alpha_n(t) = alpha_n. That one side converges if and only if the other does is read off "
            "these equations.")
 
-claim("BLZ94-L6.1.2", "the limit polynomial from the limit of P", always(t, a[t] + g[t] == inv(1 - T(h) * P[t] * h) * (g0 - F * P[t] * h) + a0), **_ORBITS,
-      where=_BOTH[:-1],
-      by=[steps("BLZ94-E2.17", "BLZ94-E5.4", prose="If (alpha(t), gamma(t)) tends to (w, 0), a(t) tends to w and g(t) to zero; the right side is continuous "
-                                                   "where 1 - h'Ph is not zero."),
-          instances(16, n=(1, 2, 3), horizon=3)],
-      note="At every t; (6.2) is the limit.")
+claim("BLZ94-L6.1.2", "the limit polynomial from the limit of P", always(t, a[t] + g[t] == _GAIN + a0), **_WORDS,
+      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS],
+      note="At every t. If (alpha(t), gamma(t)) tends to (w, 0), a(t) tends to w and g(t) to zero, and (6.2) is the limit, for the right side is continuous where 1 - h'Ph is "
+           "not zero (BLZ94-S42).")
 
 claim("BLZ94-S42", "if g = FPh, then alpha_n is a_n(1 - h'Ph)",
       (a0[n] + v[n] == a0[n] * (1 - (T(h) * P * h)[1, 1])) & (v[n] == -(a0[n] * (T(h) * P * h)[1, 1])), sizes=["n"],
       over={a0: vector(n), P: symmetric_matrix(n)}, where=[*OBSERVER, let(v, F * P * h)], given=[standing("n >= 1", n >= 1)],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      by=[generic_index(), instances(n=(1, 2, 3))],
       note="v is the g of the case r_infinity = 1 - h'Ph = 0, where alpha_n = a_n + v_n is zero. The formula for the gain is (2.8) in the limit, and alpha_n "
            "= a_n + g_n is (A-3).")
 
@@ -191,19 +188,24 @@ claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero"
       sizes=["n"],
       over={a0: vector(n), g0: vector(n)}, where=[*OBSERVER, let(v, a0 + 2 * g0), let(B, J - v * T(h)), let(alpha0, a0[n] + g0[n])],
       given=[given("alpha_n != 0", alpha0 != 0)],
-      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="The determinants are a_n and b_n up to a sign, and alpha_n is half of their sum."),
+      by=[steps("BLZ94-X.23", "BLZ94-EA.3", facts=["the determinant of a companion matrix is its last coefficient up to a sign"],
+                prose="If a_n is not zero, J - ah' has the inverse that the equations give; both entries cannot vanish, as alpha_n is half of their sum."),
           instances(10, n=(1, 2, 3)),
           instances(5, n=(1, 2), made_by={a0: 0 * g0}), instances(5, n=(1, 2), made_by={g0: -HALF * a0}), example({a0: [0, 0], g0: [1, 1]}, n=2),
           example({a0: [1, 0], g0: [0, 1]}, n=2), example({a0: [0], g0: [0]}, n=1), example({a0: [1, 0], g0: [1, 0]}, n=2)],
       note="F = J - ah' and B = J - bh', with v the vector b, and alphabar is alpha_n, which is a_n + g_n by (A-3).")
 
-claim("BLZ94-X.23", "the determinant of F, and h'F^(-1)g", (det(F) ** 2 == a0[n] ** 2) & (T(h) * inv(F) * g0 * a0[n] == -g0[n]), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
-      given=[standing("n >= 1", n >= 1)], by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))])
+#: y is the last unit vector, of which nothing is used but that it takes the last row of J, which is zero
+_LAST_ROW = {"sizes": ["n"], "over": {J: matrix(n, n), h: vector(n), y: vector(n), a0: vector(n), g0: vector(n)}, "where": [let(F, J - a0 * T(h))]}
+_NO_LAST_ROW = given("the last row of J is zero", T(y) * J == Zero(1, n))
+_OBSERVED = {J: _SHIFTED, h: _UNIT, y: column(i, n, when(i == n, 1, 0))}
+claim("BLZ94-X.23", "the last row of F, and h'F^(-1)g", (T(y) * F == -(T(y) * a0) * T(h)) & (T(y) * a0 * T(h) * inv(F) * g0 == -(T(y) * g0)), **_LAST_ROW,
+      given=[_NO_LAST_ROW], by=[order(), instances(n=(1, 2, 3), made_by=_OBSERVED), example({J: [[1]], h: [1], y: [1], a0: [2], g0: [1]}, n=1)],
+      note="With y the last unit vector: the last row of F is -a_n h', and a_n times h'F^(-1)g is -g_n.")
 
 claim("BLZ94-L6.3", "h'F^(-1)g = 1 if and only if alpha_n = 0", iff((T(h) * inv(F) * g0)[1, 1] == 1, a0[n] + g0[n] == 0), sizes=["n"],
       over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
-      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="h'F^(-1)g is -g_n/a_n, and alpha_n = a_n + g_n."), instances(12, n=(1, 2, 3)),
+      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="a_n times h'F^(-1)g is -g_n, a_n is not zero as F is nonsingular, and alpha_n = a_n + g_n."), instances(12, n=(1, 2, 3)),
           instances(8, n=(1, 2, 3), using={v: vector(n)}, made_by={g0: column(i, n, when(i == n, -a0[n], v[i]))})],
       note="F is nonsingular where its inverse exists. alpha_n is a_n + g_n by (A-3).")
 
