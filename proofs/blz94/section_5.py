@@ -85,7 +85,7 @@ _NEAR = {"sizes": ["n"], "over": {w: vector(n), u: vector(n), v: vector(n)}, "wh
 claim("BLZ94-L5.1.2", "the derivative of f at an equilibrium",
       forall(i, 1, n, (laurent(alpha[1][i], 0) == w[i]) & (laurent(alpha[1][i], 1) == u[i]) & (laurent(gamma[1][i], 0) == 0)
           & (laurent(gamma[1][i], 1) == (B * v)[i, 1])), **_NEAR,
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 4)), instances(n=(1, 2, 3))],
       note="A step from (w, 0) + (u, v)/z, in powers of 1/z. B is G(w).")
 
 # ---------------------------------------------------------------------- eigenvalues and invariant manifolds
@@ -143,11 +143,10 @@ claim("BLZ94-S31", "alpha_t is at most a constant times mu^t",
           instances(made_by={x: (u**2 * w**2 - 1) / (w * (u**2 - 1)), y: u * (x - w)}, using={u: scalar()})],
       note="For n = 1, (w, 0) the limit, so mu = |w|, and (x, y) the initial condition; c is the constant C, and m the first time with C mu^m at most 1. At "
            "the equilibrium (1/2, 0) alpha_t stays 1/2 "
-           "and mu^t tends to zero, so the bound is false at m whatever C is.",
+           "and mu^t tends to zero, so the bound is false at m whatever C is. The points of the level set other than (w, 0) are those with y = u(x - w), as in the correction.",
       repair=repair("other", "It is alpha_t - alpha_infinity that tends to zero, and with it gamma_t. For n = 1 it is alpha_0 - alpha_infinity times "
                              "alpha_infinity^t and the product of alpha_1, ..., alpha_t.",
-                    always(t, (alpha[t] - w == s[t] * (x - w))), over={w: nonzero(), x: scalar(), y: scalar()},
-                    where=[*_ORDER_ONE, rec(s, t, 1, w * alpha[t + 1] * s[t])],
-                    given=[_ON_CURVE],
-                    by=[induction(also=[gamma[t] ** 2 * w == (alpha[t] - w) * (w * alpha[t] - 1)]),
-                        instances(made_by={x: (u**2 * w**2 - 1) / (w * (u**2 - 1)), y: u * (x - w)}, using={u: scalar()})]))
+                    always(t, alpha[t] - w == s[t] * (x - w)), over={w: nonzero(), u: scalar()},
+                    where=[let(x, (u**2 * w**2 - 1) / (w * (u**2 - 1))), let(y, u * (x - w)), *_ORDER_ONE, rec(s, t, 1, w * alpha[t + 1] * s[t])],
+                    by=[induction(also=[gamma[t] ** 2 * w == (alpha[t] - w) * (w * alpha[t] - 1)],
+                                  cofactors=[[(w * alpha[t + 1], 0, 1), (1 / (1 - gamma[t] ** 2), 1, 1)], [(1 / (1 - gamma[t] ** 2), 1, 1)]]), instances(16)]))
