@@ -12,7 +12,7 @@ M A^k x, and those of the response to an impulse A^k G.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances
+from exactkf.evidence import example, identity, induction, instances
 from exactkf.language import (
     T,
     Zero,
@@ -20,19 +20,23 @@ from exactkf.language import (
     charpoly,
     coeff,
     forall,
+    function,
     hstack,
     iff,
     let,
     matrix,
     nonsingular,
+    positive_semidefinite,
     rank,
     rec,
+    sequence_of,
     signal_of,
     sum_of,
     symbols,
     vector,
+    when,
 )
-from proofs.d71.notation import M, Phi, j, k, n, p
+from proofs.d71.notation import M, N, Phi, j, k, n, p
 from proofs.d71.section_1_b import I, Zn, G, Psi, q, x, xi
 
 A, Pw, Rd, Wd, Sum, Range, Moved, FIRST, ORTHOGONAL = symbols("A Pw Rd Wd Sum Range Moved FIRST ORTHOGONAL")
@@ -119,3 +123,11 @@ INTEGRAL = "an integral of the transition matrix of a system that changes with t
 not_checked("D71-E1.35", "a Gramian for controllability in continuous time", INTEGRAL.format("E1.44"))
 not_checked("D71-E1.39", "a Gramian for observability in continuous time", INTEGRAL.format("E1.47"))
 not_checked("D71-E1.49", "completely driven processes in continuous time", "a definition: it fixes notation and asserts nothing")
+
+Tr, a, b, i, Hs, Cov = symbols("Tr a b i Hs Cov")
+DUE = sum_of(i, 0, N - 1, Tr(N, i + 1)*Hs[i]*T(Tr(N, i + 1)))
+claim("D71-E1.50", "completely driven processes in discrete time",
+      DUE == Cov[N], sizes=["n", "N"], over={Phi: sequence_of(matrix(n, n), 0, N - 1), Hs: sequence_of(positive_semidefinite(n), 0, N - 1)},
+      where=[function(Tr, [a, b], when(a == b, I, Phi[a - 1]*Tr(a - 1, b))), rec(Cov, k, Zn, Phi[k]*Cov[k]*T(Phi[k]) + Hs[k])],
+      by=[identity(n=1, N=range(1, 5)), identity(n=2, N=(1, 2)), instances(6, n=(1, 2), N=(1, 2, 3))], tex={Hs: "H"},
+      note="The definition that the sum is positive definite asserts nothing; that the sum is the covariance of what the inputs add to the state is checked.")
