@@ -19,7 +19,9 @@ from exactkf.language import (
     Zero,
     always,
     forall,
+    function,
     given,
+    let,
     matrix,
     nonneg,
     positive_semidefinite,
@@ -78,14 +80,18 @@ PLANE = {name: sequence(1, n) for name in (a, b, c, g)}
 POINT, OTHER = {x: scalar(), y: scalar()}, {x0: scalar(), y0: scalar()}
 
 
-def larger(one, other):
-    """The larger of two numbers."""
-    return when(one > other, one, other)
+u, v, lo, hi = symbols("u v lo hi")
+Max, Rho, Move, Before, After, Total, Last, First = symbols("Max Rho Move Before After Total Last First")
+LARGER = function(Max, [u, v], when(u > v, u, v))
+#: rho(phi_hi o ... o phi_lo), and how far phi_i moves the point (x, y)
+CONSTANT = function(Rho, [hi, lo], Max(prod(j, lo, hi, abs(a[j])), prod(j, lo, hi, abs(c[j]))))
+MOVE = function(Move, [i], Max(abs(a[i]*x + b[i] - x), abs(c[i]*y + g[i] - y)))
+METRIC = [LARGER, CONSTANT, MOVE]
 
 
 def distance(p1, q1, p2, q2):
     """In the maximum norm."""
-    return larger(abs(p1 - p2), abs(q1 - q2))
+    return Max(abs(p1 - p2), abs(q1 - q2))
 
 
 def orbit(first, second, start, other):
@@ -93,17 +99,7 @@ def orbit(first, second, start, other):
     return (rec(first, k, start, a[k + 1]*first[k] + b[k + 1]), rec(second, k, other, c[k + 1]*second[k] + g[k + 1]))
 
 
-def constant(low, high):
-    """rho(phi_high o ... o phi_low)."""
-    return larger(prod(j, low, high, abs(a[j])), prod(j, low, high, abs(c[j])))
-
-
-def moved(at):
-    """How far phi_at moves the point x."""
-    return distance(x, y, a[at]*x + b[at], c[at]*y + g[at])
-
-
-IN_THE_PLANE = ("For the maps phi_i(x, y) = (a_i x + b_i, c_i y + g_i) of the plane with the maximum norm, for which rho of a composition is the larger of the products "
+IN_THE_PLANE = ("Max is the larger of two numbers. For the maps phi_i(x, y) = (a_i x + b_i, c_i y + g_i) of the plane with the maximum norm, for which rho of a composition is the larger of the products "
                 "of the |a_i| and of the |c_i|. ")
 HERE = orbit(X1, X2, x, y)
 THERE = orbit(Y1, Y2, x0, y0)
@@ -112,17 +108,19 @@ U, W = symbols("U W")
 SMALL = {"using": {U: sequence(1, n), W: sequence(1, n)}, "made_by": {a: (i, U[i]/(1 + abs(U[i]))), c: (i, W[i]/(1 + abs(W[i])))}}
 
 claim("B93-S90", "one map more at the beginning",
-      distance(X1[n - 1], X2[n - 1], Y1[n], Y2[n]) <= constant(2, n)*moved(1),
+      After <= Rho(n, 2)*Move(1),
       sizes=["n"], over={**PLANE, **POINT},
-      where=[rec(X1, k, x, a[k + 2]*X1[k] + b[k + 2]), rec(X2, k, y, c[k + 2]*X2[k] + g[k + 2]), *orbit(Y1, Y2, x, y)],
+      where=[*METRIC, rec(X1, k, x, a[k + 2]*X1[k] + b[k + 2]), rec(X2, k, y, c[k + 2]*X2[k] + g[k + 2]), *orbit(Y1, Y2, x, y),
+             let(After, distance(X1[n - 1], X2[n - 1], Y1[n], Y2[n]))],
       by=[instances(n=(2, 3, 4))],
       note=IN_THE_PLANE + "phi_n, ..., phi_1 stand for phi_0, ..., phi_{-k-1}. That the sequence is almost surely a Cauchy sequence is not stated here.")
 
 not_checked("B93-E29", "the stationary solution as a limit", STATISTICAL)
 
 claim("B93-S91", "two solutions come closer",
-      distance(X1[n], X2[n], Y1[n], Y2[n]) <= constant(1, n)*distance(x, y, x0, y0),
-      sizes=["n"], over={**PLANE, **POINT, **OTHER}, where=[*HERE, *THERE], by=[instances(n=(1, 2, 3))],
+      After <= Rho(n, 1)*Before,
+      sizes=["n"], over={**PLANE, **POINT, **OTHER}, where=[*METRIC, *HERE, *THERE, let(After, distance(X1[n], X2[n], Y1[n], Y2[n])), let(Before, distance(x, y, x0, y0))],
+      by=[instances(n=(1, 2, 3))],
       note=IN_THE_PLANE + "The bound on the rate, which holds almost surely, is not stated here.")
 
 # --- the remark on the choice of the point ---------------------------------------------------------------------------------
@@ -135,7 +133,7 @@ claim("B93-R3.1", "the integrability condition does not depend on the point",
       a*x + b != x, over={a: scalar(), b: scalar(), x0: scalar(), x: scalar()}, given=[given("phi does not fix x_0", a*x0 + b != x0)],
       by=[example(a=0, b=0, x0=1, x=0), instances()],
       repair=repair("boundary case", "it is the positive part of the logarithm that is integrable for every x; the logarithm itself is minus infinity where x is fixed",
-                    larger(D, 1) <= larger(D0, 1) + (r + 1)*dd, over=DISTANCES, given=LIPSCHITZ,
+                    After <= Before + (r + 1)*dd, over=DISTANCES, where=[LARGER, let(After, Max(D, 1)), let(Before, Max(D0, 1))], given=LIPSCHITZ,
                     by=[example(D=3, D0=1, D1=1, dd="1/2", r=2), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances()]),
       note="For one map phi(x) = ax + b of the line, which is a stationary sequence: log d(phi(x), x) is finite exactly if phi does not fix x. In the "
            "counterexample phi is the constant map to 0, with rho = 0: log d(phi(1), 1) = 0, and d(phi(0), 0) = 0 has no finite logarithm. In the repair D is "
@@ -161,14 +159,15 @@ claim("B93-S92", "one map more at the end of the composition",
       note="u, v and w are the images of x under phi_n o ... o phi_1, phi_n o ... o phi_2 and phi_1, and r is rho(phi_n o ... o phi_2), which maps x to v and w to "
            "u. The first of the two printed inequalities is the triangle inequality.")
 
-TOTAL = distance(x, y, X1[n], X2[n])
+TOTAL = let(Total, distance(x, y, X1[n], X2[n]))
 claim("B93-E31", "how far the composition moves a point",
-      TOTAL <= sum_of(i, 1, n, constant(i + 1, n)*moved(i)), sizes=["n"], over={**PLANE, **POINT}, where=HERE,
+      Total <= sum_of(i, 1, n, Rho(n, i + 1)*Move(i)), sizes=["n"], over={**PLANE, **POINT}, where=[*METRIC, *HERE, TOTAL],
       by=[steps("B93-S92", prose="S92, applied to phi_n o ... o phi_i for i = 1, 2, ..., n one after the other."), instances(n=(1, 2, 3))],
       note=IN_THE_PLANE + "The empty composition has the constant 1.")
 
 claim("B93-S93", "contractions, one map at a time",
-      TOTAL <= moved(n) + sum_of(i, 1, n - 1, larger(abs(a[i + 1]), abs(c[i + 1]))*moved(i)), sizes=["n"], over={**PLANE, **POINT}, where=HERE,
+      Total <= Last + First, sizes=["n"], over={**PLANE, **POINT},
+      where=[*METRIC, *HERE, TOTAL, let(Last, Move(n)), let(First, sum_of(i, 1, n - 1, Rho(i + 1, i + 1)*Move(i)))],
       given=[CONTRACTIONS],
       by=[steps("B93-S92", "B93-E25", prose="In (31) the constant of phi_n o ... o phi_{i+1} is at most that of phi_{i+1} times that of a contraction."),
           instances(n=(1, 2, 3), **SMALL), instances(n=(2, 3))],
@@ -177,8 +176,8 @@ claim("B93-S93", "contractions, one map at a time",
 not_checked("B93-S94", "the mean of the distances", STATISTICAL)
 
 claim("B93-S95", "contractions, k maps at a time",
-      TOTAL <= sum_of(i, n - m + 1, n, constant(i + 1, n)*moved(i)) + sum_of(i, 1, n - m, constant(i + 1, i + m)*moved(i)),
-      sizes=["n", "m"], over={**PLANE, **POINT}, where=HERE, given=[standing("m < n", m < n), CONTRACTIONS],
+      Total <= Last + First, sizes=["n", "m"], over={**PLANE, **POINT},
+      where=[*METRIC, *HERE, TOTAL, let(Last, sum_of(i, n - m + 1, n, Rho(n, i + 1)*Move(i))), let(First, sum_of(i, 1, n - m, Rho(i + m, i + 1)*Move(i)))], given=[standing("m < n", m < n), CONTRACTIONS],
       by=[steps("B93-S92", "B93-E25", prose="In (31) the constant of phi_n o ... o phi_{i+1} is at most that of phi_{i+m} o ... o phi_{i+1} times that of a contraction."),
           instances(n=(2, 3, 4), m=(1, 2), **SMALL), instances(n=(3, 4), m=(1, 2))],
       note=IN_THE_PLANE + "m stands for the k of the text.")
@@ -187,7 +186,8 @@ not_checked("B93-E32", "the mean of the distances, k maps at a time", STATISTICA
 not_checked("B93-S96", "the limit for many maps at a time", STATISTICAL)
 
 claim("B93-S97", "solutions from other points",
-      distance(x, y, Y1[n], Y2[n]) <= TOTAL + distance(x, y, x0, y0), sizes=["n"], over={**PLANE, **POINT, **OTHER}, where=[*HERE, *THERE],
+      After <= Total + Before, sizes=["n"], over={**PLANE, **POINT, **OTHER},
+      where=[*METRIC, *HERE, *THERE, TOTAL, let(After, distance(x, y, Y1[n], Y2[n])), let(Before, distance(x, y, x0, y0))],
       given=[CONTRACTIONS], by=[instances(n=(1, 2, 3), **SMALL), instances(n=(2, 3))],
       note=IN_THE_PLANE + "X_n starts from (x0, y0).")
 
