@@ -9,7 +9,7 @@ first step on, while x_11 = a k^2/N_k rises until N_k has grown too large.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances
+from exactkf.evidence import evaluation, example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -25,6 +25,8 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonneg,
+    positive_definite,
+    positive_semidefinite,
     psd,
     rank,
     rational,
@@ -36,7 +38,7 @@ from exactkf.language import (
     symmetric_matrix,
     vstack,
 )
-from proofs.d71.notation import H, M, P, Phi, V, gain, gram, i, j, k, step
+from proofs.d71.notation import H, K, M, P, Phi, V, gain, gram, i, j, k, step
 
 TT, Lam, S, X, U, a = symbols("TT Lam S X U a")
 third = rational("1/3")
@@ -200,3 +202,19 @@ claim("D71-F3.6b", "the function falls along two solutions",
                     FALL, where=[*BOTH_RUNS, value_along(Va, XA, True), value_along(Vb, XB, True)], by=[evaluation()]),
       note="For the first six steps from X_0 = diag(0, a), a = 0.01 for Va and 0.1 for Vb. With F as printed in (3.215), Vb grows from the second step on, from 4850 to "
            "6342, and Va from the sixth on. The initial value grows as a decreases for both.")
+
+STARTS = [*DATA, run(XA, rational("1/1000")), run(XB, rational("1/100")), run(X, rational("1/10"))]
+Vc = sym("Vc")
+claim("D71-E3.230", "the function does not tend to zero with U",
+      (Va(0) > 10*Vb(0)) & (Vb(0) > 10*Vc(0)) & (Vc(0) > 10000), where=[*STARTS, value_along(Va, XA, True), value_along(Vb, XB, True), value_along(Vc, X, True)],
+      by=[evaluation()],
+      note="For U_0 = T diag(0, a)T', which tends to zero with a, and a = 0.001, 0.01, 0.1; see D71-F3.6b for the F. The function grows instead of falling; that it does "
+           "so for every a is not shown.")
+
+nn, pp = symbols("n p")
+claim("D71-E3.231", "the covariance equation as a sum of nonnegative terms",
+      (step() == Phi*((Identity(nn) - K*M)*P*T(Identity(nn) - K*M) + K*V*T(K))*T(Phi) + H)
+      & psd(left*P*T(left)) & psd(Phi*K*V*T(K)*T(Phi)) & psd(H),
+      sizes=["n", "p"], over={Phi: matrix(nn, nn), H: positive_semidefinite(nn), M: matrix(pp, nn), V: positive_definite(pp), P: positive_semidefinite(nn)},
+      where=[let(K, gain()), let(left, Phi*(Identity(nn) - K*M))],
+      by=[order([], [left*P*T(left)], [Phi*K*V*T(K)*T(Phi)], [H]), instances(6, n=(1, 2), p=(1, 2))])
