@@ -19,10 +19,8 @@ from exactkf.language import (
     T,
     Zero,
     always,
-    block,
     diagonal,
     forall,
-    function,
     given,
     integer,
     inv,
@@ -34,10 +32,8 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive,
-    positive_definite,
     positive_semidefinite,
     rec,
-    scalar,
     sequence,
     signal_of,
     standing,
@@ -45,11 +41,10 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     vector,
-    when,
 )
 from proofs.b93.notation import d, hamiltonian, k, p, part, q
-from proofs.b93.section_1_2 import S0, TT, A, C, F, P, Q, R, S
-from proofs.b93.section_1_2_distance import ACT, FORM, MEMBER, RATE, RATE_BOUNDS, Max, LARGER, After, Far, Near, Old, eps, g, m, nearer, powers, u, v, zeta
+from proofs.b93.section_1_2 import A, C, F, P, R, S
+from proofs.b93.section_1_2_distance import LARGER, Max, eps, m, u, zeta
 
 I, Zd = Identity(d), Zero(d, d)
 (t,) = symbols("t")
@@ -65,7 +60,8 @@ claim("B93-S29", "the continuous Riccati equation as an action",
       dU*inv(V) - U*inv(V)*dV*inv(V) == A*P + P*T(A) - P*R*P + S, sizes=["d"],
       over={A: matrix(d, d), R: symmetric_matrix(d), S: symmetric_matrix(d), N11: matrix(d, d), N12: matrix(d, d), N21: matrix(d, d), N22: matrix(d, d),
             P0: symmetric_matrix(d)},
-      where=[let(U, N11*P0 + N12), let(V, N21*P0 + N22), let(P, U*inv(V)), let(dU, (A*N11 + S*N21)*P0 + A*N12 + S*N22), let(dV, (R*N11 - T(A)*N21)*P0 + R*N12 - T(A)*N22)],
+      where=[let(U, N11*P0 + N12), let(V, N21*P0 + N22), let(P, U*inv(V)), let(dU, (A*N11 + S*N21)*P0 + A*N12 + S*N22),
+             let(dV, (R*N11 - T(A)*N21)*P0 + R*N12 - T(A)*N22)],
       given=[standing("P is symmetric", T(U)*V == T(V)*U)],
       by=[order(), instances(6, d=(1, 2), made_by={N11: I, N12: Zd, N21: Zd, N22: I}), instances(6, d=(1,))],
       note="The left side is the derivative of P_t = U inv(V), where dN/dt = [[A, S], [R, -A*]]N; N_0 = I gives P_0. That N_t stays in H is a theorem "
@@ -90,13 +86,17 @@ claim("B93-S42", "what part (iii) is deduced from",
       repair=repair("cross-reference", "it is (17), the decomposition of the action, that is needed besides, not (16)",
                     Goal <= Known, over=ONE_STATE, where=STEP,
                     given=[SHOWN, given("(17)", (y1 == 1/(g1 + q)) & (y2 == 1/(g2 + q)))],
-                    by=[example(y1=2, y2=1, g1=1, g2=1, t1=1, t2=1, q=1, zeta=1, eps=1), example(y1="1/2", y2="1/5", g1=1, g2=4, t1=1, t2=1, q=1, zeta=1, eps=1),
+                    by=[example(y1=2, y2=1, g1=1, g2=1, t1=1, t2=1, q=1, zeta=1, eps=1),
+                        example(y1="1/2", y2="1/5", g1=1, g2=4, t1=1, t2=1, q=1, zeta=1, eps=1),
                         example(y1="1/2", y2="1/5", g1=1, g2=4, t1=25, t2=1, q=1, zeta=1, eps=3),
-                        example(y1="1/3", y2="1/6", g1=2, g2=5, t1=4, t2=1, q=1, zeta=1, eps=1), example(y1="1/6", y2="1/3", g1=5, g2=2, t1=1, t2=4, q=1, zeta=1, eps=1),
+                        example(y1="1/3", y2="1/6", g1=2, g2=5, t1=4, t2=1, q=1, zeta=1, eps=1),
+                        example(y1="1/6", y2="1/3", g1=5, g2=2, t1=1, t2=4, q=1, zeta=1, eps=1),
                         example(y1="1/3", y2="1/6", g1=2, g2=5, t1=5, t2=1, q=1, zeta=1, eps=1),
                         instances(made_by={y1: 1/(g1 + q), y2: 1/(g2 + q), t1: t2*apart(g1 + q, g2 + q)**4})]),
-      note="For d = 1, where the distance of two numbers is the logarithm of Max(a/b, b/a); y_i is the image of T_i under the action of M and g_i that under the "
-           "first maps of the chain, so that the inequality before is about g_i + q. (16) says nothing of the y_i: it is about shifts of two numbers, and holds for "
+      note="For d = 1, where the distance of two numbers is the logarithm of Max(a/b, b/a); y_i is the image of T_i under the action of M and g_i that under "
+           "the "
+           "first maps of the chain, so that the inequality before is about g_i + q. (16) says nothing of the y_i: it is about shifts of two numbers, and "
+           "holds for "
            "all of them. In the counterexample T_1 = T_2 and g_1 = g_2.")
 
 # --- constant parameters ---------------------------------------------------------------------------------------------------
@@ -114,7 +114,8 @@ claim("B93-S44", "a power of the Hamiltonian matrix is in H0",
           instances(8, d=(1, 2, 3), p=(1, 2), q=(1, 2))],
       note="The power d serves. Observable and controllable are read as the Gramians of d instants being nonsingular.")
 
-not_checked("B93-S45", "solutions of a constant system converge", "a limit in a complete metric space, by the fixed point theorem, from B93-S44 and B93-T1.7.3; an "
+not_checked("B93-S45", "solutions of a constant system converge",
+            "a limit in a complete metric space, by the fixed point theorem, from B93-S44 and B93-T1.7.3; an "
             "instance is no more than what these say")
 
 # --- the sampled system ----------------------------------------------------------------------------------------------------
@@ -139,7 +140,8 @@ claim("B93-S69", "two positive matrices in common coordinates",
 claim("B93-S79", "the norm at the beginning by that at the end",
       (T(x0)*x0 <= al*(T(x0)*P0*x0)) & (al*(T(x0)*P0*x0) <= al*(tau*(T(xp)*Pp*xp))) & (al*(tau*(T(xp)*Pp*xp)) <= al*(tau*(si*(T(xp)*xp)))), sizes=["d"],
       over={P0: positive_semidefinite(d), Pp: positive_semidefinite(d), x0: vector(d), xp: vector(d), al: nonneg(), tau: nonneg(), si: nonneg()},
-      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 <= tau*(T(xp)*Pp*xp)), given("|P_p| <= sigma", loewner(si*I, Pp))],
+      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 <= tau*(T(xp)*Pp*xp)),
+             given("|P_p| <= sigma", loewner(si*I, Pp))],
       by=[order([T(x0)*(al*P0 - I)*x0], [al*(tau*(T(xp)*Pp*xp) - T(x0)*P0*x0)], [al*tau*(T(xp)*(si*I - Pp)*xp)]),
           instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u}), instances(8, d=(1,))],
       note="tau stands for the product of the tau_n, by which V falls in p steps as B93-S78 says.")
@@ -148,7 +150,8 @@ claim("B93-S80", "the product of the matrices of the filter",
       always(t, (x[t] == T(Pi[t])*xp) & (T(x[t])*x[t] == T(xp)*(Pi[t]*T(Pi[t]))*xp)), sizes=["d"], over={Bs: signal_of(matrix(d, d), 0), xp: vector(d)},
       where=[rec(x, t, xp, T(Bs[t])*x[t]), rec(Pi, t, I, Pi[t]*Bs[t])],
       by=[induction(), instances(6, d=(1, 2), horizon=3)],
-      note="Counted from the end: Bs_t is B_{p-t}, so that x_t here is x_{p-t} and Pi_p = B_p ... B_1. With S79, |Pi*x|^2 <= alpha tau_1 ... tau_p sigma_p |x|^2 for every "
+      note="Counted from the end: Bs_t is B_{p-t}, so that x_t here is x_{p-t} and Pi_p = B_p ... B_1. With S79, |Pi*x|^2 <= alpha tau_1 ... tau_p sigma_p "
+           "|x|^2 for every "
            "x, which is the bound of the norm.")
 
 l, larger, total, ends = symbols("l larger total ends")
@@ -156,7 +159,9 @@ claim("B93-E21", "the distance of the image of the identity",
       total <= d*larger, sizes=["d"], over={l: sequence(1, d)},
       where=[LARGER, let(total, sum_of(k, 1, d, l[k]**2)), let(larger, Max(l[1]**2, l[d]**2))],
       given=[given("ascending", forall(k, 1, d - 1, l[k] <= l[k + 1]))],
-      by=[example(d=3, l=[0, 5, 0]), example(d=3, l=[-1, 0, 1]), instances(12, d=(1, 2, 3, 4), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t]**2))}),
+      by=[example(d=3, l=[0, 5, 0]), example(d=3, l=[-1, 0, 1]),
+          instances(12, d=(1, 2, 3, 4), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t]**2))}),
           instances(8, d=(2, 3))],
-      note="The upper bound of Lemma 2.3 for Phi_1(I): l_1, ..., l_d are the logarithms of its eigenvalues in ascending order, so that l_d is that of the norm and "
+      note="The upper bound of Lemma 2.3 for Phi_1(I): l_1, ..., l_d are the logarithms of its eigenvalues in ascending order, so that l_d is that of the "
+           "norm and "
            "-l_1 that of the norm of the inverse.")

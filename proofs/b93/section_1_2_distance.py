@@ -19,49 +19,41 @@ action of a member of H contracts through its two shifts.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, instances, order, steps
+from exactkf.evidence import example, instances, order
 from exactkf.language import (
     Identity,
     T,
+    Z,
     charpoly,
     cospectral,
     diagonal,
-    eq,
     forall,
     function,
     given,
-    hstack,
     inside_roots,
     integer,
     inv,
-    invertible,
     let,
     loewner,
-    matrix,
+    matrix_of,
+    nonneg,
     nonsingular,
     outside_roots,
     pd,
     positive,
     positive_definite,
     positive_semidefinite,
-    psd,
+    prod,
     standing,
+    sum_of,
     symbols,
     symmetric_matrix,
     symplectic,
-    trace,
     vector,
-    vstack,
     when,
-    Z,
-    Zero,
-    prod,
-    matrix_of,
-    sum_of,
-    nonneg,
 )
 from proofs.b93.notation import Factor, d, i, j, k, member, numbers
-from proofs.b93.section_1_2 import BLOCKS, OVER, A, B, C, D, M, P, Q, TT, S0
+from proofs.b93.section_1_2 import BLOCKS, OVER, S0, TT, A, B, C, D, M, P, Q
 
 I = Identity(d)
 X, Y, W, U, g, c, u, v, Max, alpha, beta, x, num, den = symbols("X Y W U g c u v Max alpha beta x num den")
@@ -105,7 +97,8 @@ claim("B93-S35", "the eigenvalues as minima of maxima",
           example(d=1, k=1, K=[[1]], Dg=[[-1]]),
           instances(8, d=(1, 2, 3), k=(1, 2, 3), using={U: vector(d)}, made_by={Dg: matrix_of(i, j, d, d, when(i == j, sum_of(m, 1, i, 1 + U[m]**2), 0))})],
       note="Any two positive matrices are T = K'DK and S = K'K. On the range of V1, of dimension k, the quotient x'Tx / x'Sx is at most the k-th eigenvalue, "
-           "which it takes at the vector num; on that of V2, of dimension d - k + 1, it is at least that. Every other subspace of dimension k meets the range of "
+           "which it takes at the vector num; on that of V2, of dimension d - k + 1, it is at least that. Every other subspace of dimension k meets the "
+           "range of "
            "V2.")
 
 # --- shifts ----------------------------------------------------------------------------------------------------------------
@@ -115,9 +108,11 @@ claim("B93-E15", "a shift makes the logarithm of a quotient smaller",
       New**(m + r) <= Ratio**m,
       over={a: positive(), b: positive(), m: integer(1, 4), r: integer(1, 4)}, where=[LARGER, let(New, (a + r)/(b + r)), let(Ratio, Max(a/b, 1))],
       given=[given("a <= m", a <= m), standing("b <= m", b <= m)],
-      by=[example(a=4, b=1, m=1, r=1), example(a=1, b="1/2", m=1, r=1), example(a=2, b=4, m=1, r=1), instances(using={u: nonneg(), v: nonneg()}, made_by={a: m/(1 + u), b: m/(1 + v)}),
+      by=[example(a=4, b=1, m=1, r=1), example(a=1, b="1/2", m=1, r=1), example(a=2, b=4, m=1, r=1),
+          instances(using={u: nonneg(), v: nonneg()}, made_by={a: m/(1 + u), b: m/(1 + v)}),
           instances(made_by={a: m, b: m/(1 + 1)})],
-      note="The exponential of the printed inequality, multiplied by m + r, for whole numbers m and r. Ratio is the larger of a/b and 1, and New the quotient after the shift.")
+      note="The exponential of the printed inequality, multiplied by m + r, for whole numbers m and r. Ratio is the larger of a/b and 1, and New the "
+           "quotient after the shift.")
 
 LEVEL = {alpha: integer(1, 3), beta: integer(0, 3)}
 BOUNDED = {"using": {U: positive_definite(d), W: positive_definite(d), Y: positive_semidefinite(d)},
@@ -151,17 +146,21 @@ def powers(near, far):
 
 Old, Shifted = symbols("Old Shifted")
 QUOTIENTS = [let(Old, TT*inv(S0)), let(Shifted, (TT + P)*inv(S0 + P))]
-WHOLE = ("Said of each eigenvalue, in ascending order: so many are greater than g^alpha after the shift, for any g > 1, as at most were greater than g^(alpha + "
+WHOLE = ("Said of each eigenvalue, in ascending order: so many are greater than g^alpha after the shift, for any g > 1, as at most were greater than "
+         "g^(alpha + "
          "beta) before, and likewise smaller for g < 1. alpha and beta are whole numbers. ")
 NARROW = example(d=1, T=[[3]], S0=[[1]], P=[[1]], alpha=3, beta=1, g="5/4")
-BOUNDS_OF_BOTH = [given(label, formula) for label, formula in (("T <= alpha", loewner(alpha*I, TT)), ("S <= alpha", loewner(alpha*I, S0)), ("P >= beta", loewner(P, beta*I)))]
+BOUNDS_OF_BOTH = [given(label, formula) for label,
+                  formula in (("T <= alpha", loewner(alpha*I, TT)), ("S <= alpha", loewner(alpha*I, S0)), ("P >= beta", loewner(P, beta*I)))]
 SHARP = [NARROW, example(d=1, T=[[4]], S0=[[1]], P=[[1]], alpha=1, beta=1, g="11/5"), example(d=1, T=[[1]], S0=[[4]], P=[[1]], alpha=1, beta=1, g="5/11"),
          example(d=1, T=[["1/2"]], S0=[[1]], P=[[1]], alpha=1, beta=1, g="4/5"), example(d=1, T=[[1]], S0=[["1/2"]], P=[[1]], alpha=1, beta=1, g="5/4"),
          example(d=2, T=[[1, 0], [0, "1/2"]], S0=[["1/2", 0], [0, 1]], P=[[1, 0], [0, 1]], alpha=1, beta=1, g="4/3")]
 
 for id_, title, more in (("B93-E16", "a shift brings every eigenvalue nearer to one", ""),
-                         ("B93-P1.6", "a shift contracts", "The squared distance is the sum of the squares of the logarithms, so it falls by the square of the factor.")):
-    claim(id_, title, nearer(Shifted, Old), sizes=["d"], over={**MATRICES, **LEVEL, g: positive()}, where=[*QUOTIENTS, *powers(alpha, alpha + beta)], given=BOUNDS_OF_BOTH,
+                         ("B93-P1.6", "a shift contracts", "The squared distance is the sum of the squares of the logarithms, so it falls by the square of "
+                                                           "the factor.")):
+    claim(id_, title, nearer(Shifted, Old), sizes=["d"], over={**MATRICES, **LEVEL, g: positive()}, where=[*QUOTIENTS, *powers(alpha, alpha + beta)],
+          given=BOUNDS_OF_BOTH,
           by=[*SHARP, instances(8, d=(1, 2), **BOUNDED), instances(4, d=(1,))], note=WHOLE + more)
 
 # --- the action ------------------------------------------------------------------------------------------------------------
@@ -178,7 +177,8 @@ WRONG = [example(d=1, A=[[1]], P=[["-1/2"]], Q=[[0]], T=[[2]], S0=[[1]], g="5/2"
          example(d=1, A=[[1]], P=[[0]], Q=[[0]], T=[[2]], S0=[[1]], g="3/2"), example(d=1, A=[[1]], P=[[0]], Q=[[0]], T=[[1]], S0=[[2]], g="3/4")]
 
 for id_, title, more in (("B93-T1.7.1", "members of H contract", ""),
-                         ("B93-S2", "the filter's maps contract", "Stated for all members of H, of which the matrices of the filter are some. What strictness depends on is "
+                         ("B93-S2", "the filter's maps contract",
+                          "Stated for all members of H, of which the matrices of the filter are some. What strictness depends on is "
                                                                   "said by Theorem 1.7; the other recursion is not stated here.")):
     claim(id_, title, nearer(After, Old), sizes=["d"], over={**MEMBER, g: positive()}, where=[*ACT, *powers(1, 1)], by=[*WRONG[2:], PLAIN],
           note=FORM + EQUAL_RATE + more)
@@ -200,7 +200,8 @@ claim("B93-T1.7.2", "members of H1 and of H2 contract strictly",
                     given=[given("M in H1 or H2", pd(P) | pd(Q)), given("T is not S", TT != S0)],
                     by=[example(d=1, A=[[1]], P=[[1]], Q=[[1]], T=[[1]], S0=[[1]]), example(d=1, A=[[1]], P=[[0]], Q=[[0]], T=[[2]], S0=[[1]]),
                         example(d=1, A=[[1]], P=[[1]], Q=[[0]], T=[[2]], S0=[[1]]),
-                        instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={P: U}), instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={Q: U})]),
+                        instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={P: U}),
+                        instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={Q: U})]),
       note=FORM + "By (i) each eigenvalue of T inv(S) comes no farther from one; so the distance becomes smaller exactly if the eigenvalues do not all stay as "
                   "they are. In the counterexample T = S = 1.")
 
@@ -217,19 +218,22 @@ RATE_SHARP = [example(d=1, A=[[1]], P=[["1/100"]], Q=[[1]], T=[[1]], S0=[["1/100
 for id_, title in (("B93-T1.7.3", "members of H0 contract uniformly"), ("B93-S43", "the factor of the uniform contraction")):
     claim(id_, title, nearer(After, Old), sizes=["d"], over={**RATE, g: positive()}, where=[*ACT, *powers(zeta, zeta + eps)], given=RATE_BOUNDS,
           by=[*RATE_SHARP, instances(8, d=(1, 2), **RATE_MADE), instances(4, d=(1,))],
-          note=FORM + EQUAL_RATE + "The factor zeta/(zeta + epsilon) is an exponent, with whole numbers zeta and epsilon that bound the norm of (APA*)^{-1} and Q.")
+          note=FORM + EQUAL_RATE + "The factor zeta/(zeta + epsilon) is an exponent, with whole numbers zeta and epsilon that bound the norm of (APA*)^{-1} "
+                                   "and Q.")
 
 claim("B93-S40", "the images lie in an interval",
       loewner(TT + P, P) & loewner(A*(TT + P)*T(A), A*P*T(A)) & loewner(inv(A*P*T(A)), inv(A*(TT + P)*T(A))), sizes=["d"],
       over={A: nonsingular(d), P: positive_definite(d), TT: positive_semidefinite(d)},
-      by=[order([TT], [A*TT*T(A)], [inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A)), inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A))]),
+      by=[order([TT], [A*TT*T(A)],
+                [inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A)), inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A))]),
           instances(8, d=(1, 2))],
       note="P is invertible, as B93-S39 says. Only that T is nonnegative is used.")
 
 Gone, Half, Shrunk = symbols("Gone Half Shrunk")
 claim("B93-S41", "the last shift contracts uniformly",
       nearer(Shrunk, Old), sizes=["d"], over={**RATE, g: positive()},
-      where=[let(Old, Half*inv(Gone)), let(Gone, inv(A*(TT + P)*T(A))), let(Half, inv(A*(S0 + P)*T(A))), let(Shrunk, (Half + Q)*inv(Gone + Q)), *powers(zeta, zeta + eps)],
+      where=[let(Old, Half*inv(Gone)), let(Gone, inv(A*(TT + P)*T(A))), let(Half, inv(A*(S0 + P)*T(A))), let(Shrunk, (Half + Q)*inv(Gone + Q)),
+             *powers(zeta, zeta + eps)],
       given=RATE_BOUNDS,
       by=[*RATE_SHARP, example(d=1, A=[[1]], P=[["1/100"]], Q=[[1]], T=[[1]], S0=[["1/100"]], zeta=1, eps=1, g=10),
           example(d=1, A=[[1]], P=[["1/3"]], Q=[["1/100"]], T=[["4/3"]], S0=[["1/3"]], zeta=3, eps=3, g="6/5"), instances(6, d=(1, 2), **RATE_MADE)],

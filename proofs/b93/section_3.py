@@ -67,7 +67,8 @@ claim("B93-S88", "the composition in blocks of p maps",
       always(k, psd(Sum[k] + rest - (t[k] + rest))), sizes=["d"], over={b: ANY, s: LEFT, rest: matrix(d, d)},
       where=[rec(Sum, k, NONE, Sum[k] + b[k]), rec(t, k, NONE, t[k] + b[k] - s[k])],
       by=[induction(base=order([NONE]), step=order([Sum[k] + rest - (t[k] + rest), s[k]])), instances(8, d=(1, 2))],
-      note=AS_MATRICES + "b_i is the logarithm of the constant of the block i of p maps and t_k that of the first k blocks together, which by (25) grows by at most "
+      note=AS_MATRICES + "b_i is the logarithm of the constant of the block i of p maps and t_k that of the first k blocks together, which by (25) grows by "
+                         "at most "
            "b_k with one block more: s_k is what is left over. The maps after the last whole block add at most their own, the rest.")
 
 not_checked("B93-S89", "the rate is at most alpha", STATISTICAL)
@@ -99,7 +100,8 @@ def orbit(first, second, start, other):
     return (rec(first, k, start, a[k + 1]*first[k] + b[k + 1]), rec(second, k, other, c[k + 1]*second[k] + g[k + 1]))
 
 
-IN_THE_PLANE = ("Max is the larger of two numbers. For the maps phi_i(x, y) = (a_i x + b_i, c_i y + g_i) of the plane with the maximum norm, for which rho of a composition is the larger of the products "
+IN_THE_PLANE = ("Max is the larger of two numbers. For the maps phi_i(x, y) = (a_i x + b_i, c_i y + g_i) of the plane with the maximum norm, for which rho "
+                "of a composition is the larger of the products "
                 "of the |a_i| and of the |c_i|. ")
 HERE = orbit(X1, X2, x, y)
 THERE = orbit(Y1, Y2, x0, y0)
@@ -119,7 +121,8 @@ not_checked("B93-E29", "the stationary solution as a limit", STATISTICAL)
 
 claim("B93-S91", "two solutions come closer",
       After <= Rho(n, 1)*Before,
-      sizes=["n"], over={**PLANE, **POINT, **OTHER}, where=[*METRIC, *HERE, *THERE, let(After, distance(X1[n], X2[n], Y1[n], Y2[n])), let(Before, distance(x, y, x0, y0))],
+      sizes=["n"], over={**PLANE, **POINT, **OTHER},
+      where=[*METRIC, *HERE, *THERE, let(After, distance(X1[n], X2[n], Y1[n], Y2[n])), let(Before, distance(x, y, x0, y0))],
       by=[instances(n=(1, 2, 3))],
       note=IN_THE_PLANE + "The bound on the rate, which holds almost surely, is not stated here.")
 
@@ -132,7 +135,8 @@ DISTANCES = {D: nonneg(), D0: nonneg(), D1: nonneg(), dd: nonneg(), r: nonneg()}
 claim("B93-R3.1", "the integrability condition does not depend on the point",
       a*x + b != x, over={a: scalar(), b: scalar(), x0: scalar(), x: scalar()}, given=[given("phi does not fix x_0", a*x0 + b != x0)],
       by=[example(a=0, b=0, x0=1, x=0), instances()],
-      repair=repair("boundary case", "it is the positive part of the logarithm that is integrable for every x; the logarithm itself is minus infinity where x is fixed",
+      repair=repair("boundary case", "it is the positive part of the logarithm that is integrable for every x; the logarithm itself is minus infinity where "
+                                     "x is fixed",
                     After <= Before + (r + 1)*dd, over=DISTANCES, where=[LARGER, let(After, Max(D, 1)), let(Before, Max(D0, 1))], given=LIPSCHITZ,
                     by=[example(D=3, D0=1, D1=1, dd="1/2", r=2), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances()]),
       note="For one map phi(x) = ax + b of the line, which is a stationary sequence: log d(phi(x), x) is finite exactly if phi does not fix x. In the "
@@ -156,7 +160,8 @@ claim("B93-S92", "one map more at the end of the composition",
       dxu <= dxv + r*dxw, over={dxu: nonneg(), dxv: nonneg(), dvu: nonneg(), dxw: nonneg(), r: nonneg()},
       given=[given("triangle", dxu <= dxv + dvu), given("Lipschitz", dvu <= r*dxw)],
       by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={dvu: r*dxw, dxu: dxv + r*dxw}), instances()],
-      note="u, v and w are the images of x under phi_n o ... o phi_1, phi_n o ... o phi_2 and phi_1, and r is rho(phi_n o ... o phi_2), which maps x to v and w to "
+      note="u, v and w are the images of x under phi_n o ... o phi_1, phi_n o ... o phi_2 and phi_1, and r is rho(phi_n o ... o phi_2), which maps x to v "
+           "and w to "
            "u. The first of the two printed inequalities is the triangle inequality.")
 
 TOTAL = let(Total, distance(x, y, X1[n], X2[n]))
@@ -177,8 +182,10 @@ not_checked("B93-S94", "the mean of the distances", STATISTICAL)
 
 claim("B93-S95", "contractions, k maps at a time",
       Total <= Last + First, sizes=["n", "m"], over={**PLANE, **POINT},
-      where=[*METRIC, *HERE, TOTAL, let(Last, sum_of(i, n - m + 1, n, Rho(n, i + 1)*Move(i))), let(First, sum_of(i, 1, n - m, Rho(i + m, i + 1)*Move(i)))], given=[standing("m < n", m < n), CONTRACTIONS],
-      by=[steps("B93-S92", "B93-E25", prose="In (31) the constant of phi_n o ... o phi_{i+1} is at most that of phi_{i+m} o ... o phi_{i+1} times that of a contraction."),
+      where=[*METRIC, *HERE, TOTAL, let(Last, sum_of(i, n - m + 1, n, Rho(n, i + 1)*Move(i))), let(First, sum_of(i, 1, n - m, Rho(i + m, i + 1)*Move(i)))],
+      given=[standing("m < n", m < n), CONTRACTIONS],
+      by=[steps("B93-S92", "B93-E25", prose="In (31) the constant of phi_n o ... o phi_{i+1} is at most that of phi_{i+m} o ... o phi_{i+1} times that of a "
+                                            "contraction."),
           instances(n=(2, 3, 4), m=(1, 2), **SMALL), instances(n=(3, 4), m=(1, 2))],
       note=IN_THE_PLANE + "m stands for the k of the text.")
 

@@ -14,7 +14,6 @@ from exactkf.language import (
     T,
     Zero,
     always,
-    forall,
     given,
     hstack,
     iff,
@@ -22,7 +21,6 @@ from exactkf.language import (
     kernel_basis,
     let,
     matrix,
-    matrix_of,
     nonsingular,
     positive_semidefinite,
     rank,
@@ -31,12 +29,12 @@ from exactkf.language import (
     standing,
     symbols,
     vector,
-    when,
 )
-from proofs.d71.notation import H, M, Phi, i, j, k, n, p
+from proofs.d71.notation import H, M, Phi, k, n, p
 from proofs.d71.section_2_b import DIAGONAL, UNSTABLE, A, E, lam, unit
 
-Pw, Rd, Rc, mu, v, nd, mode, seen, DRIVEN, Wd, Nd, N0, Ld, L0, UNDRIVEN, UNSEEN, m = symbols("Pw Rd Rc mu v nd mode seen DRIVEN Wd Nd N0 Ld L0 UNDRIVEN UNSEEN m")
+Pw, Rd, Rc, mu, v, nd, mode, seen, DRIVEN, Wd, Nd, N0, Ld, L0, UNDRIVEN, UNSEEN, m = symbols("Pw Rd Rc mu v nd mode seen DRIVEN Wd Nd N0 Ld L0 UNDRIVEN "
+                                                                                             "UNSEEN m")
 I = Identity(n)
 SUM = [rec(Pw, k, I, A*Pw[k]), rec(Rd, k, Zero(n, n), Rd[k] + Pw[k]*H*T(Pw[k])), let(Rc, Rd[n])]
 DIFFERENT = {"sizes": ["n", "m"], "over": {E: nonsingular(n), lam: vector(n), H: positive_semidefinite(n)}}
@@ -44,33 +42,42 @@ MODES = [let(A, E*DIAGONAL*inv(E)), *SUM, let(mode, E*unit(m)), let(seen, inv(T(
 NUMBER = standing("m is the number of a mode", (m >= 1) & (m <= n))
 CASES = [example(n=2, m=1, E=[[1, 1], [0, 1]], lam=[1, 2], H=[[1, 0], [0, 0]]), example(n=2, m=2, E=[[1, 1], [0, 1]], lam=[1, 2], H=[[1, 0], [0, 0]]),
          example(n=2, m=1, E=[[1, 0], [0, 1]], lam=[1, 1], H=[[1, 1], [1, 1]]), example(n=2, m=2, E=[[1, 0], [1, 1]], lam=[3, 2], H=[[1, 1], [1, 1]]),
-         example(n=2, m=1, E=[[1, 0], [1, 1]], lam=[3, 2], H=[[0, 0], [0, 1]]), example(n=1, m=1, E=[[1]], lam=[2], H=[[0]]), instances(8, n=(1, 2, 3), m=(1, 2))]
-REAL = ("For n different real eigenvalues: A = E diag(lambda)E^{-1}, the mode m is the m-th column of E, and sigma_m is spanned by the m-th column of the inverse of E'. R_c is "
+         example(n=2, m=1, E=[[1, 0], [1, 1]], lam=[3, 2], H=[[0, 0], [0, 1]]), example(n=1, m=1, E=[[1]], lam=[2], H=[[0]]),
+         instances(8, n=(1, 2, 3), m=(1, 2))]
+REAL = ("For n different real eigenvalues: A = E diag(lambda)E^{-1}, the mode m is the m-th column of E, and sigma_m is spanned by the m-th column of the "
+        "inverse of E'. R_c is "
         "replaced by the sum of the A^k H A'^k for k < n, which has the same range. ")
 
 claim("D71-T9.1", "driven modes in continuous time",
-      iff(DRIVEN, H*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=CASES, note=REAL + "DRIVEN says that the mode lies in the range.")
+      iff(DRIVEN, H*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=CASES,
+      note=REAL + "DRIVEN says that the mode lies in the range.")
 
 claim("D71-S78", "driven modes and null vectors of R_c",
       iff(DRIVEN, Rc*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=CASES,
-      note=REAL + "The null space of R_c is invariant under A', which is why it is inside the sum of the other sigma_j if it meets sigma_i in 0 only; for another "
+      note=REAL + "The null space of R_c is invariant under A', which is why it is inside the sum of the other sigma_j if it meets sigma_i in 0 only; for "
+                  "another "
                   "nonnegative matrix that would not follow.")
 
 claim("D71-E9.11", "an eigenvector that is a null vector of H",
       always(k, Rd[k]*nd == Zero(n, 1)), sizes=["n"], over={A: matrix(n, n), H: positive_semidefinite(n), nd: vector(n), mu: scalar()}, where=SUM,
       given=[given("A'n = mu n", T(A)*nd == mu*nd), given("Hn = 0", H*nd == Zero(n, 1))],
-      by=[induction(also=[H*T(Pw[k])*nd == Zero(n, 1)]), example(n=1, A=[[2]], H=[[1]], nd=[1], mu=2), example(n=2, A=[[1, 0], [1, 2]], H=[[1, 0], [0, 0]], nd=[0, 1], mu=2),
+      by=[induction(also=[H*T(Pw[k])*nd == Zero(n, 1)]), example(n=1, A=[[2]], H=[[1]], nd=[1], mu=2),
+          example(n=2, A=[[1, 0], [1, 2]], H=[[1, 0], [0, 0]], nd=[0, 1], mu=2),
           instances(4, n=(1, 2), made_by={A: mu*I, H: Zero(n, n)})],
-      note="For the sums of A^j H (A')^j instead of the integral: each term annihilates n, as each value of the integrand does. The H before n, which the second line of (9.11) lacks in the "
+      note="For the sums of A^j H (A')^j instead of the integral: each term annihilates n, as each value of the integrand does. The H before n, which the "
+           "second line of (9.11) lacks in the "
            "scan, is read into it, as (9.18) has it.")
 
 claim("D71-S79", "null vectors of R_c",
       (H*T(Pw[n])*v == Zero(n, 1)) & (Rc*(T(A)*v) == Zero(n, 1)), sizes=["n"], over={A: matrix(n, n), H: positive_semidefinite(n), v: vector(n)}, where=SUM,
       given=[given("R_c v = 0", Rc*v == Zero(n, 1))],
-      by=[example(n=2, A=[[1, 0], [1, 2]], H=[[1, 0], [0, 0]], v=[0, 1]), example(n=2, A=[[1, 1], [0, 2]], H=[[1, 0], [0, 0]], v=[0, 1]), example(n=1, A=[[2]], H=[[0]], v=[1]),
-          example(n=2, A=[[0, 1], [0, 0]], H=[[0, 0], [0, 1]], v=[1, 0]), example(n=3, A=[[1, 0, 0], [0, 1, 1], [0, 0, 1]], H=[[1, 0, 0], [0, 0, 0], [0, 0, 0]], v=[0, 1, 2]),
+      by=[example(n=2, A=[[1, 0], [1, 2]], H=[[1, 0], [0, 0]], v=[0, 1]), example(n=2, A=[[1, 1], [0, 2]], H=[[1, 0], [0, 0]], v=[0, 1]),
+          example(n=1, A=[[2]], H=[[0]], v=[1]),
+          example(n=2, A=[[0, 1], [0, 0]], H=[[0, 0], [0, 1]], v=[1, 0]),
+          example(n=3, A=[[1, 0, 0], [0, 1, 1], [0, 0, 1]], H=[[1, 0, 0], [0, 0, 0], [0, 0, 0]], v=[0, 1, 2]),
           instances(4, n=(1, 2, 3), made_by={H: Zero(n, n)})],
-      note="By Cayley and Hamilton H(A')^n v = 0 too, so that the null space is invariant under A'; the vectors (A')^jv then span an invariant space of null vectors of H, in "
+      note="By Cayley and Hamilton H(A')^n v = 0 too, so that the null space is invariant under A'; the vectors (A')^jv then span an invariant space of null "
+           "vectors of H, in "
            "which there is an eigenvector.")
 
 FREE = {"sizes": ["n", "p"], "over": {Phi: matrix(n, n), H: positive_semidefinite(n), M: matrix(p, n)}}
@@ -82,4 +89,5 @@ claim("D71-T9.5", "bases of what is undriven and of what is unobservable",
       by=[example(n=2, p=1, Phi=[[1, 0], [1, 2]], H=[[0, 0], [0, 0]], M=[[0, 0]]), example(n=2, p=1, Phi=[[1, 1], [0, 2]], H=[[1, 0], [0, 0]], M=[[0, 1]]),
           example(n=3, p=1, Phi=[[1, 2, 0], [0, 3, 0], [1, 1, 2]], H=[[0, 0, 0], [0, 0, 0], [0, 0, 1]], M=[[0, 1, 0]]),
           example(n=3, p=1, Phi=[[1, 2, 3], [0, 3, 1], [0, 1, 2]], H=[[1, 0, 0], [0, 0, 0], [0, 0, 0]], M=[[0, 1, 1]]), instances(6, n=(1, 2, 3), p=(1,))],
-      note="N_d and N_0 are bases of the null spaces; Ld and L0 are Lambda_d* and Lambda_0, up to a change of the basis that gives them their Jordan form. N - N = 0 is written as N + N_0 = N_0.")
+      note="N_d and N_0 are bases of the null spaces; Ld and L0 are Lambda_d* and Lambda_0, up to a change of the basis that gives them their Jordan form. N "
+           "- N = 0 is written as N + N_0 = N_0.")

@@ -37,7 +37,7 @@ from exactkf.language import (
     when,
 )
 from proofs.d71.notation import M, N, Phi, j, k, n, p
-from proofs.d71.section_1_b import I, Zn, G, Psi, q, x, xi
+from proofs.d71.section_1_b import G, I, Psi, Zn, q, x, xi
 
 A, Pw, Rd, Wd, Sum, Range, Moved, FIRST, ORTHOGONAL = symbols("A Pw Rd Wd Sum Range Moved FIRST ORTHOGONAL")
 INPUTS = [rec(Pw, k, I, Phi*Pw[k]), rec(Rd, k, Zn, Rd[k] + Pw[k]*G*T(G)*T(Pw[k]))]
@@ -52,7 +52,8 @@ INPUTS += [let(Range, Rd[n]), let(Moved, Pw[n]*x)]
 CONTROLLED = iff(within_range(Moved), within_range(x))
 EDGES = (example(n=1, q=1, Phi=[[1]], G=[[0]], x=[1]), example(n=2, q=1, Phi=[[1, 1], [0, 2]], G=[[1], [0]], x=[1, 1]),
          example(n=2, q=1, Phi=[[1, 1], [0, 2]], G=[[1], [0]], x=[3, 0]), example(n=2, q=1, Phi=[[1, 1], [0, 2]], G=[[1], [1]], x=[1, 0]),
-         example(n=2, q=1, Phi=[[0, 1], [1, 0]], G=[[1], [0]], x=[1, 1]), example(n=3, q=1, Phi=[[0, 1, 0], [0, 0, 1], [1, 0, 0]], G=[[1], [0], [0]], x=[1, 2, 1]))
+         example(n=2, q=1, Phi=[[0, 1], [1, 0]], G=[[1], [0]], x=[1, 1]),
+         example(n=3, q=1, Phi=[[0, 1, 0], [0, 0, 1], [1, 0, 0]], G=[[1], [0], [0]], x=[1, 2, 1]))
 
 claim("D71-E1.46", "states that can be brought to zero",
       CONTROLLED, sizes=["n", "q"], over={Phi: matrix(n, n), G: matrix(n, q), x: vector(n)}, where=INPUTS,
@@ -91,7 +92,8 @@ claim("D71-E1.48", "what the outputs say in discrete time",
       sizes=["n", "p"], over={Phi: matrix(n, n), M: matrix(p, n), x: vector(n)}, where=SEEN,
       by=[*UNSEEN, instances(6, n=(1, 2), p=(1, 2))],
       note="x is the difference of two initial states. W_d(t_n), the sum of the (Phi')^k M'M Phi^k for k < n, has the range of P_d; x is orthogonal to it, so "
-           "that the states have the same projection, exactly if they give the same outputs at the first n instants (FIRST). By the second part each later output is a combination of the n before it.")
+           "that the states have the same projection, exactly if they give the same outputs at the first n instants (FIRST). By the second part each later "
+           "output is a combination of the n before it.")
 
 
 def renamed(examples, old, new):

@@ -19,22 +19,20 @@ from exactkf.language import (
     Identity,
     T,
     Zero,
-    exists,
     forall,
     function,
     given,
     iff,
     inv,
-    invertible,
     let,
+    loewner,
     matrix,
     nonneg,
     nonsingular,
     pd,
-    positive,
-    loewner,
-    psd,
     polynomial,
+    positive,
+    psd,
     rec,
     scalar,
     schur,
@@ -44,7 +42,7 @@ from exactkf.language import (
     symmetric_matrix,
     when,
 )
-from proofs.d71.notation import N, Phi, i, j, k, n
+from proofs.d71.notation import N, Phi, k, n
 
 A, S, C, E, lam, X, x, f, c, r, L, q, V = symbols("A S C E lam X x f c r L q V")
 I = Identity(n)
@@ -81,12 +79,14 @@ claim("D71-T1.3", "asymptotic stability in continuous time",
           example(n=1, A=[[2]], S=[["-1/4"]]), example(n=1, A=[[-2]], S=[["1/4"]]), example(n=1, A=[[2]], S=[[1]]), example(n=1, A=[[-2]], S=[[-1]]),
           instances(6, n=(1, 2), using={E: nonsingular(n)}, made_by={A: -inv(E*T(E)), S: E*T(E)/2})],
       note="The eigenvalues of A are left of the imaginary axis exactly if those of C = (I + A)(I - A)^{-1} are inside the circle. The state falls like an "
-           "exponential exactly if x'Sx >= 0, which has the derivative -|x|^2. That 1 is no eigenvalue of A, so that C exists, is a matter of the unit of time.")
+           "exponential exactly if x'Sx >= 0, which has the derivative -|x|^2. That 1 is no eigenvalue of A, so that C exists, is a matter of the unit of "
+           "time.")
 
 # an eigenvector u + iw and a chain above x + iv: what a quadratic function that never grows allows
 u, w, v, y, z, a, b, s, Lam = symbols("u w v y z a b s Lam")
 VECTOR = matrix(n, 1)
-CHAINS = {S: symmetric_matrix(n), u: VECTOR, w: VECTOR, x: VECTOR, v: VECTOR, y: VECTOR, z: VECTOR, b: scalar(), r: scalar(), E: nonsingular(n), Lam: matrix(n, n)}
+CHAINS = {S: symmetric_matrix(n), u: VECTOR, w: VECTOR, x: VECTOR, v: VECTOR, y: VECTOR, z: VECTOR, b: scalar(), r: scalar(), E: nonsingular(n),
+          Lam: matrix(n, n)}
 NEVER = Zero(n, 1)
 NO_CHAIN = (u == NEVER) & (w == NEVER) & (x == NEVER) & (v == NEVER)
 ABSENT = {u: NEVER, w: NEVER, x: NEVER, v: NEVER}
@@ -145,7 +145,8 @@ claim("D71-T1.2", "stability in continuous time",
               {"A": [[0, 1], [0, 0]], "S": [[0, 0], [0, -1]], "x": [[1], [0]], "y": [[0], [1]]}, {"A": [[0, 1], [0, 0]], "x": [[1], [0]], "y": [[0], [1]]},
               {"A": [[0, 1], [-1, 0]]})),
           instances(4, n=(1, 2), made_by={A: Zero(n, n), Lam: Zero(n, n), S: I, **ABSENT, y: NEVER, z: NEVER, b: 0, r: 0})],
-      note="As D71-T1.5: u + iw would be an eigenvector right of the imaginary axis, and x + iv, y + iz a chain at the eigenvalue ir. Conversely a matrix without "
+      note="As D71-T1.5: u + iw would be an eigenvector right of the imaginary axis, and x + iv, y + iz a chain at the eigenvalue ir. Conversely a matrix "
+           "without "
            "them is similar to a Lambda with Lambda + Lambda' <= 0.")
 
 # --- discrete time, nonlinear ----------------------------------------------------------------------------------------------

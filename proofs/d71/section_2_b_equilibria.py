@@ -25,16 +25,16 @@ from exactkf.language import (
     always,
     block,
     exists,
-    iff,
     given,
+    iff,
     inv,
     invertible,
     let,
     loewner,
     matrix,
     nonneg,
-    nonzero,
     nonsingular,
+    nonzero,
     pd,
     positive,
     positive_definite,
@@ -78,7 +78,8 @@ claim("D71-E2.3", "the moving equilibrium as a limit of solutions that start fro
           where=[let(h, s*e*q), let(a, s*(e - q)/2), let(Pt, e*q*(1 - u)/(q + e*u)), let(dP, -e*q*(q + e)/(q + e*u)**2*(-s*(e + q)*u))],
           by=[identity(), instances()]),
       note="One state with a = 0, v = 1 and m(t) = 1 for t < 0, m(t) = 0 for t >= 0: for every t there is a t_0 < t with W_b(t, t_0) > 0. For t and t_0 = N "
-           "from 0 on, P(t; 0, N) is h(t - N). If it has a limit as N grows, the change from N to N + 1 becomes small; in the counterexample it is -1 for every "
+           "from 0 on, P(t; 0, N) is h(t - N). If it has a limit as N grows, the change from N to N + 1 becomes small; in the counterexample it is -1 for "
+           "every "
            "N. Eight values of N are stated. Where solutions are only followed forward, t_0 cannot pass t at all. The repair is for one state and constant "
            "data: u = exp(-s(e + q)(t - t_0)) tends to 0 as t_0 tends to minus infinity, and P(t; 0, t_0) to e.")
 
@@ -112,7 +113,8 @@ claim("D71-E2.6", "equilibria and invariant subspaces",
 claim("D71-S11", "eigenvalues mirrored at the imaginary axis",
       block([[Zn, -I], [I, Zn]])*Rc*block([[Zn, I], [-I, Zn]]) == -T(Rc), sizes=["n", "p"], over=MODEL, where=R_WHERE,
       by=[order(), instances(6, n=(1, 2), p=(1, 2))],
-      note="The outer factors are inverse to each other, so R_c is similar to -R_c'. R_c is real, so if omega is an eigenvalue so is its conjugate, and by this the negative of that.")
+      note="The outer factors are inverse to each other, so R_c is similar to -R_c'. R_c is real, so if omega is an eigenvalue so is its conjugate, and by "
+           "this the negative of that.")
 
 # --- symmetry and definiteness ---------------------------------------------------------------------------------------------
 
@@ -140,7 +142,8 @@ claim("D71-T2.2.a", "the eigenvalues of positive equilibria",
       (x == Zero(n, 1)) & (y == Zero(n, 1)),
       sizes=["n", "p"], over={**OVER, x: vector(n), y: vector(n), r: positive(), b: scalar()}, where=[*R_WHERE, let(Q, T(Gam)*F)],
       given=[R_TJ, given("P > 0", pd(F*inv(Gam))), given("x + iy at -r + ib", (J*x == -r*x - b*y) & (J*y == b*x - r*y))],
-      by=[order([], FALLING, SMALL, SMALL, [INVERSE], [INVERSE], lemmas=[T(Gam)*F == T(F)*Gam, ENERGY == Zero(1, 1), CONGRUENT*x == Zero(n, 1), CONGRUENT*y == Zero(n, 1)]),
+      by=[order([], FALLING, SMALL, SMALL, [INVERSE], [INVERSE],
+                lemmas=[T(Gam)*F == T(F)*Gam, ENERGY == Zero(1, 1), CONGRUENT*x == Zero(n, 1), CONGRUENT*y == Zero(n, 1)]),
           example(n=1, p=1, A=[[1]], H=[[0]], M=[[0]], V=[[1]], F=[[0]], Gam=[[1]], J=[[-1]], x=[1], y=[0], r=1, b=0),
           example(n=1, p=1, A=[[1]], H=[[1]], M=[[1]], V=[[1]], F=[[1]], Gam=[[1]], J=[[-1]], x=[1], y=[0], r=1, b=0),
           example(n=1, p=1, A=[[0]], H=[[1]], M=[[1]], V=[[1]], F=[[1]], Gam=[[1]], J=[[1]], x=[1], y=[1], r=1, b=0),
@@ -158,7 +161,8 @@ claim("D71-T2.2.b", "equilibria from eigenvalues on the right",
           instances(6, n=(1, 2), p=(1, 2), **POSITIVE_P)],
       note="The eigenvalues of J are on the right exactly if K = (J - I)(J + I)^{-1} exists and has its eigenvalues inside the circle.")
 
-not_checked("D71-S13", "regular processes in continuous time", "that solutions of a differential equation converge exponentially fast; D71-T3.24 is the same in "
+not_checked("D71-S13", "regular processes in continuous time",
+            "that solutions of a differential equation converge exponentially fast; D71-T3.24 is the same in "
             "discrete time")
 
 # --- wrong initial covariance ----------------------------------------------------------------------------------------------
@@ -187,7 +191,8 @@ Pf, Pg, Ph, nd, phi, m, v = symbols("Pf Pg Ph nd phi m v")
 THREE = {P_: positive_semidefinite(n) for P_ in (Pf, Pg, Ph)}
 ONLY_TWO = (Pf == Pg) | (Pg == Ph) | (Pf == Ph)
 claim("D71-S17", "two equilibria beside an undriven unstable mode",
-      ONLY_TWO, sizes=["n", "p"], over={Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), nd: vector(n), s: scalar(), **THREE},
+      ONLY_TWO, sizes=["n", "p"],
+      over={Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), nd: vector(n), s: scalar(), **THREE},
       given=[standing("an unstable mode", (T(Phi)*nd == s*nd) & (s**2 > 1) & (nd != Zero(n, 1))), standing("which is undriven", H*nd == Zero(n, 1)),
              standing("every state is observed", invertible(T(M)*M)),
              standing("three equilibria", (Pf == step(Pf)) & (Pg == step(Pg)) & (Ph == step(Ph)))],
@@ -197,6 +202,7 @@ claim("D71-S17", "two equilibria beside an undriven unstable mode",
           "missing hypothesis", "it is to be the only such mode; two of them, each with its two values, give four equilibria",
           iff((r == phi**2*r*v/(m**2*r + v)) & (r >= 0), (r == 0) | (r == (phi**2 - 1)*v/m**2)),
           over={phi: scalar(), m: nonzero(), v: positive(), r: scalar()}, given=[given("unstable", phi**2 > 1)],
-          by=[example(phi=2, m=1, v=1, r=0), example(phi=2, m=1, v=1, r=3), example(phi="1/2", m=1, v=1, r="-3/4"), instances(made_by={r: (phi**2 - 1)*v/m**2}), instances()]),
+          by=[example(phi=2, m=1, v=1, r=0), example(phi=2, m=1, v=1, r=3), example(phi="1/2", m=1, v=1, r="-3/4"),
+              instances(made_by={r: (phi**2 - 1)*v/m**2}), instances()]),
       note="In the counterexample Phi = diag(2, 3), H = 0, M = V = I: each of the two modes is unstable, undriven and observable, and diag(a, b) is an "
            "equilibrium for a = 0, 3 and b = 0, 8. The repair is for one state, h = 0; the next chapter has more.")

@@ -23,19 +23,15 @@ from exactkf.language import (
     block,
     charpoly,
     circle_roots,
-    eq,
     given,
     hstack,
     inside_roots,
     inv,
-    invertible,
     let,
     matrix,
-    nonneg,
     nonsingular,
     nonzero,
     outside_roots,
-    pd,
     positive,
     positive_definite,
     positive_semidefinite,
@@ -62,8 +58,10 @@ R_WHERE = [let(S, gram()), let(Rp, block([[H*PhiT*S + Phi, H*PhiT], [PhiT*S, Phi
 
 claim("D71-E3.97", "Q in blocks",
       T(hstack(G1, G2))*P*hstack(G1, G2) == block([[T(G1)*F1, Zero(q, r)], [Zero(r, q), Zero(r, r)]]), sizes=["n", "q", "r"],
-      over={P: symmetric_matrix(n), F1: matrix(n, q), G1: matrix(n, q), G2: matrix(n, r)}, given=[given("P Gamma = F, F_2 = 0", P*hstack(G1, G2) == hstack(F1, Zero(n, r)))],
-      by=[order(), example(n=1, q=1, r=1, P=[[1]], F1=[[0]], G1=[[1]], G2=[[1]]), example(n=2, q=1, r=1, P=[[1, 0], [0, 0]], F1=[[2], [0]], G1=[[2], [1]], G2=[[0], [1]]),
+      over={P: symmetric_matrix(n), F1: matrix(n, q), G1: matrix(n, q), G2: matrix(n, r)},
+      given=[given("P Gamma = F, F_2 = 0", P*hstack(G1, G2) == hstack(F1, Zero(n, r)))],
+      by=[order(), example(n=1, q=1, r=1, P=[[1]], F1=[[0]], G1=[[1]], G2=[[1]]),
+          example(n=2, q=1, r=1, P=[[1, 0], [0, 0]], F1=[[2], [0]], G1=[[2], [1]], G2=[[0], [1]]),
           example(n=2, q=1, r=1, P=[[1, 2], [2, 4]], F1=[[5], [10]], G1=[[1], [2]], G2=[[2], [-1]]),
           instances(6, n=(1, 2, 3), q=(1, 2), r=(1, 2), made_by={G2: Zero(n, r), F1: P*G1})])
 
@@ -71,16 +69,20 @@ claim("D71-E3.97", "Q in blocks",
 OUT = rows([[rational("16/3") + rational("28/3") - rational("4/27")*49, 8 + 7 - rational("2/9")*49], [8 + 7 - rational("2/9")*49, 12 - rational("49/3")]])
 claim("D71-S39", "derogatory R_p",
       (step(P) == P) & symmetric(P) & (charpoly(PhiT*(S*P + Identity(2))) == (Z - 2)*(Z - rational("1/2"))) & (rank(Rp - Identity(4)/2) == 2) & ~psd(P),
-      where=[let(Phi, rows([[2, -1], [0, rational("1/2")]])), let(H, rows([[4, 6], [6, 9]])), let(M, rows([[-1, rational("2/3")]])), let(V, rows([[1]])), *R_WHERE,
+      where=[let(Phi, rows([[2, -1], [0, rational("1/2")]])), let(H, rows([[4, 6], [6, 9]])), let(M, rows([[-1, rational("2/3")]])), let(V, rows([[1]])),
+             *R_WHERE,
              let(P, OUT)], by=[evaluation()],
-      note="Example 3.1, where R_p is derogatory, and its equilibrium (3.115) with x = 7: J has the eigenvalues 2, outside the circle, and 1/2, the reciprocal of the "
-           "eigenvalue of the undriven mode 2, as Theorem 3.17 asks; P is not nonnegative definite. So its conditions do not suffice. That they are necessary, and that "
+      note="Example 3.1, where R_p is derogatory, and its equilibrium (3.115) with x = 7: J has the eigenvalues 2, outside the circle, and 1/2, the "
+           "reciprocal of the "
+           "eigenvalue of the undriven mode 2, as Theorem 3.17 asks; P is not nonnegative definite. So its conditions do not suffice. That they are "
+           "necessary, and that "
            "eigenvalues outside the circle alone suffice, is D71-S44 and D71-S42.")
 
 claim("D71-S41", "half of the eigenvalues of R_p are outside",
       (inside_roots(charpoly(Rp)) == n) & (outside_roots(charpoly(Rp)) == n), sizes=["n", "p"], over=MODEL, where=R_WHERE,
       given=[given("no undriven or unobservable random walk mode", circle_roots(charpoly(Rp)) == 0)],
-      by=[example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]]), example(n=2, p=1, Phi=[[1, 0], [0, 2]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]]), instances(8, n=(1, 2, 3), p=(1, 2))],
+      by=[example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]]), example(n=2, p=1, Phi=[[1, 0], [0, 2]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]]),
+          instances(8, n=(1, 2, 3), p=(1, 2))],
       note="By Theorem 3.12 such modes are the eigenvalues of R_p on the circle. A J with the n eigenvalues outside is permitted.")
 
 #: J'QJ - Q for Q = F'Gamma
@@ -91,7 +93,8 @@ claim("D71-S42", "the equilibrium with all eigenvalues of J outside",
       by=[order([], [T(inv(J))*term*inv(J) for term in FORM], [T(inv(Gam))*(T(F)*Gam)*inv(Gam)], lemmas=[T(F)*Gam - T(Gam)*F == Zero(n, n), psd(T(F)*Gam)],
                 inside=[within(0, unique=(T(inv(J)), inv(J))), within(1, stein=T(inv(J)))]),
           example(n=1, p=1, Phi=[[2]], H=[[3]], M=[[1]], V=[[1]], F=[[3]], Gam=[[1]], J=[[2]]),
-          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[["-1/2"]], Gam=[[1]], J=[["1/2"]]), example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[["-1/2"]], Gam=[[1]], J=[[2]]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[["-1/2"]], Gam=[[1]], J=[["1/2"]]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], F=[["-1/2"]], Gam=[[1]], J=[[2]]),
           instances(8, n=(1, 2), p=(1, 2), using={g: positive_definite(n), x: matrix(n, n)},
                     made_by={H: g - Phi*inv(inv(g) + gram())*T(Phi), F: g*Gam, J: inv(Gam)*PhiT*(gram()*g + I)*Gam})],
       note="Symmetric and nonnegative definite. That no other equilibrium is stable is Theorem 3.23.")
@@ -120,8 +123,10 @@ claim("D71-S44", "other nonnegative equilibria need undriven unstable modes",
           example(n=1, p=1, Phi=[[2]], H=[[3]], M=[[0]], V=[[1]], P=[["-1"]], gamma=[[1]], psi="1/2", r="3/4"),
           example(n=2, p=1, Phi=[[2, 0], [0, 3]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]], P=[[0, 0], [0, 0]], gamma=[[1], [0]], psi="1/2", r="3/4"),
           example(n=2, p=1, Phi=[[2, 0], [0, 3]], H=[[0, 0], [0, 0]], M=[[0, 1]], V=[[1]], P=[[0, 0], [0, 8]], gamma=[[1], [0]], psi="1/2", r="3/4"),
-          example(n=2, p=2, Phi=[[2, 1], [0, 3]], H=[[0, 0], [0, 0]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], P=[[0, 0], [0, 0]], gamma=[[1], [-1]], psi="1/2", r="3/4")],
-      note="For a real eigenvalue psi of J inside the circle, with an eigenvector gamma of DP - C: it is the reciprocal of that of an undriven mode, which is unstable, and "
+          example(n=2, p=2, Phi=[[2, 1], [0, 3]], H=[[0, 0], [0, 0]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], P=[[0, 0], [0, 0]], gamma=[[1], [-1]],
+                  psi="1/2", r="3/4")],
+      note="For a real eigenvalue psi of J inside the circle, with an eigenvector gamma of DP - C: it is the reciprocal of that of an undriven mode, which "
+           "is unstable, and "
            "P is singular.")
 
 # --- one random walk mode --------------------------------------------------------------------------------------------------
@@ -130,7 +135,8 @@ ONE = [let(Rp, rows([[1 + h*m**2/v, h], [m**2/v, 1]]))]
 REST = Rp - Identity(2)
 ONLY_ONE = "For one state, Phi = 1. "
 claim("D71-S45", "an undriven observable random walk mode",
-      (charpoly(Rp) == (Z - 1)**2) & (rank(REST) == 1) & (x - x*v/(m**2*x + v) == m**2*x**2/(m**2*x + v)), over={m: nonzero(), v: positive(), x: scalar()}, where=[let(h, 0), *ONE],
+      (charpoly(Rp) == (Z - 1)**2) & (rank(REST) == 1) & (x - x*v/(m**2*x + v) == m**2*x**2/(m**2*x + v)), over={m: nonzero(), v: positive(), x: scalar()},
+      where=[let(h, 0), *ONE],
       by=[instances(8)],
       note=ONLY_ONE + "R_p has one Jordan block of order two at 1, and x is an equilibrium exactly if m^2x^2 = 0, that is x = 0.")
 

@@ -11,7 +11,7 @@ X'WX vanish if the chains in J are short against those in R_p.
 The matrices are real, and the transpose stands for the conjugate transpose.
 """
 
-from exactkf.claims import claim, not_checked
+from exactkf.claims import claim
 from exactkf.evidence import example, instances, order
 from exactkf.language import (
     Identity,
@@ -41,7 +41,7 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, jordan_block, kronecker, n, p
+from proofs.d71.notation import H, M, Phi, V, gram, i, j, jordan_block, kronecker, n, p
 
 q, r, F, Gam, J, S, Rp, TT, Om, X, W, a, b, c, x, l, o, w, e = symbols("q r F Gam J S Rp TT Om X W a b c x l o w e")
 I = Identity(n)
@@ -54,11 +54,14 @@ claim("D71-E3.82", "an invariant subspace in the coordinates of the Jordan form"
       Om*X == X*J, sizes=["n", "r"], over={Rp: matrix(n, n), TT: nonsingular(n), Om: matrix(n, n), X: matrix(n, r), J: matrix(r, r), F: matrix(n, r)},
       given=[given("(3.54)", Rp*TT == TT*Om), given("(3.81)", Rp*F == F*J), given("(3.82)", F == TT*X)],
       by=[order(lemmas=[TT*(Om*X) == TT*(X*J)]), example(n=1, r=1, Rp=[[2]], TT=[[1]], Om=[[3]], X=[[1]], J=[[2]], F=[[1]]),
-          example(n=1, r=1, Rp=[[2]], TT=[[1]], Om=[[2]], X=[[1]], J=[[3]], F=[[1]]), example(n=1, r=1, Rp=[[2]], TT=[[1]], Om=[[2]], X=[[1]], J=[[3]], F=[[0]]),
+          example(n=1, r=1, Rp=[[2]], TT=[[1]], Om=[[2]], X=[[1]], J=[[3]], F=[[1]]),
+          example(n=1, r=1, Rp=[[2]], TT=[[1]], Om=[[2]], X=[[1]], J=[[3]], F=[[0]]),
           example(n=2, r=1, Rp=[[2, 0], [0, 3]], TT=[[1, 1], [0, 1]], Om=[[2, -1], [0, 3]], X=[[1], [0]], J=[[2]], F=[[1], [0]]),
           example(n=2, r=2, Rp=[[2, 0], [0, 3]], TT=[[1, 1], [0, 1]], Om=[[2, -1], [0, 3]], X=[[1, 0], [0, 1]], J=[[2, -1], [0, 3]], F=[[1, 1], [0, 1]]),
           instances(4, n=(1, 2), r=(1, 2), made_by={Rp: TT*Om*inv(TT), X: Zero(n, r), F: Zero(n, r)}),
-          instances(4, n=(2, 3), r=(2, 3), made_by={Rp: TT*Om*inv(TT), X: matrix_of(i, j, n, r, when(i == j, 1, 0)), F: TT*matrix_of(i, j, n, r, when(i == j, 1, 0)), J: matrix_of(i, j, r, r, Om[i, j])})],
+          instances(4, n=(2, 3), r=(2, 3),
+                    made_by={Rp: TT*Om*inv(TT), X: matrix_of(i, j, n, r, when(i == j, 1, 0)), F: TT*matrix_of(i, j, n, r, when(i == j, 1, 0)),
+                             J: matrix_of(i, j, r, r, Om[i, j])})],
       note="Rp and TT stand for the matrices of order 2n and F for [F; Gamma].")
 
 LEFT, RIGHT = jordan_block(x, q), jordan_block(o, r)
@@ -69,7 +72,8 @@ claim("D71-E3.86", "blocks of W between eigenvalues",
       W == Zero(q, r), **TALL, given=[given("(3.86)", W == T(LEFT)*W*RIGHT), given("the product is not one", x*o != 1)],
       by=[NONE, example(q=2, r=2, x=1, o=1, W=[[0, 1], [-1, 0]]), example(q=1, r=1, x=2, o=2, W=[[1]]), example(q=2, r=3, x=2, o=3, W=[[0, 0, 0], [0, 0, 0]]),
           instances(6, q=(1, 2, 3), r=(1, 2, 3), made_by={W: Zero(q, r)})],
-      note="For two Jordan blocks with the eigenvalues x and o. The equation says that W - (Jordan block)'W(Jordan block) = 0, a linear equation with triangular matrix "
+      note="For two Jordan blocks with the eigenvalues x and o. The equation says that W - (Jordan block)'W(Jordan block) = 0, a linear equation with "
+           "triangular matrix "
            "and 1 - xo on its diagonal.")
 
 claim("D71-E3.87", "blocks of X between eigenvalues",
@@ -127,13 +131,17 @@ claim("D71-E3.92", "a block of Q - Q* as a sum",
 
 most, Z0 = symbols("most Z0")
 XS, YS, WS = symbols("XS YS WS")
-PRESSED = [let(larger, when(r1 > r2, r1, r2)), let(XS, matrix_of(i, j, r1, p1, when(i <= p1, X1[i, j], 0))), let(YS, matrix_of(i, j, r2, p2, when(i <= p2, Y1[i, j], 0))),
+PRESSED = [let(larger, when(r1 > r2, r1, r2)), let(XS, matrix_of(i, j, r1, p1, when(i <= p1, X1[i, j], 0))),
+           let(YS, matrix_of(i, j, r2, p2, when(i <= p2, Y1[i, j], 0))),
            let(WS, matrix_of(i, j, r1, r2, when(i + j > larger, W[i, j], 0))), let(least, when(p1 < r1, p1, r1)), let(most, when(p2 < r2, p2, r2))]
 claim("D71-E3.93", "when a term of the sum is zero",
-      T(XS)*WS*YS + Z0 == Z0, sizes=["r1", "r2", "p1", "p2"], over={X1: matrix(r1, p1), Y1: matrix(r2, p2), W: matrix(r1, r2), Z0: matrix(p1, p2)}, where=PRESSED,
+      T(XS)*WS*YS + Z0 == Z0, sizes=["r1", "r2", "p1", "p2"], over={X1: matrix(r1, p1), Y1: matrix(r2, p2), W: matrix(r1, r2), Z0: matrix(p1, p2)},
+      where=PRESSED,
       given=[given("(3.93)", least + most <= larger)],
-      by=[example(r1=1, r2=1, p1=1, p2=1, X1=[[1]], Y1=[[1]], W=[[1]], Z0=[[1]]), instances(8, r1=(2, 3), r2=(2, 3), p1=(1, 2), p2=(1, 2)), instances(8, r1=(4,), r2=(3, 4), p1=(2,), p2=(2,))],
-      note="XS, YS and WS are blocks with zeros where (3.91) and (3.90) have them and anything elsewhere; Z0 is any matrix. p_i1 + p_j1 <= r makes (3.93) hold for "
+      by=[example(r1=1, r2=1, p1=1, p2=1, X1=[[1]], Y1=[[1]], W=[[1]], Z0=[[1]]), instances(8, r1=(2, 3), r2=(2, 3), p1=(1, 2), p2=(1, 2)),
+          instances(8, r1=(4,), r2=(3, 4), p1=(2,), p2=(2,))],
+      note="XS, YS and WS are blocks with zeros where (3.91) and (3.90) have them and anything elsewhere; Z0 is any matrix. p_i1 + p_j1 <= r makes (3.93) "
+           "hold for "
            "every term.")
 
 # --- the theorems ----------------------------------------------------------------------------------------------------------
@@ -151,13 +159,16 @@ SYMMETRIC = {"sizes": ["n", "p"], "over": {**MODEL, F: matrix(n, n), Gam: nonsin
                        given("only 1 times 1 is one in J", rank(TWIST) == n*n - (n - rank(J - I))**2),
                        standing("blocks of J at 1 have order one", rank((J - I)*(J - I)) == rank(J - I)),
                        given("blocks of R_p at 1 have order two or more", rank(hstack(Chain, Fix)) == rank(Chain))]}
-EVIDENCE = [example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[[-1, "2/3"]], V=[[1]], F=[[33, 2], [36, 3]], Gam=[[3, 3], [1, -2]], J=[[2, 0], [0, "1/2"]]),
+EVIDENCE = [example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[[-1, "2/3"]], V=[[1]], F=[[33, 2], [36, 3]], Gam=[[3, 3], [1, -2]],
+                    J=[[2, 0], [0, "1/2"]]),
             example(n=2, p=1, Phi=[[1, 0], [0, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [-1, 0]], Gam=[[1, 0], [0, 1]], J=[[1, 0], [0, 1]]),
             example(n=2, p=1, Phi=[[2, 0], [0, 3]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [0, 0]], Gam=[[1, 0], [0, 1]], J=[[2, 0], [0, 3]]),
             instances(3, n=(2,), p=(2,), **MADE), instances(2, n=(1,), p=(1,), **MADE)]
-REAL = ("For real J in which (b) is needed for the pair 1, 1 alone, with p_11 = 1: the blocks of J at 1 have order one and those of R_p at least two, and no other two "
+REAL = ("For real J in which (b) is needed for the pair 1, 1 alone, with p_11 = 1: the blocks of J at 1 have order one and those of R_p at least two, and no "
+        "other two "
         "eigenvalues of J have the product one. Without an eigenvalue 1 it is (a). ")
-for id_, title, more in (("D71-T3.15.b", "equilibria that are symmetric in spite of eigenvalues with product one", "The steps for any blocks are (3.82) to (3.93)."),
+for id_, title, more in (("D71-T3.15.b", "equilibria that are symmetric in spite of eigenvalues with product one",
+                          "The steps for any blocks are (3.82) to (3.93)."),
                          ("D71-T3.16", "symmetric equilibria", "For real matrices the proof is that of Theorem 3.15."),
                          ("D71-S36", "real and symmetric equilibria", "P is real, as J is.")):
     claim(id_, title, symmetric(F*inv(Gam)), by=EVIDENCE, note=REAL + more, **SYMMETRIC)

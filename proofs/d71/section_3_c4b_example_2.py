@@ -139,7 +139,8 @@ WALK = rec(X, k, rows([[0, 0], [0, a]]), Lam*X[k]*inv(I2 + T(TT)*S*TT*X[k])*T(La
 claim("D71-X3.2", "the mode of the example",
       (substitute(charpoly(Phi), 1) == 0) & (rank(Phi - I2) == 1) & (rank(vstack(M, M*Phi)) == 2) & (Phi*H*T(Phi) + H == Zero(2, 2)) & (T(Phi)*left == left),
       where=[*DATA, let(left, rows([[3], [-2]]))], by=[evaluation()],
-      note="One Jordan block of order two at the eigenvalue 1; observable, as M and M Phi have rank 2; undriven, as H is zero, and (3, -2), the eigenvector of Phi', is "
+      note="One Jordan block of order two at the eigenvalue 1; observable, as M and M Phi have rank 2; undriven, as H is zero, and (3, -2), the eigenvector "
+           "of Phi', is "
            "a null vector of it.")
 
 claim("D71-S61", "the linearized equation is unstable, and yet the solutions come back",
@@ -147,7 +148,8 @@ claim("D71-S61", "the linearized equation is unstable, and yet the solutions com
       over={a: nonneg(), left: matrix(2, 1)},
       where=[*DATA, WALK, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(Lin, k, TT*rows([[0, 0], [0, a]])*T(TT), Phi*Lin[k]*T(Phi))],
       by=[instances(12, horizon=6)],
-      note="For the solution from diag(0, a). The linearized one grows like k^2; the solution is that divided by N_k = 1 + a(1 + 4 + ... + k^2), which grows like k^3, "
+      note="For the solution from diag(0, a). The linearized one grows like k^2; the solution is that divided by N_k = 1 + a(1 + 4 + ... + k^2), which grows "
+           "like k^3, "
            "so it tends to zero. The two matrices are compared by their products with any vector.")
 
 claim("D71-S63", "slightly negative values diverge",
@@ -162,11 +164,13 @@ claim("D71-E3.233", "the elements of the next covariance",
       where=[let(f, Phi*(I2 - gain()*M)), let(gg, Phi*gain()), let(v, V[1, 1]),
              let(entries, matrix_of(i, j, 2, 2, f[i, 1]*P[1, 1]*f[j, 1] + f[i, 1]*P[1, 2]*f[j, 2] + f[i, 2]*P[2, 1]*f[j, 1] + f[i, 2]*P[2, 2]*f[j, 2]
                                     + gg[i]*v*gg[j] + H[i, j])),
-             let(factored, matrix_of(i, j, 2, 2, f[i, 1]*(P[1, 1]*f[j, 1] + P[1, 2]*f[j, 2]) + f[i, 2]*(P[2, 1]*f[j, 1] + P[2, 2]*f[j, 2]) + gg[i]*v*gg[j] + H[i, j]))],
+             let(factored,
+                 matrix_of(i, j, 2, 2, f[i, 1]*(P[1, 1]*f[j, 1] + P[1, 2]*f[j, 2]) + f[i, 2]*(P[2, 1]*f[j, 1] + P[2, 2]*f[j, 2]) + gg[i]*v*gg[j] + H[i, j]))],
       by=[identity(), instances()],
       note="The f_12 in the last product of (3.233) is read as f_i2. Two states and one measurement.")
 
-not_checked("D71-F3.7", "the trace by three algorithms", "curves of a program in the floating point arithmetic of an IBM 360/65, which the text does not determine")
+not_checked("D71-F3.7", "the trace by three algorithms", "curves of a program in the floating point arithmetic of an IBM 360/65, which the text does not "
+                                                         "determine")
 
 # --- figure 3.6 ------------------------------------------------------------------------------------------------------------
 
@@ -197,18 +201,22 @@ FALL = forall(k, 0, 5, (Va(k + 1) < Va(k)) & (Vb(k + 1) < Vb(k))) & (Va(0) > Vb(
 
 claim("D71-F3.6b", "the function falls along two solutions",
       FALL, where=[*BOTH_RUNS, value_along(Va, XA, False), value_along(Vb, XB, False)], by=[evaluation()],
-      repair=repair("order of factors", "(3.219) is to have the F that moves the stacked columns of U, the product of [(DP - C) + DU]^{-1} transposed and B - PD, which "
+      repair=repair("order of factors", "(3.219) is to have the F that moves the stacked columns of U, the product of [(DP - C) + DU]^{-1} transposed and B "
+                                        "- PD, which "
                                         "(3.215) has in another order; with it the function falls",
                     FALL, where=[*BOTH_RUNS, value_along(Va, XA, True), value_along(Vb, XB, True)], by=[evaluation()]),
-      note="For the first six steps from X_0 = diag(0, a), a = 0.01 for Va and 0.1 for Vb. With F as printed in (3.215), Vb grows from the second step on, from 4850 to "
+      note="For the first six steps from X_0 = diag(0, a), a = 0.01 for Va and 0.1 for Vb. With F as printed in (3.215), Vb grows from the second step on, "
+           "from 4850 to "
            "6342, and Va from the sixth on. The initial value grows as a decreases for both.")
 
 STARTS = [*DATA, run(XA, rational("1/1000")), run(XB, rational("1/100")), run(X, rational("1/10"))]
 Vc = sym("Vc")
 claim("D71-E3.230", "the function does not tend to zero with U",
-      (Va(0) > 10*Vb(0)) & (Vb(0) > 10*Vc(0)) & (Vc(0) > 10000), where=[*STARTS, value_along(Va, XA, True), value_along(Vb, XB, True), value_along(Vc, X, True)],
+      (Va(0) > 10*Vb(0)) & (Vb(0) > 10*Vc(0)) & (Vc(0) > 10000),
+      where=[*STARTS, value_along(Va, XA, True), value_along(Vb, XB, True), value_along(Vc, X, True)],
       by=[evaluation()],
-      note="For U_0 = T diag(0, a)T', which tends to zero with a, and a = 0.001, 0.01, 0.1; see D71-F3.6b for the F. The function grows instead of falling; that it does "
+      note="For U_0 = T diag(0, a)T', which tends to zero with a, and a = 0.001, 0.01, 0.1; see D71-F3.6b for the F. The function grows instead of falling; "
+           "that it does "
            "so for every a is not shown.")
 
 nn, pp = symbols("n p")
