@@ -64,8 +64,8 @@ claim("B93-S29", "the continuous Riccati equation as an action",
              let(dV, (R*N11 - T(A)*N21)*P0 + R*N12 - T(A)*N22)],
       given=[standing("P is symmetric", T(U)*V == T(V)*U)],
       by=[order(), instances(6, d=(1, 2), made_by={N11: I, N12: Zd, N21: Zd, N22: I}), instances(6, d=(1,))],
-      note="The left side is the derivative of P_t = U inv(V), where dN/dt = [[A, S], [R, -A*]]N; N_0 = I gives P_0. That N_t stays in H is a theorem "
-           "on differential equations and not stated here.")
+      note="The left side is the derivative of P_t = U inv(V), where dN/dt = [[A, S], [R, -A*]]N; N_0 = I gives P_0. That N_t stays in H is a theorem on "
+           "differential equations and not stated here.")
 
 # --- the derivation of (iii) -----------------------------------------------------------------------------------------------
 
@@ -93,11 +93,9 @@ claim("B93-S42", "what part (iii) is deduced from",
                         example(y1="1/6", y2="1/3", g1=5, g2=2, t1=1, t2=4, q=1, zeta=1, eps=1),
                         example(y1="1/3", y2="1/6", g1=2, g2=5, t1=5, t2=1, q=1, zeta=1, eps=1),
                         instances(made_by={y1: 1/(g1 + q), y2: 1/(g2 + q), t1: t2*apart(g1 + q, g2 + q)**4})]),
-      note="For d = 1, where the distance of two numbers is the logarithm of Max(a/b, b/a); y_i is the image of T_i under the action of M and g_i that under "
-           "the "
-           "first maps of the chain, so that the inequality before is about g_i + q. (16) says nothing of the y_i: it is about shifts of two numbers, and "
-           "holds for "
-           "all of them. In the counterexample T_1 = T_2 and g_1 = g_2.")
+      note="For d = 1, where the distance of two numbers is the logarithm of Max(a/b, b/a); y_i is the image of T_i under the action of M and g_i that "
+           "under the first maps of the chain, so that the inequality before is about g_i + q. (16) says nothing of the y_i: it is about shifts of two "
+           "numbers, and holds for all of them. In the counterexample T_1 = T_2 and g_1 = g_2.")
 
 # --- constant parameters ---------------------------------------------------------------------------------------------------
 
@@ -115,8 +113,7 @@ claim("B93-S44", "a power of the Hamiltonian matrix is in H0",
       note="The power d serves. Observable and controllable are read as the Gramians of d instants being nonsingular.")
 
 not_checked("B93-S45", "solutions of a constant system converge",
-            "a limit in a complete metric space, by the fixed point theorem, from B93-S44 and B93-T1.7.3; an "
-            "instance is no more than what these say")
+            "a limit in a complete metric space, by the fixed point theorem, from B93-S44 and B93-T1.7.3; an instance is no more than what these say")
 
 # --- the sampled system ----------------------------------------------------------------------------------------------------
 
@@ -134,8 +131,8 @@ K, Dg, Pb, al, tau, si, x0, xp, Pp, Bs, x, Pi = symbols("K Dg Pb al tau si x0 xp
 claim("B93-S69", "two positive matrices in common coordinates",
       P*inv(Pb) == T(K)*Dg*inv(T(K)), sizes=["d"], over={K: nonsingular(d), Dg: diagonal(d)}, where=[let(Pb, T(K)*K), let(P, T(K)*Dg*K)],
       by=[order(), instances(6, d=(1, 2, 3))],
-      note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms of "
-           "the entries of D.")
+      note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms "
+           "of the entries of D.")
 
 claim("B93-S79", "the norm at the beginning by that at the end",
       (T(x0)*x0 <= al*(T(x0)*P0*x0)) & (al*(T(x0)*P0*x0) <= al*(tau*(T(xp)*Pp*xp))) & (al*(tau*(T(xp)*Pp*xp)) <= al*(tau*(si*(T(xp)*xp)))), sizes=["d"],
@@ -151,8 +148,7 @@ claim("B93-S80", "the product of the matrices of the filter",
       where=[rec(x, t, xp, T(Bs[t])*x[t]), rec(Pi, t, I, Pi[t]*Bs[t])],
       by=[induction(), instances(6, d=(1, 2), horizon=3)],
       note="Counted from the end: Bs_t is B_{p-t}, so that x_t here is x_{p-t} and Pi_p = B_p ... B_1. With S79, |Pi*x|^2 <= alpha tau_1 ... tau_p sigma_p "
-           "|x|^2 for every "
-           "x, which is the bound of the norm.")
+           "|x|^2 for every x, which is the bound of the norm.")
 
 l, larger, total, ends = symbols("l larger total ends")
 claim("B93-E21", "the distance of the image of the identity",
@@ -163,5 +159,4 @@ claim("B93-E21", "the distance of the image of the identity",
           instances(12, d=(1, 2, 3, 4), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t]**2))}),
           instances(8, d=(2, 3))],
       note="The upper bound of Lemma 2.3 for Phi_1(I): l_1, ..., l_d are the logarithms of its eigenvalues in ascending order, so that l_d is that of the "
-           "norm and "
-           "-l_1 that of the norm of the inverse.")
+           "norm and -l_1 that of the norm of the inverse.")

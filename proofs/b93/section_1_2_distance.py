@@ -82,8 +82,8 @@ dP, NEW = symbols("dP NEW")
 claim("B93-S30", "the arc length is invariant",
       (inv(A*P*T(A))*(A*dP*T(A))*inv(A*P*T(A))*(A*dP*T(A)) == inv(T(A))*(inv(P)*dP*inv(P)*dP)*T(A)), sizes=["d"],
       over={A: nonsingular(d), P: positive_definite(d), dP: symmetric_matrix(d)}, by=[order(), instances(6, d=(1, 2, 3))],
-      note="The trace of (P^{-1}dP)^2 is that of a similar matrix after the congruence with A. That the distance belongs to this arc length, that the space is "
-           "complete, and its topology, are quoted and not stated here.")
+      note="The trace of (P^{-1}dP)^2 is that of a similar matrix after the congruence with A. That the distance belongs to this arc length, that the space "
+           "is complete, and its topology, are quoted and not stated here.")
 
 not_checked("B93-S34", "the operator norm", DEFINITION)
 
@@ -96,10 +96,9 @@ claim("B93-S35", "the eigenvalues as minima of maxima",
       by=[example(d=2, k=2, K=[[1, 1], [0, 1]], Dg=[[2, 0], [0, 1]]), example(d=2, k=1, K=[[1, 0], [1, 1]], Dg=[[3, 0], [0, 1]]),
           example(d=1, k=1, K=[[1]], Dg=[[-1]]),
           instances(8, d=(1, 2, 3), k=(1, 2, 3), using={U: vector(d)}, made_by={Dg: matrix_of(i, j, d, d, when(i == j, sum_of(m, 1, i, 1 + U[m]**2), 0))})],
-      note="Any two positive matrices are T = K'DK and S = K'K. On the range of V1, of dimension k, the quotient x'Tx / x'Sx is at most the k-th eigenvalue, "
-           "which it takes at the vector num; on that of V2, of dimension d - k + 1, it is at least that. Every other subspace of dimension k meets the "
-           "range of "
-           "V2.")
+      note="Any two positive matrices are T = K'DK and S = K'K. On the range of V1, of dimension k, the quotient x'Tx / x'Sx is at most the k-th "
+           "eigenvalue, which it takes at the vector num; on that of V2, of dimension d - k + 1, it is at least that. Every other subspace of dimension k "
+           "meets the range of V2.")
 
 # --- shifts ----------------------------------------------------------------------------------------------------------------
 
@@ -126,8 +125,8 @@ claim("B93-S36", "a shift and the quotient of two forms",
       sizes=["d"], over={**MATRICES, **LEVEL, x: vector(d)}, where=FORMS, given=BOUNDS,
       by=[instances(8, d=(1, 2), **BOUNDED), instances(8, d=(1, 2), using={Y: positive_semidefinite(d)}, made_by={TT: alpha*I, S0: alpha/2*I, P: beta*I}),
           instances(4, d=(1,), made_by={P: 0*I}), instances(4, d=(1,))],
-      note="x'Tx, x'Sx and x'Px are tx, sx and px, and Ratio is the larger of tx/sx and 1; powers instead of logarithms, for whole alpha and beta. The second "
-           "statement, on the eigenvalues, is (16).")
+      note="x'Tx, x'Sx and x'Px are tx, sx and px, and Ratio is the larger of tx/sx and 1; powers instead of logarithms, for whole alpha and beta. The "
+           "second statement, on the eigenvalues, is (16).")
 
 
 Far, Near = symbols("Far Near")
@@ -147,8 +146,7 @@ def powers(near, far):
 Old, Shifted = symbols("Old Shifted")
 QUOTIENTS = [let(Old, TT*inv(S0)), let(Shifted, (TT + P)*inv(S0 + P))]
 WHOLE = ("Said of each eigenvalue, in ascending order: so many are greater than g^alpha after the shift, for any g > 1, as at most were greater than "
-         "g^(alpha + "
-         "beta) before, and likewise smaller for g < 1. alpha and beta are whole numbers. ")
+         "g^(alpha + beta) before, and likewise smaller for g < 1. alpha and beta are whole numbers. ")
 NARROW = example(d=1, T=[[3]], S0=[[1]], P=[[1]], alpha=3, beta=1, g="5/4")
 BOUNDS_OF_BOTH = [given(label, formula) for label,
                   formula in (("T <= alpha", loewner(alpha*I, TT)), ("S <= alpha", loewner(alpha*I, S0)), ("P >= beta", loewner(P, beta*I)))]
@@ -178,8 +176,8 @@ WRONG = [example(d=1, A=[[1]], P=[["-1/2"]], Q=[[0]], T=[[2]], S0=[[1]], g="5/2"
 
 for id_, title, more in (("B93-T1.7.1", "members of H contract", ""),
                          ("B93-S2", "the filter's maps contract",
-                          "Stated for all members of H, of which the matrices of the filter are some. What strictness depends on is "
-                                                                  "said by Theorem 1.7; the other recursion is not stated here.")):
+                          "Stated for all members of H, of which the matrices of the filter are some. What strictness depends on is said by Theorem 1.7; "
+                          "the other recursion is not stated here.")):
     claim(id_, title, nearer(After, Old), sizes=["d"], over={**MEMBER, g: positive()}, where=[*ACT, *powers(1, 1)], by=[*WRONG[2:], PLAIN],
           note=FORM + EQUAL_RATE + more)
 
@@ -202,8 +200,8 @@ claim("B93-T1.7.2", "members of H1 and of H2 contract strictly",
                         example(d=1, A=[[1]], P=[[1]], Q=[[0]], T=[[2]], S0=[[1]]),
                         instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={P: U}),
                         instances(8, d=(1, 2), using={U: positive_definite(d)}, made_by={Q: U})]),
-      note=FORM + "By (i) each eigenvalue of T inv(S) comes no farther from one; so the distance becomes smaller exactly if the eigenvalues do not all stay as "
-                  "they are. In the counterexample T = S = 1.")
+      note=FORM + "By (i) each eigenvalue of T inv(S) comes no farther from one; so the distance becomes smaller exactly if the eigenvalues do not all stay "
+                  "as they are. In the counterexample T = S = 1.")
 
 zeta, eps = symbols("zeta eps")
 RATE = {**MEMBER, P: positive_definite(d), Q: positive_definite(d), zeta: integer(1, 3), eps: integer(1, 3)}

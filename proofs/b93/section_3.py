@@ -47,8 +47,8 @@ claim("B93-E25", "the constant of a composition",
       d1 <= r*s*d3, over={d1: nonneg(), d2: nonneg(), d3: nonneg(), r: nonneg(), s: nonneg()},
       given=[given("the outer map", d1 <= r*d2), given("the inner map", d2 <= s*d3)],
       by=[positivity([(1, 1, ["the outer map"]), (1, 1, ["r", "the inner map"])]), instances(made_by={d2: s*d3, d1: r*s*d3}), instances()],
-      note="Two points have the distance d3, their images d2, and the images of these d1. As it holds for all pairs of points, rho of the composition, "
-           "the least constant, is at most the product.")
+      note="Two points have the distance d3, their images d2, and the images of these d1. As it holds for all pairs of points, rho of the composition, the "
+           "least constant, is at most the product.")
 
 not_checked("B93-E26", "the iteration", DEFINITION)
 not_checked("B93-S85", "the supremum over a countable dense set", "a supremum over a dense set of a metric space, and measurability")
@@ -68,8 +68,7 @@ claim("B93-S88", "the composition in blocks of p maps",
       where=[rec(Sum, k, NONE, Sum[k] + b[k]), rec(t, k, NONE, t[k] + b[k] - s[k])],
       by=[induction(base=order([NONE]), step=order([Sum[k] + rest - (t[k] + rest), s[k]])), instances(8, d=(1, 2))],
       note=AS_MATRICES + "b_i is the logarithm of the constant of the block i of p maps and t_k that of the first k blocks together, which by (25) grows by "
-                         "at most "
-           "b_k with one block more: s_k is what is left over. The maps after the last whole block add at most their own, the rest.")
+                         "at most b_k with one block more: s_k is what is left over. The maps after the last whole block add at most their own, the rest.")
 
 not_checked("B93-S89", "the rate is at most alpha", STATISTICAL)
 not_checked("B93-E28", "how far the maps move a point", STATISTICAL)
@@ -101,8 +100,7 @@ def orbit(first, second, start, other):
 
 
 IN_THE_PLANE = ("Max is the larger of two numbers. For the maps phi_i(x, y) = (a_i x + b_i, c_i y + g_i) of the plane with the maximum norm, for which rho "
-                "of a composition is the larger of the products "
-                "of the |a_i| and of the |c_i|. ")
+                "of a composition is the larger of the products of the |a_i| and of the |c_i|. ")
 HERE = orbit(X1, X2, x, y)
 THERE = orbit(Y1, Y2, x0, y0)
 CONTRACTIONS = given("contractions", forall(i, 1, n, (abs(a[i]) <= 1) & (abs(c[i]) <= 1)))
@@ -140,14 +138,14 @@ claim("B93-R3.1", "the integrability condition does not depend on the point",
                     After <= Before + (r + 1)*dd, over=DISTANCES, where=[LARGER, let(After, Max(D, 1)), let(Before, Max(D0, 1))], given=LIPSCHITZ,
                     by=[example(D=3, D0=1, D1=1, dd="1/2", r=2), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances()]),
       note="For one map phi(x) = ax + b of the line, which is a stationary sequence: log d(phi(x), x) is finite exactly if phi does not fix x. In the "
-           "counterexample phi is the constant map to 0, with rho = 0: log d(phi(1), 1) = 0, and d(phi(0), 0) = 0 has no finite logarithm. In the repair D is "
-           "d(phi(x), x), D0 the same at x_0, and dd the distance of the two points; with (C1) so read, it is what the theorem needs.")
+           "counterexample phi is the constant map to 0, with rho = 0: log d(phi(1), 1) = 0, and d(phi(0), 0) = 0 has no finite logarithm. In the repair D "
+           "is d(phi(x), x), D0 the same at x_0, and dd the distance of the two points; with (C1) so read, it is what the theorem needs.")
 
 claim("B93-R3.1.2", "how far a map moves another point",
       D <= D0 + (r + 1)*dd, over=DISTANCES, given=LIPSCHITZ,
       by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances()],
-      note="D is d(phi(x), x), D0 the same at x_0, D1 the distance of the two images and dd that of the points. The first of the two printed inequalities is "
-           "the triangle inequality.")
+      note="D is d(phi(x), x), D0 the same at x_0, D1 the distance of the two images and dd that of the points. The first of the two printed inequalities "
+           "is the triangle inequality.")
 
 not_checked("B93-C3.2", "averages along a solution", STATISTICAL)
 not_checked("B93-E30", "averages along two solutions", STATISTICAL)
@@ -161,8 +159,7 @@ claim("B93-S92", "one map more at the end of the composition",
       given=[given("triangle", dxu <= dxv + dvu), given("Lipschitz", dvu <= r*dxw)],
       by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={dvu: r*dxw, dxu: dxv + r*dxw}), instances()],
       note="u, v and w are the images of x under phi_n o ... o phi_1, phi_n o ... o phi_2 and phi_1, and r is rho(phi_n o ... o phi_2), which maps x to v "
-           "and w to "
-           "u. The first of the two printed inequalities is the triangle inequality.")
+           "and w to u. The first of the two printed inequalities is the triangle inequality.")
 
 TOTAL = let(Total, distance(x, y, X1[n], X2[n]))
 claim("B93-E31", "how far the composition moves a point",

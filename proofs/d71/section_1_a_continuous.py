@@ -52,11 +52,10 @@ claim("D71-E1.30", "the state by its transition matrix",
 
 not_checked("D71-E1.31", "the sampled process", DEFINITION)
 not_checked("D71-S1", "transition matrices are nonsingular", "that a solution of dF/dt = AF stays nonsingular is a theorem on differential equations; "
-            "nothing of it is an exact computation")
+                                                             "nothing of it is an exact computation")
 
 claim("D71-E1.33", "the covariance of the sampled noise",
       dF*C*T(F) + F*dC*T(F) + F*C*T(dF) == A*R + R*T(A) + H, sizes=["n"], over={**MOVING, C: symmetric_matrix(n), H: symmetric_matrix(n)},
       where=[let(R, F*C*T(F)), let(dF, A*F), let(dC, inv(F)*H*inv(T(F)))], by=[order(), instances(6, n=(1, 2, 3))],
       note="R = FCF' is the printed integral up to t, if C is the integral of F^{-1}H(F')^{-1}. It solves the equation of the covariance of a process that "
-           "starts "
-           "from zero at t_k; the step from the double integral, by the delta function, is not stated here.")
+           "starts from zero at t_k; the step from the double integral, by the delta function, is not stated here.")

@@ -91,9 +91,9 @@ claim("D71-E1.48", "what the outputs say in discrete time",
       iff(FIRST, ORTHOGONAL) & always(k, M*Pw[k + n]*x == -sum_of(j, 0, n - 1, coeff(charpoly(Phi), j)*(M*Pw[k + j]*x))),
       sizes=["n", "p"], over={Phi: matrix(n, n), M: matrix(p, n), x: vector(n)}, where=SEEN,
       by=[*UNSEEN, instances(6, n=(1, 2), p=(1, 2))],
-      note="x is the difference of two initial states. W_d(t_n), the sum of the (Phi')^k M'M Phi^k for k < n, has the range of P_d; x is orthogonal to it, so "
-           "that the states have the same projection, exactly if they give the same outputs at the first n instants (FIRST). By the second part each later "
-           "output is a combination of the n before it.")
+      note="x is the difference of two initial states. W_d(t_n), the sum of the (Phi')^k M'M Phi^k for k < n, has the range of P_d; x is orthogonal to it, "
+           "so that the states have the same projection, exactly if they give the same outputs at the first n instants (FIRST). By the second part each "
+           "later output is a combination of the n before it.")
 
 
 def renamed(examples, old, new):

@@ -66,9 +66,9 @@ claim("D71-T1.6", "asymptotic stability in discrete time",
           example(n=1, Phi=[[2]], S=[["-1/3"]]), example(n=1, Phi=[["1/2"]], S=[["4/3"]]), example(n=1, Phi=[[2]], S=[[1]]),
           example(n=1, Phi=[["1/2"]], S=[[-1]]), example(n=2, Phi=[[2, 0], [0, 0]], S=[["-1/3", 0], [0, 1]]),
           instances(6, n=(1, 2), using={r: scalar()}, made_by={Phi: r*I, S: inv((1 - r**2)*I)})],
-      note="x_{k+1}'Sx_{k+1} = x_k'Sx_k - |x_k|^2 with S >= 0, so S >= I, is what asymptotic stability means for a linear system: the states fall like a power "
-           "of a number below one, and no S >= 0 does that for a Phi with a state that does not tend to 0. It is stated for the Phi for which the equation "
-           "has a solution; no two eigenvalues of a stable matrix have the product 1, and so it has one for them.")
+      note="x_{k+1}'Sx_{k+1} = x_k'Sx_k - |x_k|^2 with S >= 0, so S >= I, is what asymptotic stability means for a linear system: the states fall like a "
+           "power of a number below one, and no S >= 0 does that for a Phi with a state that does not tend to 0. It is stated for the Phi for which the "
+           "equation has a solution; no two eigenvalues of a stable matrix have the product 1, and so it has one for them.")
 
 W = inv(I - A)
 LYAPUNOV = given("A'S + SA = -I", T(A)*S + S*A == -I)
@@ -146,8 +146,7 @@ claim("D71-T1.2", "stability in continuous time",
               {"A": [[0, 1], [-1, 0]]})),
           instances(4, n=(1, 2), made_by={A: Zero(n, n), Lam: Zero(n, n), S: I, **ABSENT, y: NEVER, z: NEVER, b: 0, r: 0})],
       note="As D71-T1.5: u + iw would be an eigenvector right of the imaginary axis, and x + iv, y + iz a chain at the eigenvalue ir. Conversely a matrix "
-           "without "
-           "them is similar to a Lambda with Lambda + Lambda' <= 0.")
+           "without them is similar to a Lambda with Lambda + Lambda' <= 0.")
 
 # --- discrete time, nonlinear ----------------------------------------------------------------------------------------------
 
@@ -166,6 +165,6 @@ claim("D71-T1.4", "a Lyapunov function in discrete time",
           L == 0, sizes=["N"], over={q: polynomial(N), L: scalar()},
           given=[given("V falls at every state but 0", (L != 0) >> (substitute(q, L)**2 < L**2)), given("L is a limit, so f(L) = L", substitute(q, L) == L)],
           by=[example(N=1, q=[0, 1], L=1), example(N=1, q=[0, "1/2"], L=1), instances(N=(1, 2, 3), made_by={L: 0}), instances(N=(1, 2, 3))]),
-      note="For V(x) = x^2 and the functions f that are rx up to c and c + r(x - c) above c, 0 < r < 1, c >= 0: f(0) = 0, and V falls at every state but 0. In "
-           "the counterexample c = 1, r = 1/2: the trajectory of 2 is 1 + 2^{-k} and tends to 1. The theorem does not ask that f is continuous. In the repair, "
-           "f is a polynomial; continuity makes a limit L of a trajectory a solution of f(L) = L, and 0 is the only one.")
+      note="For V(x) = x^2 and the functions f that are rx up to c and c + r(x - c) above c, 0 < r < 1, c >= 0: f(0) = 0, and V falls at every state but 0. "
+           "In the counterexample c = 1, r = 1/2: the trajectory of 2 is 1 + 2^{-k} and tends to 1. The theorem does not ask that f is continuous. In the "
+           "repair, f is a polynomial; continuity makes a limit L of a trajectory a solution of f(L) = L, and 0 is the only one.")

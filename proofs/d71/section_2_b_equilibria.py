@@ -79,9 +79,8 @@ claim("D71-E2.3", "the moving equilibrium as a limit of solutions that start fro
           by=[identity(), instances()]),
       note="One state with a = 0, v = 1 and m(t) = 1 for t < 0, m(t) = 0 for t >= 0: for every t there is a t_0 < t with W_b(t, t_0) > 0. For t and t_0 = N "
            "from 0 on, P(t; 0, N) is h(t - N). If it has a limit as N grows, the change from N to N + 1 becomes small; in the counterexample it is -1 for "
-           "every "
-           "N. Eight values of N are stated. Where solutions are only followed forward, t_0 cannot pass t at all. The repair is for one state and constant "
-           "data: u = exp(-s(e + q)(t - t_0)) tends to 0 as t_0 tends to minus infinity, and P(t; 0, t_0) to e.")
+           "every N. Eight values of N are stated. Where solutions are only followed forward, t_0 cannot pass t at all. The repair is for one state and "
+           "constant data: u = exp(-s(e + q)(t - t_0)) tends to 0 as t_0 tends to minus infinity, and P(t; 0, t_0) to e.")
 
 not_checked("D71-S10", "all solutions approach the moving equilibrium", UNEXACT + "; D71-T3.24 is the case of constant data in discrete time")
 
@@ -162,8 +161,7 @@ claim("D71-T2.2.b", "equilibria from eigenvalues on the right",
       note="The eigenvalues of J are on the right exactly if K = (J - I)(J + I)^{-1} exists and has its eigenvalues inside the circle.")
 
 not_checked("D71-S13", "regular processes in continuous time",
-            "that solutions of a differential equation converge exponentially fast; D71-T3.24 is the same in "
-            "discrete time")
+            "that solutions of a differential equation converge exponentially fast; D71-T3.24 is the same in discrete time")
 
 # --- wrong initial covariance ----------------------------------------------------------------------------------------------
 

@@ -73,10 +73,8 @@ claim("D71-S39", "derogatory R_p",
              *R_WHERE,
              let(P, OUT)], by=[evaluation()],
       note="Example 3.1, where R_p is derogatory, and its equilibrium (3.115) with x = 7: J has the eigenvalues 2, outside the circle, and 1/2, the "
-           "reciprocal of the "
-           "eigenvalue of the undriven mode 2, as Theorem 3.17 asks; P is not nonnegative definite. So its conditions do not suffice. That they are "
-           "necessary, and that "
-           "eigenvalues outside the circle alone suffice, is D71-S44 and D71-S42.")
+           "reciprocal of the eigenvalue of the undriven mode 2, as Theorem 3.17 asks; P is not nonnegative definite. So its conditions do not suffice. "
+           "That they are necessary, and that eigenvalues outside the circle alone suffice, is D71-S44 and D71-S42.")
 
 claim("D71-S41", "half of the eigenvalues of R_p are outside",
       (inside_roots(charpoly(Rp)) == n) & (outside_roots(charpoly(Rp)) == n), sizes=["n", "p"], over=MODEL, where=R_WHERE,
@@ -126,8 +124,7 @@ claim("D71-S44", "other nonnegative equilibria need undriven unstable modes",
           example(n=2, p=2, Phi=[[2, 1], [0, 3]], H=[[0, 0], [0, 0]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], P=[[0, 0], [0, 0]], gamma=[[1], [-1]],
                   psi="1/2", r="3/4")],
       note="For a real eigenvalue psi of J inside the circle, with an eigenvector gamma of DP - C: it is the reciprocal of that of an undriven mode, which "
-           "is unstable, and "
-           "P is singular.")
+           "is unstable, and P is singular.")
 
 # --- one random walk mode --------------------------------------------------------------------------------------------------
 

@@ -21,7 +21,9 @@ from exactkf.language import (
     column,
     given,
     hstack,
+    iff,
     inv,
+    invertible,
     kernel_basis,
     let,
     matrix,
@@ -73,8 +75,7 @@ claim("D71-E3.86", "blocks of W between eigenvalues",
       by=[NONE, example(q=2, r=2, x=1, o=1, W=[[0, 1], [-1, 0]]), example(q=1, r=1, x=2, o=2, W=[[1]]), example(q=2, r=3, x=2, o=3, W=[[0, 0, 0], [0, 0, 0]]),
           instances(6, q=(1, 2, 3), r=(1, 2, 3), made_by={W: Zero(q, r)})],
       note="For two Jordan blocks with the eigenvalues x and o. The equation says that W - (Jordan block)'W(Jordan block) = 0, a linear equation with "
-           "triangular matrix "
-           "and 1 - xo on its diagonal.")
+           "triangular matrix and 1 - xo on its diagonal.")
 
 claim("D71-E3.87", "blocks of X between eigenvalues",
       X == Zero(q, r), sizes=["q", "r"], over={x: scalar(), o: scalar(), X: matrix(q, r)},
@@ -141,8 +142,7 @@ claim("D71-E3.93", "when a term of the sum is zero",
       by=[example(r1=1, r2=1, p1=1, p2=1, X1=[[1]], Y1=[[1]], W=[[1]], Z0=[[1]]), instances(8, r1=(2, 3), r2=(2, 3), p1=(1, 2), p2=(1, 2)),
           instances(8, r1=(4,), r2=(3, 4), p1=(2,), p2=(2,))],
       note="XS, YS and WS are blocks with zeros where (3.91) and (3.90) have them and anything elsewhere; Z0 is any matrix. p_i1 + p_j1 <= r makes (3.93) "
-           "hold for "
-           "every term.")
+           "hold for every term.")
 
 # --- the theorems ----------------------------------------------------------------------------------------------------------
 
@@ -164,11 +164,25 @@ EVIDENCE = [example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[
             example(n=2, p=1, Phi=[[1, 0], [0, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [-1, 0]], Gam=[[1, 0], [0, 1]], J=[[1, 0], [0, 1]]),
             example(n=2, p=1, Phi=[[2, 0], [0, 3]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [0, 0]], Gam=[[1, 0], [0, 1]], J=[[2, 0], [0, 3]]),
             instances(3, n=(2,), p=(2,), **MADE), instances(2, n=(1,), p=(1,), **MADE)]
-REAL = ("For real J in which (b) is needed for the pair 1, 1 alone, with p_11 = 1: the blocks of J at 1 have order one and those of R_p at least two, and no "
-        "other two "
-        "eigenvalues of J have the product one. Without an eigenvalue 1 it is (a). ")
+REAL = ("For real J in which (b) is needed for the pair 1, 1 alone, with p_11 = 1: the blocks of J at 1 have order one and those of R_p at least two, and "
+        "no other two eigenvalues of J have the product one. Without an eigenvalue 1 it is (a). ")
 for id_, title, more in (("D71-T3.15.b", "equilibria that are symmetric in spite of eigenvalues with product one",
                           "The steps for any blocks are (3.82) to (3.93)."),
                          ("D71-T3.16", "symmetric equilibria", "For real matrices the proof is that of Theorem 3.15."),
                          ("D71-S36", "real and symmetric equilibria", "P is real, as J is.")):
     claim(id_, title, symmetric(F*inv(Gam)), by=EVIDENCE, note=REAL + more, **SYMMETRIC)
+
+# --- when R_p is nonderogatory ---------------------------------------------------------------------------------------------
+
+T1, T2, VANISHES = symbols("T1 T2 VANISHES")
+CORNER = matrix_of(i, j, r, r, when(i + j > r, W[i, j], 0))
+claim("D71-Q1.c", "the conditions for symmetry are necessary when R_p is nonderogatory",
+      iff(VANISHES, p1 + p2 <= r), sizes=["r", "p1", "p2"], over={T1: nonsingular(p1), T2: nonsingular(p2), W: matrix(r, r)},
+      where=[let(WS, CORNER), let(VANISHES, T(vstack(T1, Zero(r - p1, p1)))*WS*vstack(T2, Zero(r - p2, p2)) == Zero(p1, p2))],
+      given=[standing("the chains of J are no longer", (p1 <= r) & (p2 <= r) & (p1 >= 1) & (p2 >= 1)), given("W is nonsingular", invertible(WS))],
+      by=[example(r=2, p1=1, p2=2, T1=[[1]], T2=[[1, 0], [0, 1]], W=[[0, 0], [0, 0]]), example(r=2, p1=1, p2=1, T1=[[1]], T2=[[1]], W=[[0, 1], [1, 0]]),
+          example(r=3, p1=1, p2=2, T1=[[1]], T2=[[1, 0], [0, 1]], W=[[0, 0, 1], [0, 1, 0], [1, 0, 0]]),
+          example(r=1, p1=1, p2=1, T1=[[1]], T2=[[1]], W=[[1]]), instances(8, r=(2, 3, 4), p1=(1, 2), p2=(1, 2))],
+      note="A nonderogatory R_p has one block of order r at each eigenvalue. Then X_i is a nonsingular T_i above zeros, and W, which is nonsingular as a "
+           "whole, has the nonsingular blocks W_ij = WS between reciprocal eigenvalues, zero where (3.90) says. The equilibrium is symmetric exactly if all "
+           "X_i'W_ijX_j vanish: that is (b), or (a) where no eigenvalues of J are reciprocal. For real eigenvalues.")

@@ -70,8 +70,7 @@ claim("D71-E3.161", "the sum is still stretched",
       by=[positivity([(1, 1, ["triangle"]), (1, 1, ["(3.157)"]), (1, 1, ["(3.159)"])]), instances(made_by={u: alpha*m + r, w: gamma*r*m, s: alpha*m + r}),
           instances()],
       note="m is the norm of y, r that of R_k, u and w are the norms of (DP - C)'y and U_k'D'y, and s is that of their sum. With r < (alpha - 1)/gamma the "
-           "factor delta "
-           "is greater than one.")
+           "factor delta is greater than one.")
 
 claim("D71-E3.164", "the norm of R falls",
       delta*r1 <= r, over={r1: nonneg(), m: nonneg(), r: nonneg(), s: nonneg(), delta: positive()},
@@ -94,8 +93,7 @@ claim("D71-T3.22", "local stability",
           example(kappa=2, c=0, u0=1, rate=1),
           instances(made_by={rate: 1, kappa: u/(1 + abs(u)), u0: (1 - (u/(1 + abs(u)))**2)/(1 + abs(c))}, using={u: scalar()}), instances()],
       note="The statement is tested for one state, where u_{k+1} = kappa^2u_k/(1 + cu_k) with kappa = B - PD: from a start with |cu_0| <= 1 - kappa^2/rate "
-           "the deviation falls "
-           "like rate^k. The displayed steps are for every size.")
+           "the deviation falls like rate^k. The displayed steps are for every size.")
 
 # --- instability -----------------------------------------------------------------------------------------------------------
 
@@ -117,9 +115,8 @@ claim("D71-E3.176", "the deviation leaves, where alpha is not zero",
       given=[standing("|mu| > 1", mu**2 > 1), given("(3.176)", 10*Y*abs(mu*alp) >= mu**2 - 1)],
       by=[example(mu=2, alpha=1, delta="1/100", k=1), example(mu="1/2", alpha=1, delta=1, k=1), example(mu=2, alpha=1, delta="11/100", k=1),
           example(mu=2, alpha=-1, delta="1/4", k=1), instances(), instances(made_by={dl: 1/(2 + alp**2)})],
-      note="The line (3.176) is scrambled in the scan and read as k >= ln((|mu|^2 - 1)/(10 delta^2|mu alpha|))/(2 ln|mu|), whose exponential is stated; Y is "
-           "delta^2|mu|^{2k}. For "
-           "real mu.")
+      note="The line (3.176) is scrambled in the scan and read as k >= ln((|mu|^2 - 1)/(10 delta^2|mu alpha|))/(2 ln|mu|), whose exponential is stated; Y "
+           "is delta^2|mu|^{2k}. For real mu.")
 
 (eps,) = symbols("eps")
 claim("D71-E3.176.b", "the deviation leaves, where alpha is zero",

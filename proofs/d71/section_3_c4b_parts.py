@@ -75,8 +75,7 @@ claim("D71-T3.24", "global stability of regular processes",
           example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P0=[[1]], Pe=[[0]]),
           *(instances(3, n=(size,), p=(size,), horizon=2, using={E: nonsingular(n), c: vector(n)}, made_by=REGULAR) for size in (1, 2))],
       note="Stated: P_k lies between the solutions P_a from 0 and P_b from P_0 + P_e, and P_b between P_e and P_e + K^kP_0(K')^k with a stable K. That such "
-           "a P_e exists for "
-           "the processes of the theorem is Theorem 3.18, and that P_a tends to it is (3.190).")
+           "a P_e exists for the processes of the theorem is Theorem 3.18, and that P_a tends to it is (3.190).")
 
 claim("D71-S16", "regular processes have one equilibrium",
       Pe == X, sizes=["n", "p"], over={**MODEL, Pe: positive_semidefinite(n), X: positive_semidefinite(n)},
@@ -90,9 +89,8 @@ claim("D71-S16", "regular processes have one equilibrium",
           example(n=1, p=1, Phi=[["1/2"]], H=[[3]], M=[[0]], V=[[1]], Pe=[[5]], X=[[4]]),
           *(instances(3, n=(size,), p=(size,), using={E: nonsingular(n), c: vector(n)},
                       made_by={**REGULAR, X: E*diagonal_of(ALONE - 1)*T(E)}) for size in (1, 2))],
-      note="For a regular process every nonnegative definite equilibrium has J outside the circle by Theorem 3.17, so B - PD inside: two such equilibria are "
-           "equal. "
-           "Convergence is D71-T3.24.")
+      note="For a regular process every nonnegative definite equilibrium has J outside the circle by Theorem 3.17, so B - PD inside: two such equilibria "
+           "are equal. Convergence is D71-T3.24.")
 
 # --- ranges ----------------------------------------------------------------------------------------------------------------
 
@@ -104,9 +102,8 @@ claim("D71-S55", "the covariance due to the inputs of the reduced process",
              rec(Rg, k, Zero(q, q), Rg[k] + Pg[k]*Gl*T(Pg[k]))], given=[LIFTED],
       by=[induction(also=[Pw[k]*L == L*Pg[k]]), example(n=1, q=1, Phi=[[2]], L=[[1]], PhiL=[[1]], Gl=[[1]]),
           instances(6, n=(1, 2, 3), q=(1,), horizon=2, using={w: scalar()}, made_by={Phi: w*I, PhiL: w*Identity(q)})],
-      note="R_d is Rd_n and R_g is Rg_n, the sum to k = n in place of the size of the reduced process, which has the same range. If R(R_d) contains R(P_e) = "
-           "R(L), R_g is "
-           "nonsingular.")
+      note="R_d is Rd_n and R_g is Rg_n, the sum to k = n in place of the size of the reduced process, which has the same range. If R(R_d) contains R(P_e) "
+           "= R(L), R_g is nonsingular.")
 
 claim("D71-E3.207", "undriven modes of the reduced process",
       (T(PhiL)*(T(L)*N1) == (T(L)*N1)*Phi1) & (Gl*(T(L)*N1) == Zero(q, r)), sizes=["n", "q", "r"],
@@ -149,8 +146,8 @@ claim("D71-E3.198", "undriven modes of R_d",
       by=[induction(), example(n=1, r=1, Phi=[[2]], H=[[1]], N1=[[1]], Phi1=[[2]]),
           example(n=2, r=1, Phi=[[1, 0], [1, 1]], H=[[1, 0], [0, 0]], N1=[[0], [1]], Phi1=[[1]]),
           instances(4, n=(1, 2), r=(1,), made_by={Phi: 2*I, Phi1: 2*Identity(r), H: Zero(n, n)})],
-      note="The columns of N_1 and N_2 are in the null space of R_d if H and the products say so: then N'Phi^kH = 0 for every k. That bases of the null space "
-           "have this form is Theorem 9.5.")
+      note="The columns of N_1 and N_2 are in the null space of R_d if H and the products say so: then N'Phi^kH = 0 for every k. That bases of the null "
+           "space have this form is Theorem 9.5.")
 
 not_checked("D71-S58", "the reduced equation converges", "Theorem 3.24 for the reduced equation together with (3.206), which are D71-T3.24 and D71-E3.206")
 
@@ -194,8 +191,7 @@ claim("D71-E3.217", "the matrix of the first function",
       where=[let(K, Phi*(I - gain()*M)), let(DPC, inv(T(Phi))*(gram()*P + I)), let(F, kronecker(K, T(K))), let(Y, kronecker(K, inv(DPC)))],
       by=[instances(6, n=(1, 2), p=(1,))],
       note="F(0) as printed is (3.215) at U = 0, because (DP - C)^{-1} = (B - PD)'. The equation for S has a solution S > 0 exactly if F(0) is inside the "
-           "circle, by D71-T1.6; "
-           "its eigenvalues are the products of two of B - PD.")
+           "circle, by D71-T1.6; its eigenvalues are the products of two of B - PD.")
 
 claim("D71-E3.219", "no solution with an eigenvalue on the circle",
       x == Zero(n, 1), sizes=["n"], over={F: matrix(n, n), S: symmetric_matrix(n), x: matrix(n, 1), s: scalar()},
@@ -204,14 +200,12 @@ claim("D71-E3.219", "no solution with an eigenvalue on the circle",
           example(n=1, F=[[1]], S=[[1]], x=[[1]], s=1),
           instances(4, n=(1, 2), made_by={F: Zero(n, n), S: I, x: Zero(n, 1), s: 1})],
       note="F stands for F(0), and n for the length of mu. For an undriven random walk mode with Phi'n = sn, s = 1 or -1, n is an eigenvector of (B - PD)' "
-           "at s, and n x n one of "
-           "the product. What is proposed instead is a definition; see D71-Q5.b.")
+           "at s, and n x n one of the product. What is proposed instead is a definition; see D71-Q5.b.")
 
 # --- a random walk, undriven -----------------------------------------------------------------------------------------------
 
 claim("D71-Q4.a", "an undriven observable random walk mode",
       always(k, x[k]*(v + k*m**2*p0) == p0*v), over={m: nonzero(), v: positive(), p0: scalar()}, where=[rec(x, k, p0, x[k]*v/(m**2*x[k] + v))],
       by=[instances(12, horizon=5)],
-      note="For one state, h = 0, Phi = 1 or -1: from p_0 >= 0 the solution tends to the only equilibrium 0; a negative p_0, however near, makes v + km^2p_0 "
-           "change its sign, "
-           "and the solution is below p_0 until then. For more states it is a conjecture of the thesis.")
+      note="For one state, h = 0, Phi = 1 or -1: from p_0 >= 0 the solution tends to the only equilibrium 0; a negative p_0, however near, makes v + "
+           "km^2p_0 change its sign, and the solution is below p_0 until then. For more states it is a conjecture of the thesis.")

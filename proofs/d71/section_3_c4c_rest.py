@@ -65,8 +65,7 @@ claim("D71-E3.258", "how fast the function falls",
           instances(4, n=(1, 2), made_by={A: I/2, S: rational("4/3")*I, si: rational("4/3")}),
           example(n=2, A=[[0, 2], [0, 0]], S=[[1, 0], [0, 5]], x=[1, 1], sigma=5)],
       note="For the limit A of the matrices in the product: V falls by the factor 1 - 1/sigma, which gives lambda_1 and c_1. That the matrices come near "
-           "their limit, and that "
-           "D_i tends to zero like a power, is not stated here.")
+           "their limit, and that D_i tends to zero like a power, is not stated here.")
 
 # --- Examples 3.3 and 3.4 --------------------------------------------------------------------------------------------------
 
@@ -86,8 +85,7 @@ LARGE = (rows([[64, 0], [0, 64]]), rows([[49, 0], [0, 49]]))
 NOTHING = (Zero(2, 2), I2)
 claim("D71-X3.3", "the modes of Example 3.3", modes(rational("3/2")), where=GROWING, by=[evaluation()],
       note="The stable mode 1/2 is driven, as H(0, 1) is not zero, the unstable mode 3/2 is not, as H(3, -2) = 0; M sees both eigenvectors. The two "
-           "equilibria are D71-E3.262 "
-           "and D71-E3.263.")
+           "equilibria are D71-E3.262 and D71-E3.263.")
 
 claim("D71-F3.8", "both traces approach that of the stable equilibrium",
       forall(k, 16, 20, near(P[k], "25.02438", "1/1000") & near(Pa[k], "25.02438", "1/1000")) & (trace(P[1]) > 26) & (trace(Pa[1]) > 26),
@@ -137,5 +135,4 @@ claim("D71-E3.274", "bounded solutions of the second case",
       over=SIXTH, where=[let(TT_, rows([[2, -1], [3, 0]])), rec(Xk, k, x0, Xk[k]/(1 + Xk[k])), rec(Y, k, y12, (Y[k] + y22)/(1 + Xk[k]))],
       by=[instances(12, horizon=5)],
       note="Y is the entry y_12 of (3.273); y_22 does not change. It grows like k y_22/2 and is bounded only if y_22 = 0, and then y_12 = 0, as P_a(t_0) >= "
-           "0, so that P_a(t_0) has "
-           "the form (3.274).")
+           "0, so that P_a(t_0) has the form (3.274).")
