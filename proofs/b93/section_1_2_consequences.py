@@ -136,12 +136,12 @@ claim("B93-S69", "two positive matrices in common coordinates",
 
 claim("B93-S79", "the norm at the beginning by that at the end",
       (T(x0)*x0 <= al*(T(x0)*P0*x0)) & (al*(T(x0)*P0*x0) <= al*(tau*(T(xp)*Pp*xp))) & (al*(tau*(T(xp)*Pp*xp)) <= al*(tau*(si*(T(xp)*xp)))), sizes=["d"],
-      over={P0: positive_semidefinite(d), Pp: positive_semidefinite(d), x0: vector(d), xp: vector(d), al: nonneg(), tau: nonneg(), si: nonneg()},
-      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 <= tau*(T(xp)*Pp*xp)),
+      over={P0: positive_semidefinite(d), Pp: positive_semidefinite(d), x0: vector(d), xp: vector(d), al: nonneg(), tau: nonneg(), si: nonneg(), m: nonneg()},
+      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 + m == tau*(T(xp)*Pp*xp)),
              given("|P_p| <= sigma", loewner(si*I, Pp))],
-      by=[order([T(x0)*(al*P0 - I)*x0], [al*(tau*(T(xp)*Pp*xp) - T(x0)*P0*x0)], [al*tau*(T(xp)*(si*I - Pp)*xp)]),
-          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u}), instances(8, d=(1,))],
-      note="tau stands for the product of the tau_n, by which V falls in p steps as B93-S78 says.")
+      by=[order([T(x0)*(al*P0 - I)*x0], [al*m], [al*(tau*(T(xp)*(si*I - Pp)*xp))]),
+          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}), instances(8, d=(1,))],
+      note="tau stands for the product of the tau_n, and m is what tau V_p exceeds V_0 by; B93-S78 says that V falls so.")
 
 claim("B93-S80", "the product of the matrices of the filter",
       always(t, (x[t] == T(Pi[t])*xp) & (T(x[t])*x[t] == T(xp)*(Pi[t]*T(Pi[t]))*xp)), sizes=["d"], over={Bs: signal_of(matrix(d, d), 0), xp: vector(d)},
