@@ -167,19 +167,28 @@ not_checked("D71-S13", "regular processes in continuous time",
 
 Pa, Pc, P0, Pa0, Pc0 = symbols("Pa Pc P0 Pa0 Pc0")
 GAIN, GAIN_C = gain(P[k], M[k], V[k]), gain(Pc[k], M[k], V[k])
-CLOSED, CLOSED_C = Phi[k]*(I - GAIN*M[k]), Phi[k]*(I - GAIN_C*M[k])
-NOISE = Phi[k]*GAIN
-BETTER = Phi[k]*(GAIN_C - GAIN)
+
+
+def congruent(gain_, matrix_):
+    """Phi(I - KM)X(I - KM)'Phi'."""
+    return Phi[k]*(I - gain_*M[k])*matrix_*T(I - gain_*M[k])*T(Phi[k])
+
+
+def noise(gain_, matrix_):
+    """Phi KXK'Phi'."""
+    return Phi[k]*gain_*matrix_*T(gain_)*T(Phi[k])
+
+
 claim("D71-S14", "optimal, actual and calculated covariance stay ordered",
-      always(k, psd(P[k]) & loewner(Pa[k], P[k]) & loewner(Pc[k], Pa[k])), sizes=["n", "p"],
+      always(k, psd(P[k]) & psd(Pc[k]) & loewner(Pa[k], P[k]) & loewner(Pc[k], Pa[k])), sizes=["n", "p"],
       over={Phi: signal_of(matrix(n, n), 0), M: signal_of(matrix(p, n), 0), V: signal_of(positive_definite(p), 0), H: signal_of(positive_semidefinite(n), 0),
-            P0: positive_semidefinite(n), Pa0: symmetric_matrix(n), Pc0: symmetric_matrix(n)},
+            P0: positive_semidefinite(n), Pa0: positive_semidefinite(n), Pc0: positive_semidefinite(n)},
       where=[rec(P, k, P0, step(P[k], Phi[k], M[k], V[k], H[k])), rec(Pc, k, Pc0, step(Pc[k], Phi[k], M[k], V[k], H[k])),
              rec(Pa, k, Pa0, Phi[k]*joseph(gain(Pc[k], M[k], V[k]), Pa[k], M[k], V[k])*T(Phi[k]) + H[k])],
       given=[given("P_a(t_0) >= P_0", loewner(Pa0, P0)), given("P_c(t_0) >= P_a(t_0)", loewner(Pc0, Pa0))],
-      by=[induction(also=[T(Pa[k]) == Pa[k], T(Pc[k]) == Pc[k]], base=order([P0], [Pa0 - P0], [Pc0 - Pa0]),
-                    step=order([CLOSED*P[k]*T(CLOSED), NOISE*V[k]*T(NOISE), H[k]],
-                               [CLOSED_C*(Pa[k] - P[k])*T(CLOSED_C), BETTER*(M[k]*P[k]*T(M[k]) + V[k])*T(BETTER)], [CLOSED_C*(Pc[k] - Pa[k])*T(CLOSED_C)])),
+      by=[induction(base=order([P0], [Pc0], [Pa0 - P0], [Pc0 - Pa0]),
+                    step=order([congruent(GAIN, P[k]), noise(GAIN, V[k]), H[k]], [congruent(GAIN_C, Pc[k]), noise(GAIN_C, V[k]), H[k]],
+                               [congruent(GAIN_C, Pa[k] - P[k]), noise(GAIN_C - GAIN, M[k]*P[k]*T(M[k]) + V[k])], [congruent(GAIN_C, Pc[k] - Pa[k])])),
           instances(6, n=(1, 2), p=(1,), horizon=2, using={X: matrix(n, n), B: matrix(n, n)}, made_by={Pa0: P0 + X*T(X), Pc0: P0 + X*T(X) + B*T(B)})],
       note="The filter is run with the gains that belong to the calculated covariance P_c; P_a is the actual covariance of its error.")
 
