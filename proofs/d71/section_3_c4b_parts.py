@@ -30,6 +30,7 @@ from exactkf.language import (
     positive,
     positive_definite,
     positive_semidefinite,
+    psd,
     rank,
     rec,
     scalar,
@@ -59,10 +60,26 @@ def diagonal_of(term):
 REGULAR = {Phi: I, H: E*diagonal_of((ALONE - 1)*(1 - 1/ALONE))*T(E), M: inv(E), V: I, Pe: E*diagonal_of(ALONE - 1)*T(E)}
 RUNS = [rec(P, k, P0, step(P[k])), rec(Pa, k, Zero(n, n), step(Pa[k])), rec(Pb, k, P0 + Pe, step(Pb[k]))]
 
+
+
+def above(larger, smaller):
+    """The difference of two next covariances as a sum of nonnegative terms."""
+    low, gap = gain(smaller), larger - smaller
+    extra = gap*T(M)*inv(M*larger*T(M) + V)
+    outer = Phi*(I - low*M)
+    return [outer*(I - extra*M)*gap*T(I - extra*M)*T(I - low*M)*T(Phi), outer*extra*(M*smaller*T(M) + V)*T(extra)*T(I - low*M)*T(Phi)]
+
+
+def alone(at):
+    """A next covariance as a sum of nonnegative terms."""
+    return [Phi*(I - gain(at)*M)*at*T(I - gain(at)*M)*T(Phi), Phi*gain(at)*V*T(gain(at))*T(Phi), H]
+
+
 claim("D71-E3.195", "between two solutions",
-      always(k, loewner(P[k], Pa[k]) & loewner(Pb[k], P[k])), sizes=["n", "p"], over={**MODEL, P0: positive_semidefinite(n), Pe: positive_semidefinite(n)},
-      where=RUNS,
-      by=[steps("D71-T3.4", prose="0 <= P_0 <= P_0 + P_e, and the order of two solutions is kept."), instances(6, n=(1, 2), p=(1, 2), horizon=3)],
+      always(k, psd(Pa[k]) & psd(P[k]) & loewner(P[k], Pa[k]) & loewner(Pb[k], P[k])), sizes=["n", "p"],
+      over={**MODEL, P0: positive_semidefinite(n), Pe: positive_semidefinite(n)}, where=RUNS,
+      by=[induction(base=order([Zero(n, n)], [P0], [P0], [Pe]), step=order(alone(Pa[k]), alone(P[k]), above(P[k], Pa[k]), above(Pb[k], P[k]))),
+          steps("D71-T3.4", prose="0 <= P_0 <= P_0 + P_e, and the order of two solutions is kept."), instances(6, n=(1, 2), p=(1, 2), horizon=3)],
       note="P_b starts from P_0 + P_e. That both bounds tend to P_e is parts (a) to (c) of the proof.")
 
 CLOSED = [let(K, Phi*(I - gain(Pe)*M)), rec(Wk, k, P0, K*Wk[k]*T(K))]
