@@ -251,10 +251,11 @@ DECOMPOSED = {Ms: matrix(n, n), Mr: matrix(n, q), Mh: matrix(q, q), Ns: nonsingu
 M_UPPER, N_UPPER = block([[Ms, Mr], [Zero(q, n), Mh]]), block([[Ns, Nr], [Zero(q, n), Nh]])
 CHI_S, CHI_H = det(Ms - Z * Ns), det(Mh - Z * Nh)
 claim("NWL92-E5.23", "if M_s and N_s belong to the stable eigenmodes, J is stable",
-      schur(inv(Ns) * Ms) & (degree(CHI_S) == n) & (det(M_UPPER - Z * N_UPPER) == CHI_S * CHI_H),
-      sizes=["n", "q"], over=DECOMPOSED, given=[given("n stable eigenmodes", inside_roots(CHI_S) == n)],
-      by=[example({"n": 1, "q": 1, Ms: [[2]], Mr: [[0]], Mh: [[1]], Ns: [[1]], Nr: [[0]], Nh: [[1]]}),
-          instances(made_by={Ms: Ns * W0 * (1 / (1 + trace(W0 * T(W0))))}, using={W0: matrix(n, n)}, n=(1, 2), q=(1, 2))],
+      schur(J) & (det(M_UPPER - Z * N_UPPER) == CHI_S * CHI_H),
+      sizes=["n", "q"], over={**DECOMPOSED, J: matrix(n, n)},
+      given=[given("J = N_s^-1 M_s", Ns * J == Ms), given("n stable eigenmodes", inside_roots(CHI_S) == n)],
+      by=[*[example({"n": 1, "q": 1, Ms: [[m]], Mr: [[0]], Mh: [[1]], Ns: [[1]], Nr: [[0]], Nh: [[1]], J: [[2]]}) for m in (2, 0)],
+          instances(made_by={J: W0 * (1 / (1 + trace(W0 * T(W0)))), Ms: Ns * J}, using={W0: matrix(n, n)}, n=(1, 2), q=(1, 2))],
       note=("The eigenmodes of M - zN are those of both diagonal blocks, and J is N_s^-1 M_s. In the scan the last block of N is N_2, which is read as "
             "that of the same place in M."))
 
