@@ -356,10 +356,21 @@ claim("NWL92-E4.5", "the error covariance of the stable filter stays bounded and
           example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note="Ps is nonnegative by NWL92-E4.18. The limit is Ps, as the powers Pow[t] of the stable Le A tend to zero (NWL92-E4.17); it is finite.")
 
+As, Gs = symbols("As Gs")
+OLD_NOISE = Gs * system.NOISE_G * T(Gs)
+FILTER_REC = [let(As, V * Ln * U * A), let(Gs, hstack(V * Ln * U, V * F)), rec(W, t, W0, As * W[t] * T(As) + OLD_NOISE), rec(Pow, t, Identity(n), As * Pow[t])]
+#: A with Ln U A V = N, N^2 = 0, for l = n = 2, in which the solution is a sum of two terms
+FILTER_MADE = {**system.RANDOM_NOISE, M: X0 * block([[0, 1], [0, 0]]) * inv(X0) * a, Ln: inv(U * E * V), F: Zero(n, p), A: inv(U) * inv(Ln) * M * inv(V),
+               Ps: OLD_NOISE + As * OLD_NOISE * T(As)}
+T41_ONES = {"l": 1, "n": 1, "p": 1, E: [[1]], A: [["1/2"]], C: [[0]], U: [[1]], V: [[1]], Ln: [[1]], F: [[0]], Q: [[3]], S: [[0]], R: [[0]], Ps: [[4]], W0: [[0]]}
 claim("NWL92-T4.1", "a detectable system has a stable filter with finite limit of the error covariance",
-      schur(Nn) & always(t, ERROR_IS), sizes=["l", "p", "n"], over=LIMIT_OVER, where=[*ERROR_REC, let(Nn, Le * A)], given=[STABLE, LYAPUNOV],
-      by=[steps("NWL92-L4.1", "NWL92-E4.15", "NWL92-E4.16", "NWL92-E4.17", "NWL92-E4.18", facts=["the powers of a stable matrix tend to zero"],
+      schur(As) & (Gs * vstack(E, C) == Identity(n)) & always(t, W[t] - Ps == Pow[t] * (W0 - Ps) * T(Pow[t])), sizes=["l", "n", "p"],
+      over={**NEW, Q: symmetric_matrix(l), S: matrix(l, p), R: symmetric_matrix(p), Ps: symmetric_matrix(n), W0: positive_semidefinite(n)}, where=FILTER_REC,
+      given=[LEFT_412, STABLE_413, given("(4.18)", Ps - As * Ps * T(As) == OLD_NOISE)],
+      by=[steps("NWL92-L4.1", "NWL92-E4.14a", "NWL92-E4.15", "NWL92-E4.16", "NWL92-E4.17", "NWL92-E4.18",
+                facts=["the powers of a stable matrix tend to zero", "a detectable pair (A, C) has a D with stable A + DC"],
                 prose=("Lemma 4.1 gives L_e, L_c; the filter (4.16) has the error recursion of NWL92-E4.16, and its covariance differs from the solution of (4.18) by "
                        "powers of L_e A on both sides.")),
-          example({**SCALAR, Ps: [[1]], W0: [[0]]}), example({**SCALAR, Ps: [[0]], W0: [[0]]}), MEMORY, NO_MEMORY],
-      note="A_s = L_e A and K_s = L_c with the left inverse of Lemma 4.1, whose stability is taken from there.")
+          *[example({**T41_ONES, **change}) for change in ({Ln: [[2]], A: [["1/4"]]}, {A: [[2]], Ps: [[-1]]}, {Ps: [[3]]})],
+          instances(8, made_by=FILTER_MADE, using={**system.RANDOM_NOISE_FREE, X0: nonsingular(2), a: scalar()}, l=2, n=2, p=(1, 2))],
+      note="A_s = L_e A and K_s = L_c, (L_e L_c) = Gs, from the left inverse and the D of the proof of Lemma 4.1. " + BACK_NOTE)
