@@ -269,7 +269,7 @@ CURVE = {"l": 3, "p": 1, "n": 2, A: [[1, 0], [0, 0], [0, 1]], E: [[1, 0], [0, 1]
          V0: [[1, 0], [0, 0]], V1: [[0, 0], [1, 0]]}
 e, f = symbols("e f")
 TWO = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
-COVARIANCE_A, COVARIANCE_B = (-(LAST * inverse * BOTTOM) for inverse in (Oia, Oib))
+COVARIANCE_A, COVARIANCE_B = symbols("Ca Cb")
 GAIN_A, GAIN_B = hstack(T(INVERSE[3]), T(INVERSE[4])), hstack(T(OTHER_INVERSE[3]), T(OTHER_INVERSE[4]))
 STATES = vstack(A, Zero(p, n))
 FLIP = block([[Identity(l), Zero(l, p)], [Zero(p, l), -Identity(p)]])
@@ -277,7 +277,8 @@ UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(GAIN_B * STATES), error_of(GAIN_B
 LOWER_TERMS = [GAIN_A * STATES * (Pa - f * Pb) * T(GAIN_A * STATES), e * (GAIN_A * FLIP * COVARIANCE * FLIP * T(GAIN_A)),
                f * error_of(GAIN_A - GAIN_B, Pb)]
 NEAR = [given("P_k <= P", loewner(Pb, Pa)), given("(1 - e)P <= P_k", loewner(Pa, f * Pb)), given("f = 1 - e", e + f == 1)]
-NEAR_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE))]
+NEAR_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE)),
+             let(COVARIANCE_A, -(LAST * Oia * BOTTOM)), let(COVARIANCE_B, -(LAST * Oib * BOTTOM))]
 SANDWICH = loewner(COVARIANCE_B, COVARIANCE_A) & loewner(COVARIANCE_A, f * COVARIANCE_B)
 NEAR_OVER = {**TWO_OVER, e: nonneg(), f: nonneg()}
 NEAR_GIVEN = [*TWO_INVERSES, NOISE, IMPLIED_RANK, *NEAR]
@@ -294,6 +295,7 @@ NEAR_FOILS = [example({**NEAR_ONES, **change}) for change in (
     {INVERSE[5]: [[-3]]}, {OTHER_INVERSE[5]: [[-1]]}, {Pa: [[2]], INVERSE[5]: [[-3]]}, {Pa: [[0]], INVERSE[5]: [[-1]]}, {e: 0, f: 2, Pa: [[2]], INVERSE[5]: [[-3]]},
     {e: 0, f: 0, Pa: [[0]], INVERSE[5]: [[-1]]}, {Q: [[0]], e: 1, f: 2, Pa: [[2]], Pb: [[1]], INVERSE[5]: [[-2]], OTHER_INVERSE[5]: [[-1]]},
     {Q: [[0]], e: 1, f: 1, Pa: [[0]], Pb: [[0]], INVERSE[5]: [[0]], OTHER_INVERSE[5]: [[-1]]},
+    {f: 2, e: 0, Pa: [[0]], Pb: [[0]], INVERSE[5]: [[-1]], OTHER_INVERSE[5]: [[-1]]},
     {f: 0, Q: [[0]], Pa: [[0]], INVERSE[5]: [[0]], OTHER_INVERSE[5]: [[-1]]}, {f: 2, e: 0, Pa: [[2]], Pb: [[2]], INVERSE[5]: [[-3]], OTHER_INVERSE[5]: [[-3]]})]
 NEAR_PROOF = filter_identities(UPPER_TERMS, LOWER_TERMS, of=TWO)
 claim("NWL92-S29", "the right side of (4.20) passes to the limit as the inverse does, as the footnote has it",
@@ -319,6 +321,7 @@ claim("NWL92-T4.2", "detectability gives a nonnegative solution of the Riccati e
 # ------------------------------------------------------------------ what stabilizability gives
 PRINTED_ROWS = block([[E, Q, S], [C, T(S), R]])
 RIGHT_ROWS = block([[E, Q, -S], [C, -T(S), R]])
+Rows = sym("Rows")
 #: E = C = Q = S = R = 1, A = 0, with a right inverse up to the noise
 SAME_SIGN = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[1]], Na: [["1/2"]], Nb: [["1/2"]], Ma: [["1/2"]], Mb: [["-1/2"]], Mc: [[0]],
              Md: [[0]]}
@@ -330,9 +333,9 @@ ROWS_MADE = {**RANDOM_NOISE, A: Zero(l, n), Fi: inv(GRAM), Na: Fi * T(E), Nb: Fi
 ROWS_DRAWN = instances(made_by=ROWS_MADE, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)
 EMPTY = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]], C: [[0]], Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
 claim("NWL92-S34", "stabilizability gives full row rank, as printed with S for -S",
-      rank(PRINTED_ROWS) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, given=[NOISE, STABILIZABLE], by=[example(SAME_SIGN), ROWS_DRAWN],
+      rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, PRINTED_ROWS)], given=[NOISE, STABILIZABLE], by=[example(SAME_SIGN), ROWS_DRAWN],
       repair=repair("sign", "S must have the sign it has in Definition 4.1, which (s, t) = (1, 0) gives: with S for -S the rank is another one",
-                    rank(RIGHT_ROWS) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, given=[STABILIZABLE], by=[order(), example(EMPTY), ROWS_DRAWN]),
+                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[order(), example(EMPTY), ROWS_DRAWN]),
       note=CERTIFICATES)
 
 v0, v1 = null_vector(0), null_vector(1)
@@ -342,7 +345,7 @@ ROWS_PROOF = order([], ROWS_ENERGY, [], inside=[within(0, (ROWS_ENERGY[0] + ROWS
                                                        vector="left")])
 ROWS_P = {**SYSTEM, P: positive_semidefinite(n)}
 claim("NWL92-S35", "full row rank without APA' gives it with APA'",
-      rank(block([[E, A * P * T(A) + Q, S], [C, T(S), R]])) == l + p, sizes=["l", "n", "p"], over=ROWS_P,
+      rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_P, where=[let(Rows, block([[E, A * P * T(A) + Q, S], [C, T(S), R]]))],
       given=[NOISE, given("full row rank", rank(PRINTED_ROWS) == l + p)],
       by=[ROWS_PROOF, example({"l": 1, "p": 1, "n": 1, A: [[0]], P: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]], C: [[0]]}),
           instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)],
@@ -380,7 +383,9 @@ claim("NWL92-T4.3.3", "the steady-state filter is stable",
 UNIQUE_OVER, UNIQUE_LETS = {**TWO_OVER, **STABILIZER}, [*TWO_LETS, *TWO_GAINS]
 UNIQUE_GIVEN = [*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE]
 UNIQUE_EVIDENCE = [example({**PAIR_OF_SOLUTIONS, **ZEROS}), *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME]
-UNIQUE_STEPS = steps("NWL92-T4.2", "NWL92-S37", "NWL92-E4.45", "NWL92-E4.46", "NWL92-S39", prose="There is a solution by Theorem 4.2, and two are equal.")
+EXISTENCE_FACTS = ["an increasing bounded sequence of symmetric matrices converges", "the ranges of an increasing sequence of nonnegative matrices become constant"]
+UNIQUE_STEPS = steps("NWL92-S28", "NWL92-S37", "NWL92-E4.45", "NWL92-E4.46", "NWL92-S39", facts=EXISTENCE_FACTS,
+                     prose="There is a solution, by the argument of Theorem 4.2, and two are equal.")
 claim("NWL92-T4.3.2", "the Riccati equation has exactly one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over=UNIQUE_OVER, where=UNIQUE_LETS, given=UNIQUE_GIVEN, by=[UNIQUE_STEPS, *UNIQUE_EVIDENCE],
       note=CERTIFICATES + " That there is one is Theorem 4.2.")
@@ -399,5 +404,6 @@ claim("NWL92-T4.3.1", "from every start the covariances converge exponentially f
       note="L, K are the gains of the solution P. What is tested is that P_k lies between the covariance from zero and W_k, and how W_k tends to P.")
 
 claim("NWL92-T4.3", "convergence, uniqueness and stability", BETWEEN, **WHOLE,
-      by=[steps("NWL92-T4.3.1", "NWL92-T4.3.2", "NWL92-T4.3.3", prose="The three parts of the theorem."), WHOLE_ONES, WHOLE_DRAWN],
+      by=[steps("NWL92-S28", "NWL92-S37", "NWL92-S39", "NWL92-S40", "NWL92-S41", "NWL92-S42", "NWL92-T4.3.3",
+                facts=[*EXISTENCE_FACTS, "the powers of a stable matrix tend to zero exponentially fast"], prose="There is one solution, as for NWL92-T4.3.2. " + RATE), WHOLE_ONES, WHOLE_DRAWN],
       note="The three parts are NWL92-T4.3.1, NWL92-T4.3.2 and NWL92-T4.3.3; what is tested here is the first.")
