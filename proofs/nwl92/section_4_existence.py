@@ -273,8 +273,8 @@ COVARIANCE_A, COVARIANCE_B = symbols("Ca Cb")
 GAIN_A, GAIN_B = hstack(T(INVERSE[3]), T(INVERSE[4])), hstack(T(OTHER_INVERSE[3]), T(OTHER_INVERSE[4]))
 STATES = vstack(A, Zero(p, n))
 FLIP = block([[Identity(l), Zero(l, p)], [Zero(p, l), -Identity(p)]])
-UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(GAIN_B * STATES), error_of(GAIN_B - GAIN_A, Pa)]
-LOWER_TERMS = [GAIN_A * STATES * (Pa - f * Pb) * T(GAIN_A * STATES), e * (GAIN_A * FLIP * COVARIANCE * FLIP * T(GAIN_A)),
+UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(STATES) * T(GAIN_B), error_of(GAIN_B - GAIN_A, Pa)]
+LOWER_TERMS = [GAIN_A * STATES * (Pa - f * Pb) * T(STATES) * T(GAIN_A), e * (GAIN_A * FLIP * COVARIANCE * FLIP * T(GAIN_A)),
                f * error_of(GAIN_A - GAIN_B, Pb)]
 NEAR = [given("P_k <= P", loewner(Pb, Pa)), given("(1 - e)P <= P_k", loewner(Pa, f * Pb)), given("f = 1 - e", e + f == 1)]
 NEAR_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE)),
