@@ -34,7 +34,7 @@ not_checked("NWL92-E1.1", "the descriptor dynamics", DEFINITION)
 not_checked("NWL92-E1.2", "the measurements", DEFINITION)
 not_checked("NWL92-E1.3", "the covariance of the noises", DEFINITION)
 
-n, l = symbols("n l")
+n = sym("n")
 A, P, Q, xh, xa, xb, la, lb, y1, y2 = symbols("A P Q xh xa xb la lb y1 y2")
 #: conditions (2.9) for xh = xa + nu and 0 = E xb - A xa - u, with E = I and with E = 0
 WITH_I = block([[P, Zero(n, n), Identity(n), Zero(n, n)], [Zero(n, n), Q, -A, Identity(n)], [Identity(n), -T(A), Zero(n, n), Zero(n, n)],

@@ -38,12 +38,33 @@ from exactkf.language import (
     vector,
     vstack,
 )
-from proofs.nwl92.notation_system import F_BLOCK, NOISE, NOISE_G, RANDOM_NOISE, RANDOM_NOISE_FREE, RANK, VARYING, A, C, E, P, Q, R, S, filter_identities, l, m, n, noise, p
+from proofs.nwl92.notation_system import (
+    F_BLOCK,
+    NOISE,
+    NOISE_G,
+    RANDOM_NOISE,
+    RANDOM_NOISE_FREE,
+    RANK,
+    VARYING,
+    A,
+    C,
+    E,
+    P,
+    Q,
+    R,
+    S,
+    filter_identities,
+    l,
+    m,
+    n,
+    noise,
+    p,
+)
 from proofs.nwl92.section_3 import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 k, N_STEPS = symbols("k J")
-x, x0, nu, xh, u, r, y = symbols("x x0 nu xh u r y")
+x, x0, nu, xh, u, y = symbols("x x0 nu xh u y")
 
 claim("NWL92-E3.1", "the prior makes x(0) estimable, with the prior mean as estimate and the prior covariance as that of its error",
       (xh - x0 == nu) & (block([[P, Identity(n)], [Identity(n), Zero(n, n)]]) * vstack(Zero(n, 1), xh) == vstack(xh, Zero(n, 1)))

@@ -159,9 +159,7 @@ A_NEW, L_NEW = block([[A11, A12], [A21, A22]]), block([[Identity(r), D], [Zero(q
 AFTER = block([[A11 + D * A21, A12 + D * A22], [Zero(q, r), Zero(q, q)]])
 D_STABLE = given("A11 + D A21 stable", schur(A11 + D * A21))
 NEW_SIZES = {"r": (1, 2), "m": (1, 2), "q": (1, 2)}
-F_EQUATION = given("(4.10)", F * C2 == vstack(-(D * E22), Identity(q)))
 C2_LEFT = inv(T(C2) * C2) * T(C2)
-SHRUNK = {X0: matrix(r, r), D: matrix(r, m)}
 
 
 def shrunk(more=None, **sizes):
@@ -176,7 +174,7 @@ claim("NWL92-S24", "if C has full column rank, L_e = 0 will do",
           example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[1]], C2L: [[2]], Le: [[1]]})],
       note="L_e = 0 is written as zero times a matrix; the zero matrix is stable.")
 
-X12, Kc, Rc, Wr, Wt2, Ct = symbols("X12 Kc Rc Wr Wt2 Ct")
+X12 = sym("X12")
 not_checked("NWL92-E4.9", "A in the new coordinates", DEFINITION)
 claim("NWL92-E4.10", "there are such F if C_2 has full column rank",
       (vstack(-(D * E22), Identity(q)) * C2_LEFT + vstack(X12, X1) * (Identity(p) - C2 * C2_LEFT)) * C2 == vstack(-(D * E22), Identity(q)), sizes=["r", "m", "q", "p"],
@@ -226,7 +224,7 @@ claim("NWL92-S27", "the matrix (4.13) is stable because A_11 + DA_22 is, as prin
       note="D is that of the text before (4.10), for which A_11 + DA_21 is stable.")
 
 # ------------------------------------------------------------------ back to the old coordinates
-An, Ln, En, Cn = symbols("An Ln En Cn")
+Ln, En, Cn = symbols("Ln En Cn")
 NEW = {E: matrix(l, n), A: matrix(l, n), C: matrix(p, n), U: nonsingular(l), V: nonsingular(n), Ln: matrix(n, l), F: matrix(n, p)}
 LEFT_412 = given("(4.12)", Ln * (U * E * V) + F * (C * V) == Identity(n))
 STABLE_413 = given("(4.13) stable", schur(Ln * (U * A * V)))
@@ -292,7 +290,7 @@ not_checked("NWL92-S26", "there is a D with stable A_11 + DA_21",
 
 # ------------------------------------------------------------------ Theorem 4.1
 xa, xb, sa, u, w, y = symbols("xa xb sa u w y")
-W, W0, Ps, Pt, Pow, M, Nn = symbols("W W0 Ps Pt Pow M Nn")
+W, W0, Ps, Pt, Pow, M = symbols("W W0 Ps Pt Pow M")
 LEFT_INVERSE = given("(4.6)", Le * E + Lc * C == Identity(n))
 MADE_LEFT = {Kx: inv(T(E) * E + T(C) * C), Le: Kx * T(E) + X0 * (Identity(l) - E * Kx * T(E)), Lc: Kx * T(C) - X0 * E * Kx * T(C)}
 STEP = {A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Le: matrix(n, l), Lc: matrix(n, p), xa: vector(n), xb: vector(n), u: vector(l), w: vector(p)}
@@ -350,9 +348,10 @@ claim("NWL92-E4.17", "the error covariance of the stable filter tends to the sol
 
 BOUND_W = Pow[t] * W0 * T(Pow[t])
 claim("NWL92-E4.5", "the error covariance of the stable filter stays bounded and has a limit",
-      always(t, ERROR_IS & psd(W[t]) & loewner(Ps + BOUND_W, W[t])), sizes=["l", "p", "n"], over={**LIMIT_OVER, Ps: positive_semidefinite(n)}, where=ERROR_REC,
-      given=[system.NOISE, LYAPUNOV],
-      by=[induction(base=order([], [W0], [Ps]), step=order([], [(Le * A) * W[t] * T(Le * A), NOISE_FORM], [Le * A * Pow[t] * Ps * T(Le * A * Pow[t])])),
+      always(t, ERROR_IS) & always(t, psd(W[t])) & always(t, loewner(Ps + BOUND_W, W[t])), sizes=["l", "p", "n"],
+      over={**LIMIT_OVER, Ps: positive_semidefinite(n)}, where=ERROR_REC, given=[system.NOISE, LYAPUNOV],
+      by=[induction(also=[[], [], [ERROR_IS]], base=[order(), order([W0]), order([], [Ps])],
+                    step=[order(), order([(Le * A) * W[t] * T(Le * A), NOISE_FORM]), order([], [Le * A * Pow[t] * Ps * T(Pow[t]) * T(Le * A)])]),
           example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note="Ps is nonnegative by NWL92-E4.18. The limit is Ps, as the powers Pow[t] of the stable Le A tend to zero (NWL92-E4.17); it is finite.")
 

@@ -168,11 +168,8 @@ claim("NWL92-E4.20", "the Riccati recursion gives error covariances, whichever (
       by=[filter_identities(), NO_INVERSE, drawn()], note="A definition; what is checked is that the next P is the error covariance with the gains of (4.29).")
 
 # ------------------------------------------------------------------ increasing and bounded
-BOUNDED = [FROM_ZERO, rec(sym("Wt"), t, Zero(n, n), constant_gain(sym("Wt")[t]))]
-Wt, W, P0 = symbols("Wt W P0")
-RANDOM_GAINS = {**RANDOM_NOISE, sym("Hi"): inv(GRAM), L: sym("Hi") * T(E), K: sym("Hi") * T(C)}
+Wt, P0 = symbols("Wt P0")
 RECURSION_SIZES = {"l": (1, 2), "p": (1, 2), "n": (1, 2)}
-GAINS_DRAWN = instances(8, made_by=RANDOM_GAINS, using=RANDOM_NOISE_FREE, horizon=3, **RECURSION_SIZES)
 NOTHING = Zero(n, n)
 claim("NWL92-E4.21", "the first covariance is not smaller than zero",
       loewner(NEXT, NOTHING), sizes=["l", "n", "p"], over={**SYSTEM, **block_types()}, where=[let(Om, three_block(NOTHING)), OMEGA_INVERSE],
@@ -260,7 +257,7 @@ claim("NWL92-S28", "the covariances from zero increase and are bounded",
       note=("P is the P_s of the stable filter with L_e = L, L_c = K. So they converge; that the limit satisfies (4.19) is the corrected NWL92-S29."))
 
 # ------------------------------------------------------------------ the limit
-V0, V1, i, F0, Wz = symbols("V0 V1 i F0 Wz")
+V0, V1, i = symbols("V0 V1 i")
 ALONG = (V0 + V1 / Z) * T(V0 + V1 / Z)
 AT_LIMIT = -(LAST * one_inverse(three_block(V0 * T(V0))) * BOTTOM)
 AT_INFINITY = next_covariance(ALONG)

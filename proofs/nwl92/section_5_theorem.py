@@ -23,7 +23,7 @@ a left eigenvector of the stable K N1.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, instances, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -44,6 +44,7 @@ from exactkf.language import (
     outside_roots,
     positive_semidefinite,
     rank,
+    rational,
     rev,
     scalar,
     schur,
@@ -106,10 +107,11 @@ claim("NWL92-E5.17", "the eigenmodes together",
           *CASES, example({"k": 1, "n": 1, F: [[1]], K: [[1]], G: [[0]]}), DRAWN, systems()], note=COUNTED)
 
 d0, ds, du, di = symbols("d0 ds du di")
+half = rational("1/2")
 claim("NWL92-S45", "(5.16) and (5.17) give n stable eigenmodes",
       d0 + ds == n, over={d0: scalar(), ds: scalar(), du: scalar(), di: scalar(), n: scalar(), k: scalar()},
       given=[given("(5.16a)", ds == du), given("(5.16b)", di - d0 == k - n), given("(5.17)", d0 + ds + du + di == n + k)],
-      by=[order(), *[example({n: 1, k: 1, d0: a, ds: b, du: c, di: d}) for a, b, c, d in ((0, 2, 0, 0), (1, 1, 1, 0), (1, 1, 1, 1))],
+      by=[combination([(half, "(5.16a)", 1), (-half, "(5.16b)", 1), (half, "(5.17)", 1)]), *[example({n: 1, k: 1, d0: a, ds: b, du: c, di: d}) for a, b, c, d in ((0, 2, 0, 0), (1, 1, 1, 0), (1, 1, 1, 1))],
           instances(made_by={ds: n - d0, du: ds, di: k - n + d0})],
       note="The numbers of zero, stable, unstable and infinite eigenmodes are d0, ds, du, di; k = l + p.")
 
@@ -129,7 +131,8 @@ FREE = {**FREE, W0: nonsingular(n)}
 SIZES = {"l": (1, 2), "p": (1, 2), "n": (1, 2)}
 #: E = 2, A = 1, Q = 3, R = 1, C = S = 0: J = 1/2, P = 1
 ONE = {"l": 1, "p": 1, "n": 1, E: [[2]], A: [[1]], Q: [[3]], S: [[0]], R: [[1]], C: [[0]], X: [[2]], Y1: [[1]], Y2: [[0]], J: [["1/2"]]}
-#: the same with Q = 2, S = -1, R = 1, C = 1
+#: the same with Q = 4, S = 1: with J on the right the printed relation fails by the sign of S
+SIGNED = {**ONE, Q: [[4]], S: [[1]], Y2: [[1]]}
 PRINTED_M = block([[E, -Q, -S], [C, -T(S), -R], [Zero(n, n), T(A), Zero(n, p)]])
 RIGHT_M = block([[E, -Q, S], [C, T(S), -R], [Zero(n, n), T(A), Zero(n, p)]])
 RIGHT_N = block([[A, Zero(l, l), Zero(l, p)], [Zero(p, n), Zero(p, l), Zero(p, p)], [Zero(n, n), T(E), T(C)]])
@@ -137,7 +140,7 @@ BASIS = vstack(X, Y1, Y2)
 J_STABLE = given("J stable", schur(J))
 claim("NWL92-E5.18", "the eigenspace relation, as printed without J and with -S",
       PRINTED_M * BASIS == RIGHT_N * BASIS, sizes=["l", "p", "n"], over=SPACE, tex=TEX, given=[FIRST, SECOND, J_STABLE],
-      by=[example(ONE), instances(made_by=MADE, using=FREE, **SIZES)],
+      by=[example(SIGNED), instances(made_by=MADE, using=FREE, **SIZES)],
       repair=repair("factor", "the right side lacks the factor J, without which it says that all eigenmodes are one; and S has the sign that it has in (5.1)",
                     RIGHT_M * BASIS == RIGHT_N * BASIS * J, sizes=["l", "p", "n"], over=SPACE, given=[FIRST, SECOND],
                     by=[order(), example({**ONE, X: [[1]]}), example({**ONE, A: [[0]], X: [["3/2"]]}), instances(made_by=MADE, using=FREE, **SIZES)]),
@@ -148,7 +151,6 @@ PSD = {P: positive_semidefinite(n), U1: matrix(l, n), U2: matrix(p, n)}
 NOISE_P = K_ * P * T(K_) + G_
 SOLVES = given("P solves (4.19)", (NOISE_P * U == F_ * P) & (T(F_) * U == Identity(n)))
 Na, Nb, Ma, Mb, Mc, Md = (system.Na, system.Nb, system.Ma, system.Mb, system.Mc, system.Md)
-RIGHT_INVERSE = hstack(Na, Nb)
 STABLE_GAIN = given("U'K stable", schur(T(U) * K_))
 GAPS = X - P * FY
 THEOREM_NOTE = ("P solves (4.19) if (KPK' + G)(U1; U2) = (E; C)P and (U1' U2')(E; C) = I, as the last block column (U; -P) of the inverse of the 3-block matrix does. ")
@@ -245,7 +247,7 @@ claim("NWL92-T5.1", "the solution of the Riccati equation from the stable eigens
 not_checked("NWL92-E5.22", "the generalized real Schur decomposition of the pencil",
             "a classical theorem, quoted; its orthogonal factors are algebraic numbers of unbounded degree")
 
-Ms, Mr, Mh, Ns, Nr, Nh, MM, NN, Qs, Qr, Zs, Zr = symbols("Ms Mr Mh Ns Nr Nh MM NN Qs Qr Zs Zr")
+Ms, Mr, Mh, Ns, Nr, Nh, MM, NN, Qs, Qr, Zs = symbols("Ms Mr Mh Ns Nr Nh MM NN Qs Qr Zs")
 q = sym("q")
 DECOMPOSED = {Ms: matrix(n, n), Mr: matrix(n, q), Mh: matrix(q, q), Ns: nonsingular(n), Nr: matrix(n, q), Nh: matrix(q, q)}
 M_UPPER, N_UPPER = block([[Ms, Mr], [Zero(q, n), Mh]]), block([[Ns, Nr], [Zero(q, n), Nh]])

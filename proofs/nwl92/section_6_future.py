@@ -427,7 +427,6 @@ claim("NWL92-S56", "neither F nor the noise depends on T_2(z)",
       over=COMPATIBLE_OVER, given=COMPATIBLE_GIVEN, by=[FROM_FORM, *COMPATIBLE_FOILS, COMPATIBLE_DRAWN], note=COMPATIBLE_NOTE)
 
 DETECTABLE = given("detectable", (system.Le * system.E + system.Lc * system.C == Identity(n)) & schur(system.Le * system.A))
-ROW_V = hstack(v0, v1)
 S55_OVER = {**system.SYSTEM, system.Le: matrix(n, l), system.Lc: matrix(n, p), **system.STABILIZER, v0: matrix(1, l), v1: matrix(1, l)}
 #: E = (1; 0), A = 0, C = 0, Q and R identities: the second equation is 0 = u_2
 OVERDETERMINED = {"l": 2, "p": 1, "n": 1, E: [[1], [0]], A: [[0], [0]], "C": [[0]], Q: [[1, 0], [0, 1]], "S": [[0], [0]], R: [[1]], "Le": [[1, 0]], "Lc": [[0]],
@@ -479,7 +478,6 @@ C, lam1, lam2, Qs = symbols("C lam1 lam2 Qs")
 LAM, HI = vstack(lam1, lam2), vstack(Identity(n), C)
 FLIP, AHEAD_A = block([[Identity(n), Zero(n, p)], [Zero(p, n), -Identity(p)]]), vstack(A, Zero(p, n))
 BY_FORM = FLIP * block([[Q, S], [T(S), R]]) * FLIP + AHEAD_A * P * T(AHEAD_A)
-NOISE_57 = block([[A * P * T(A) + Q, -S], [-T(S), R]])
 ENERGY_57 = T(LAM) * BY_FORM * LAM
 claim("NWL92-S57", "for E = I ordinary inverses suffice where perfect information is not redundant",
       (lam1 == Zero(n, 1)) & (lam2 == Zero(p, 1)) & (x0 == Zero(n, 1)), sizes=["n", "p"],
