@@ -347,11 +347,12 @@ claim("NWL92-E4.17", "the error covariance of the stable filter tends to the sol
             "to zero as Le A is stable."))
 
 BOUND_W = Pow[t] * W0 * T(Pow[t])
+CLOSED_LA = T(T(Le * A))
 claim("NWL92-E4.5", "the error covariance of the stable filter stays bounded and has a limit",
       always(t, ERROR_IS) & always(t, psd(W[t])) & always(t, loewner(Ps + BOUND_W, W[t])), sizes=["l", "p", "n"],
       over={**LIMIT_OVER, Ps: positive_semidefinite(n)}, where=ERROR_REC, given=[system.NOISE, LYAPUNOV],
-      by=[induction(also=[[], [], [ERROR_IS]], base=[order(), order([W0]), order([], [Ps])],
-                    step=[order(), order([(Le * A) * W[t] * T(Le * A), NOISE_FORM]), order([], [Le * A * Pow[t] * Ps * T(Pow[t]) * T(Le * A)])]),
+      by=[induction(base=[order(), order([W0]), order([Ps])],
+                    step=[order(), order([CLOSED_LA * W[t] * T(CLOSED_LA), NOISE_FORM]), order([CLOSED_LA * (Ps + BOUND_W - W[t]) * T(CLOSED_LA)])]),
           example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note="Ps is nonnegative by NWL92-E4.18. The limit is Ps, as the powers Pow[t] of the stable Le A tend to zero (NWL92-E4.17); it is finite.")
 

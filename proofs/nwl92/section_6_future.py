@@ -133,7 +133,7 @@ claim("NWL92-S54", "an equation arbitrarily far ahead can be the first to constr
 not_checked("NWL92-E6.2", "future dynamics", DEFINITION)
 
 # ------------------------------------------------------------------ elimination of the future states
-H2, H3, K, ka, w, y2 = symbols("H2 H3 K ka w y2")
+H2, H3, K, ka = symbols("H2 H3 K ka")
 F, V, R = symbols("F V R")
 claim("NWL92-E6.3", "future dynamics act as one measurement Fx(j) = w(j)",
       (x0 - P * T(F) * ka == xh) & (V * ka + F * x0 == Zero(g, 1)), sizes=["n", "m", "k", "g"],
@@ -154,7 +154,7 @@ claim("NWL92-E6.3", "future dynamics act as one measurement Fx(j) = w(j)",
             "Neither depends on j, as (6.4) does not."))
 
 # ------------------------------------------------------------------ rows T_0, T_1, ... with constant T(z)(zE - A)
-T0, T1, T2, z, Tt, X, U, W = symbols("T0 T1 T2 z Tt X U W")
+T0, T1, T2, z, Tt, W = symbols("T0 T1 T2 z Tt W")
 PENCIL = {E: matrix(l, n), A: matrix(l, n)}
 ROWS = {T0: matrix(g, l), T1: matrix(g, l), T2: matrix(g, l)}
 STATES = {x0: vector(n), x1: vector(n), x2: vector(n), x3: vector(n)}
@@ -297,7 +297,7 @@ claim("NWL92-E6.13", "(6.12) as a linear equation for (F_1 F_2), as printed",
       note="Under (6.11). The corrected statement is the equivalence with (6.12), itself corrected.")
 
 # ------------------------------------------------------------------ constant solutions
-N0, N1, K0, K1, B0, B1, p0, p1, p2 = symbols("N0 N1 K0 K1 B0 B1 p0 p1 p2")
+K0, K1, B0, B1, p0, p1, p2 = symbols("K0 K1 B0 B1 p0 p1 p2")
 half = rational("1/2")
 P_Z = p0 + z * p1 + z * z * p2
 COEFFICIENTS = [vstack(B0 * K0, -(p0 * Identity(q))), vstack(B0 * K1 + B1 * K0, -(p1 * Identity(q))), vstack(B1 * K1, -(p2 * Identity(q)))]
