@@ -60,7 +60,7 @@ from proofs.nwl92.notation_system import (
     noise,
     p,
 )
-from proofs.nwl92.section_3 import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
+from proofs.nwl92.section_3_three_blocks import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 k, N_STEPS = symbols("k J")

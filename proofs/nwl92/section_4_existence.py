@@ -127,7 +127,7 @@ from proofs.nwl92.notation_system import (
     solved,
     three_block,
 )
-from proofs.nwl92.section_4 import (
+from proofs.nwl92.section_4_steady_state import (
     ERROR_1,
     FROM_ZERO,
     LG,
