@@ -366,7 +366,7 @@ def restated(*facts: str) -> Evidence:
 
 
 def part(covers: str) -> Evidence:
-    """Beside other evidence: the formula covers only that part of what is printed (one state, real eigenvalues, some samples), so that a proof of it counts as `instances`.
+    """Beside other evidence: the formula covers only that part of what is printed (one state, some samples), so that a proof of it counts as `instances`.
 
     Raises
     ------

@@ -31,7 +31,8 @@ def test_a_part_that_is_false_refutes_the_whole():
 
 def test_no_steps_rest_on_a_part(monkeypatch):
     """A claim of a part is no displayed step that is proved."""
-    claims = {c.id: c for c in (Claim("X-1", "", "", REVERSED, (part("two matrices"), instances(n=(1, 2)))), Claim("X-2", "", "", REVERSED, (instances(n=(1, 2)),)))}
+    some = instances(n=(1, 2))
+    claims = {"X-1": Claim("X-1", "", "", REVERSED, (part("two matrices"), some)), "X-2": Claim("X-2", "", "", REVERSED, (some,))}
     monkeypatch.setattr("exactkf.engine.load", lambda: claims)
     unproved = Statement(x**4 - x + 1 > 0, over={x: scalar()})
     found = {id: verify_claim(Claim("X-3", "", "", unproved, (steps(id), instances())))["strength"] for id in claims}
