@@ -25,7 +25,7 @@ every other rational point of the corridors the orbit ends or is dense.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import evaluation, example, induction, instances, steps
+from exactkf.evidence import evaluation, example, induction, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -51,20 +51,24 @@ LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)
 TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 claim("BLM91-X.3", "the period for kappa = -sec(2 pi q/p), by the closed form",
       forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"], over={q: integer(1, 29)},
-      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
+      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[part("p <= 60, one point of each hyperbola"), evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
       note="Every angle in lowest terms with p <= 60, that is both signs of kappa and kappa infinite (p = 4, q = 1), from one point of each hyperbola; "
-           "by (X.2) the point does not matter.")
+           "by (X.2) the point does not matter. For every p and every point see X.5.")
 claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itself",
       (1 + al0**2 - ga0**2 == 2 * lam * al0) & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)),
-      sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
+      sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[part("p <= 10, two points of each hyperbola"), evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
       note="(3.10) run step by step in the number field, from two points of each hyperbola.")
 claim("BLM91-X.5", "orbits that do not end have period p exactly when kappa = -sec(2 pi q/p)",
       forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)), over={p: integer(3, 8), q: integer(1, 3), u: scalar()},
       where=[*TURN, *ORBIT], given=LOWEST,
-      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"],
+      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"],
                 prose="gamma_0 is not 0 on these hyperbolas, since gamma^2 = (alpha - lambda)^2 + 1 - lambda^2; so the orbit is back after t steps exactly "
                       "when s_t M_t = 1 and s_t N_t = alpha_0, that is, when w^t = 1 by (X.2), where w + 1/w = -2/kappa"),
           instances(12), *(example(p=p_, q=1, u=u_) for p_, u_ in ((3, 2), (4, 2), (5, 2), (6, 2), (7, 3), (8, 2)))])
+
+claim("BLM91-X.13", "U_t by powers of w", always(t, (Ut[t] * (w - 1 / w) == w * W[t] - 1 / (w * W[t])) & (Sn[t] * (w - 1 / w) == W[t] - 1 / W[t])), over={w: nonzero()},
+      where=[let(lam, (w + 1 / w) / 2), rec(Ut, t, 1, 2 * lam * Ut[t] - Sn[t]), rec(Sn, t, 0, Ut[t]), rec(W, t, 1, w * W[t])], by=[induction(), instances()],
+      note="U_t = (w^(t+1) - w^(-t-1))/(w - 1/w) for 1/kappa = (w + 1/w)/2, W_t = w^t and S_t = U_(t-1). As for X.2, it holds on the unit circle too, where 1/kappa = cos(arg w).")
 
 # ---------------------------------------------------------------------- rational data
 claim("BLM91-X.6", "twice the cosine of a multiple angle, by a recursion with integer coefficients",
@@ -73,9 +77,11 @@ claim("BLM91-X.6", "twice the cosine of a multiple angle, by a recursion with in
       note="T_0 = 2, T_1 = x, T_(t+1) = x T_t - T_(t-1) for x = w + 1/w: T_t is a monic polynomial in x with integer coefficients for t >= 1.")
 claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
       iff(exists(k, -2, 2, 2 * lam == k), (p == 3) | (p == 4) | (p == 6)), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
-      note="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2; evaluated for p <= 60. For every p: "
-           "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6.")
+      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+                prose="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2, of which -2 and 2 leave w = 1, -1; "
+                      "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6"),
+          instances(40, p=range(3, 25)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
+      note="Among the fractions the formula has 2/kappa = -2, .., 2: no others are possible. Tried for p <= 24.")
 still, zero, top, low = symbols("still zero numerator denominator")
 #: 1/kappa a fraction, and any point of its hyperbola
 FRACTION = {top: integer(-12, 12), low: integer(1, 12), u: scalar()}
@@ -87,7 +93,7 @@ BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
 claim("BLM91-X.8", "rational data have the periods 1, 3, 4, 6 and no others",
       forall(t, 1, 13, iff(back(t), still | (2 * lam == 1) & many(3, t) | zero & many(4, t) | (2 * lam == -1) & many(6, t))),
       over=FRACTION, where=[*ON_FRACTION, *ORBIT, BACK, MANY, *FLAT],
-      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="1/kappa is rational with the point. For gamma_0 not 0 a return after t steps means w^t = 1 for w + 1/w = -2/kappa, w not 1 or -1 (for kappa = 1, -1 the "
                       "closed form grows with t), so that -2/kappa is an integer by (X.6)"),
           instances(60), *HALVES, STILL],
@@ -95,7 +101,7 @@ claim("BLM91-X.8", "rational data have the periods 1, 3, 4, 6 and no others",
 claim("BLM91-X.9", "rational data of the Riccati equation have the periods 1, 2, 3 and no others",
       forall(t, 1, 7, iff(al[t] == al0, still | (4 * lam**2 == 1) & many(3, t) | zero & many(2, t))),
       over=FRACTION, where=[*ON_FRACTION, *ORBIT, MANY, *FLAT],
-      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", "BLM91-X.7", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="alpha_t = alpha_0 says N_t = alpha_0 M_t, which is (w^t - w^(-t))(alpha_0^2 - 2 lambda alpha_0 + 1) = 0: gamma_0 = 0 or w^(2t) = 1"),
           instances(60), *HALVES, STILL],
       note="1/kappa and u as in X.8. The Riccati equation in the coordinate alpha = alpha_0/(1 - pi), in which it is the first equation of (3.10) on the hyperbola.")
@@ -115,9 +121,11 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
 
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first = symbols("odd d unit none first")
-claim("BLM91-X.10", "escape counts for every angle with p <= 60",
+claim("BLM91-X.10", "where U_j is 0, 1 or -1, for every rational angle",
       forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), sizes=["p"], over={q: integer(1, 29)},
       where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
-             function(first, [j], j == 0)], given=LOWEST, by=[evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
+             function(first, [j], j == 0)], given=LOWEST,
+      by=[steps("BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"],
+                prose="w is not 1 or -1, and w^2 has order d: U_j = 0 says w^(2j+2) = 1, and U_j = 1 or -1 says that w^j or w^(j+2) has square 1"), instances(40, p=range(3, 25))],
       note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
            "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")

@@ -13,7 +13,7 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, part, steps, use
 from exactkf.language import *
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
@@ -52,7 +52,7 @@ claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (covariance(output(t + i), output(t)) == covariance(output(i), output(0))) & (covariance(output(0), output(0)) == 1))),
       sizes=["n", "m"], over=SYSTEM, where=STATE, by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
 claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
-      by=[identity(n=range(0, 7)), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
+      by=[identity(n=range(0, 7)), part("moving averages"), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
 claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
       by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
 claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
@@ -113,7 +113,7 @@ claim("BLM91-S8", "excursions, periods, and returns to the classical region",
       where=[let(growth, cospi(1, i)), let(stay, 2 * (growth + u) / (1 - u**2)), let(far, 1 + u * stay), rec(pit, t, -u, ((stay**2 - far**2) * pit[t] + far**2) / (1 - pit[t])),
              let(lam, -cospi(2, k)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK, rec(alb, t, 2, alb[t] / (1 - gab[t] ** 2)), rec(gab, t, 2, -gab[t] * alb[t] / (1 - gab[t] ** 2)),
              let(hits, sum_of(t, 1, 60, when(abs(alb[t]) > 5, 1, 0))), rec(alc, t, 1, alc[t] / (1 - gac[t] ** 2)), rec(gac, t, 3, -gac[t] * alc[t] / (1 - gac[t] ** 2)), let(flag, abs(alc[1]) + abs(gac[1]) < 1)],
-      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
+      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"], prose="the orbit of (2, 2), 1/kappa = 1/4, is dense; every period p >= 3 occurs, for alpha and hence the Riccati equation "
                 "every period p >= 2; (1, 3) enters the diamond, where orbits converge"), instances(5), example(k=3, i=2, u=2), example(k=4, i=3, u=2), example(k=6, i=5, u=3)],
       note="Period k for 1/kappa = -cos(2 pi/k), and period i of the Riccati equation (4.7) from -u for 1/kappa = cos(pi/i); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
 LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]

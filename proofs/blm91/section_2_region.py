@@ -23,7 +23,7 @@ linear fractional map with fixed points p and 1/p: the quotient (alpha - p)/(alp
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, identity, induction, instances, restated, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -129,6 +129,6 @@ claim("BLM91-E2.35", "the steady-state filter for n = 1",
       always(t, (kf[t] == al[t] - a) & (kfs[t] == ga[t]) & (-a - kf[t] == -al[t])), over=ag,
       where=[*scalar_orbit(a + g, g), rec(kf, t, g, (kf[t] + kfs[t] * a * kfs[t]) / (1 - kfs[t] ** 2)),
              rec(kfs, t, g, (-a * kfs[t] - kfs[t] * kf[t]) / (1 - kfs[t] ** 2))],
-      by=[induction(), instances()],
+      by=[induction(), restated("limits of sums of convergent sequences"), instances()],
       note="The filter at time t has the coefficients F - k_t = -alpha_t and k_t = alpha_t - a, with (1.9) for F = -a, h = 1; the steady-state filter is its limit, "
            "alpha_t tending to alpha_infinity by the convergence in the diamond.")

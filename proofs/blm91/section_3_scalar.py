@@ -118,8 +118,8 @@ TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where
 ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0="-1/2", gamma0="1/2", p=-1), example(m=2, alpha0=4, gamma0=3, p=1),
         example(m=1, alpha0=-4, gamma0=-3, p=-1), example(m=2, alpha0=3, gamma0=0, p="1/3")]
 claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY, **TO, given=[ROOT],
-      by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"),
-          instances(60, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO],
+      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"),
+          instances(60, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO],
       note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1, that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. "
            "Where the orbit exists, the equation shows that alpha_t - p tends to zero: for |p| < 1 because p^(2t) does (unless alpha_0 is the other fixed point 1/p), for p = 1, -1 "
            "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). For alpha_0 = 0 see S36. m is the time. Necessity is Theorem 3.3, 1), for which the print names Theorem 3.2, 1).")
@@ -149,9 +149,8 @@ claim("BLM91-R3.6.3", "forward and backward limits in the diamond", defined(bal[
       by=[example(m=2, alpha0="2/5", gamma0="2/5", p="1/2"), instances(m=(1, 2), **INSIDE)],
       repair=repair("missing hypothesis", "the backward orbit need not exist: (2/5, 2/5) has no preimage, the inverse formulas leading to (0, -1), where the map is not defined; "
                     "and (alpha_+, 0) is its own backward orbit; for all others the limits are right", MOVE & (pp ** (2 * m) * (pp * al0 - 1) / (al0 - pp) == (pp * bal[m] - 1) / (bal[m] - pp)), **BOTH, given=[ROOT],
-                    by=[identity(given_by=LINES, using={y: scalar()}, m=(0, 1, 2, 3),
-                                 fact="lines through a point of a conic reach every other point of it"),
-                        instances(60, m=(1, 2, 3), using={y: scalar()}, made_by=LINES)]),
+                    by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step and divided by it at each step back"),
+                        instances(60, m=(0, 1, 2, 3), using={y: scalar()}, made_by=LINES)]),
       note="p = alpha_+ and 1/p = alpha_-, |p| < 1. The backward step is alpha - gamma^2/alpha, -gamma/alpha. The equations are the limits: alpha_t - p is p^(2t) times "
            "a bounded factor, and so is p alpha_(-t) - 1. m is the time.")
 claim("BLM91-R3.6.4", "r_t along an orbit", always(t, r[t] == al0 / al[t]), over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, RT],

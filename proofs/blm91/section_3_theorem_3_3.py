@@ -57,7 +57,7 @@ BACK_N = function(back, [t], (q[t] == q0) & (qs[t] == qs0))
 SWEEP = [example(n=2, p=3, u=2), example(n=1, p=4, u=2), example(n=2, p=5, u=3), example(n=2, p=6, u=2)]
 claim("BLM91-T3.3.3", "periodic points of every period p >= 3 in every dimension", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), sizes=["n"], over={p: integer(3, 7), u: integer(2, 3)},
       where=[*PERIODIC, BACK_N],
-      by=[steps("BLM91-S55", "BLM91-X.2", "BLM91-X.3", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+      by=[steps("BLM91-S55", "BLM91-X.2", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the plane of points with first components only is invariant; in it every point of the hyperbola kappa = -sec(2 pi/p), |kappa| > 1, that does not end has period p, and arbitrarily close to it there are dense, "
                       "unbounded orbits: sensitivity as in Corollary 3.10"),
           instances(8, n=(1, 2)), *SWEEP],
@@ -72,7 +72,7 @@ PARTS = (*STEADY, let(q0, g + a), let(qs0, g), *STEP[2:], let(fixed, (un == q0) 
          let(steady, (n <= 2) & schur(az) & (D == dd * sg * recip(sg)) & (SX <= rational("1/2")) & (dd >= rational("1/4"))), let(near, dist < rational("1/1000")))
 claim("BLM91-T3.3", "Theorem 3.3", iff(fixed, flat) & SEMI[0] & SEMI[1] & (rest == Qp(m) * recip(Qp(m))) & (steady >> (near & schur(Qm) & schur(sg))) & forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1),
       sizes=["n", "m"], over={**STEADY_OVER, p: integer(3, 6), u: integer(2, 3)}, where=[*PARTS, *PLANE],
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", "BLM91-X.3", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the parts, in this order, are T3.3.1a to T3.3.3, argued there"),
           instances(20, n=(1, 2), m=(0, 1, 2), using={w: vector(n)}, made_by={x: w}), instances(6, n=(1, 2), m=(1, 2), **STEADY_DRAW),
           *(example(n=i_, m=1, a=[1, 2, 3][:i_], g=[0, 0, 0][:i_], x=[0, 0, 0][:i_], p=3, u=2) for i_ in (1, 2)), example(n=2, m=1, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"], p=4, u=2)],
@@ -84,7 +84,7 @@ claim("BLM91-R3.1.2", "periods of the algorithm and of the Riccati equation",
       forall(t, 1, p, iff(back(t), t == p)) & forall(t, 1, y, iff(flat(t), t == y)), over={p: integer(3, 9), y: integer(2, 8), u: integer(2, 3)},
       where=[let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, function(back, [t], (al[t] == al0) & (ga[t] == ga0)),
              let(fixed, cospi(1, y)), rec(un, t, u, 1 / (2 * fixed - un[t])), function(flat, [t], un[t] == u)],
-      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-S71", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+      by=[steps("BLM91-X.2", "BLM91-S71", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="q = 1 serves for every p; sensitivity as in Corollary 3.10, with a rational and an irrational angle close to each other"), instances(16), example(p=3, y=2, u=2), example(p=6, y=3, u=2), example(p=5, y=4, u=3)],
       note="Period p of (3.10) for 1/kappa = -cos(2 pi/p), and period y of the Riccati equation, in the coordinate alpha, for 1/kappa = cos(pi/y); the orbits are run in the number fields.")
 claim("BLM91-R3.5.1", "the stable directions of an equilibrium",

@@ -21,7 +21,7 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -55,7 +55,8 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
 MOVE = (al[m] - p) * (p * al0 - 1) == p ** (2 * m) * (al0 - p) * (p * al[m] - 1)
 claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends", MOVE & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
       over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
-      by=[identity(given_by=LINE, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"), instances(40, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINE)],
+      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step, and gamma^2 = (alpha - p)(alpha - 1/p) on the hyperbola"),
+          instances(40, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINE)],
       note="While the orbit exists, alpha_m - p is p^(2m) times a bounded factor (alpha_0 not 1/p), |p| < 1, and gamma_m follows. m is the time.")
 
 # ---------------------------------------------------------------------- a) 1) from region to region
@@ -145,10 +146,10 @@ claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC & (flag >> (al0
 claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
       repair=repair("other", "T3.5.a.1.iii and, for kappa^2 = 1, T3.5.b.orb fail: from II to I kappa alpha grows, not |alpha|; T3.5.b.eq fails: for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold",
                     (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],
-                    by=[steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
+                    by=[part("the steps between regions for kappa^2 < 1"), steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
       note="The conjunction of the parts, represented by the steps between regions.")
 AWAY = p ** (2 * m) / (al[m] - p) == 1 / (al0 - p) - sum_of(j, 1, m, p ** (2 * j - 1))
 claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", AWAY, sizes=["m"], over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
-      by=[identity(given_by=LINE, using={y: scalar()}, m=(0, 1, 2, 3, 4), fact="lines through a point of a conic reach every other point of it"), instances(40, m=(1, 2, 3, 4), using={y: scalar()}, made_by=LINE),
+      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"), instances(40, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINE),
           example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0=4, gamma0=3, p=1)],
       note="The sign definite regions are kappa^2 <= 1: p is real there, |p| <= 1, and the equation shows that alpha_m - p tends to 0 (for |p| = 1 because the sum grows); alpha_0 = 0 leads to (0, 0) by S36. The equilibrium 1/p itself stays where it is.")

@@ -16,7 +16,7 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, instances, steps
+from exactkf.evidence import example, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -31,9 +31,9 @@ KRONECKER = "Kronecker: multiples of an irrational part of a full turn are dense
 # ---------------------------------------------------------------------- the theorem
 claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), over={p: integer(3, 7), q: integer(1, 3), u: scalar()}, where=BY_OMEGA,
       given=[*LOWEST, EXISTS],
-      by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"], prose="|kappa| > 1 and omega = pi q/p give 1/kappa = cos(pi - 2 omega) = -cos(2 pi q/p), and X.5 is the statement"),
+      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"], prose="|kappa| > 1 and omega = pi q/p give 1/kappa = cos(pi - 2 omega) = -cos(2 pi q/p), and X.5 is the statement"),
           instances(3), *(example(p=p_, q=q_, u=2) for p_, q_ in ((3, 1), (4, 1), (5, 2), (6, 1), (7, 3)))],
-      note="omega = pi q/p < pi/4 is kappa < -1, where arctan sqrt(kappa^2 - 1) = 2 omega; omega > pi/4 is kappa > 1, where it is pi - 2 omega. u runs through points of the hyperbola; all angles with p <= 60 are decided in X.3.")
+      note="omega = pi q/p < pi/4 is kappa < -1, where arctan sqrt(kappa^2 - 1) = 2 omega; omega > pi/4 is kappa > 1, where it is pi - 2 omega. u runs through points of the hyperbola.")
 TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          function(gt, [i, t], when(t == 0, 1 / Ut[i - 1], -gt(i, t - 1) * st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), function(time, [i, t], defined(st(i, t - 1)) & ~defined(st(i, t))),
@@ -43,15 +43,18 @@ RIGHT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d 
 ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
-LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them. Every angle with "
+LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1; "
+             "a point that ends has alpha = U_i/U_(i-1) for some i, and U_(d-1) = 0 closes the list")
+BY_ORDER = steps("BLM91-X.1", "BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose=LIST_ENDS)
+LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them, on angles with "
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
-                    by=[evaluation(p=range(3, 10, 2)), instances(12, p=range(3, 9, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9.")
+                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9.")
 claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (ALL == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=COUNTED, given=[*LOWEST, EVEN],
-                    by=[evaluation(p=range(4, 15, 2)), instances(12, p=range(4, 9, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14. p = 4, kappa infinite, is right as printed.")
+                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14. p = 4, kappa infinite, is right as printed.")
 claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
       where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
       by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
@@ -76,7 +79,7 @@ claim("BLM91-T3.7.2b", "irrational angle: the points that end are countable and 
       note="1/kappa = 3/5, -1/3, 2/5, -4/5. hits: how many of the first 120 escaping slopes lie within 1/2 of a given one; far: how many of the first 120 numbers U_i vanish, so that the list would close; double: the slope belongs to two points.")
 claim("BLM91-T3.7", "Theorem 3.7: the two alternatives", forall(t, 1, d - 1, count(t) == 2), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST, by=[example(p=3, q=1), instances(p=range(3, 9))],
       repair=repair("boundary case", "T3.7.1odd and T3.7.1even fail: " + WHY + "; the other parts hold", RIGHT, sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
-                    by=[evaluation(p=range(3, 10)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
+                    by=[part("the count of points that end, for a rational angle"), BY_ORDER, instances(16, p=range(3, 10)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2)]),
       note="Either theta is a rational multiple of pi or not; represented by the count of points that end in the first alternative, the part that fails.")
 
 # ---------------------------------------------------------------------- Corollary 3.8
@@ -84,28 +87,30 @@ CORRIDOR = standing("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)
 IN_CORRIDOR = dict(using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})
 NEAR = let(hits, sum_of(j, 1, 3, when(abs(lam + cospi(2 * j, 7)) < rational("1/2"), 1, 0)))
 claim("BLM91-C3.8.1", "periodic points are dense in the corridors", hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=[LAMBDA, NEAR], given=[CORRIDOR],
-      by=[steps("BLM91-X.2", "BLM91-X.3", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="1/kappa is a continuous and nowhere locally constant function of the point, and on kappa = -sec(2 pi q/p) all points but finitely many values of alpha are periodic"),
+      by=[steps("BLM91-X.2", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="1/kappa is a continuous and nowhere locally constant function of the point, and on kappa = -sec(2 pi q/p) all points but finitely many values of alpha are periodic"),
           instances(10, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2"), example(alpha0=-1, gamma0=1)],
       note="hits counts the hyperbolas of period 7 within 1/2 of the given one in 1/kappa, one sample of the approximation.")
 ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
 claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: scalar()}, where=ORDER,
-      given=[EXISTS], by=[steps("BLM91-X.2", "BLM91-X.3", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
+      given=[EXISTS], by=[steps("BLM91-X.2", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
       note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
 REALIZED = function(flag, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k >= 0)))
 below, above = symbols("below above")
 WITH = (GCD, REALIZED, function(below, [p], flag(p, -1)), function(above, [p], flag(p, 1)))
 INFINITE = ("kappa infinite, admitted by the theorem, belongs to both cases: both of its formulas give omega = pi/4 there, and (5.9), (5.10) have equality for it. It is the one hyperbola of period 4; "
             "no finite kappa has that period.")
-claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH, by=[evaluation(m=60), instances(m=(4, 6, 9))],
-      note="Period p occurs when 1/kappa = cos(pi (p - 2q)/p) <= 0 for a q prime to p, q < p/2. " + INFINITE + " p <= 60; q = 1 serves for every p >= 4.")
+claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH,
+      by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]", "exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose="1/kappa = cos(pi (p - 2q)/p) <= 0 says 4q <= p; q = 1 serves for every p >= 4, and p = 3 leaves q = 1 only"), instances(m=(4, 6, 9, 20))],
+      note="Period p occurs when 1/kappa = cos(pi (p - 2q)/p) <= 0 for a q prime to p, q < p/2. " + INFINITE + " Tried for all p up to m.")
 EXCEPT = function(far, [p], p != 6)
-claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, EXCEPT], by=[evaluation(m=60), instances(m=(4, 6, 9))],
-      note="As for kappa < -1, with 1/kappa >= 0. " + INFINITE + " p <= 60; for every p the number q of Lemma 5.1 serves.")
+claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, EXCEPT],
+      by=[steps("BLM91-X.2", "BLM91-X.12", "BLM91-L5.1.2", facts=["the cosine decreases on [0, pi]", "Bezout: numbers of which a combination with integer coefficients is 1 are coprime"], prose="1/kappa = cos(pi (p - 2q)/p) >= 0 says 4q >= p; the q of X.12 serves for p other than 6, for which there is none"), instances(m=(4, 6, 9, 20))],
+      note="As for kappa < -1, with 1/kappa >= 0. " + INFINITE + " Tried for all p up to m.")
 there = sym("lambda_xy")
 ALL_FOUR = (*ORDER, *WITH, EXCEPT, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
 claim("BLM91-C3.8", "Corollary 3.8", (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u)) & forall(d, 3, m, iff(below(d), d >= 4) & iff(above(d), far(d))), sizes=["m"],
       over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS],
-      by=[steps("BLM91-C3.8.3", "BLM91-C3.8.4", "BLM91-X.2", "BLM91-X.3", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, the q of X.12 for kappa > 1"),
+      by=[steps("BLM91-X.2", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, the q of X.12 for kappa > 1"),
           instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2)],
       note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, tried up to m, is C3.8.3 and C3.8.4.")
 
@@ -125,10 +130,10 @@ PAIR = (let(lam, rational("1/2")), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBI
 SENSITIVE = dict(over={u: integer(2, 9)}, where=PAIR)
 APART = "a periodic orbit is bounded and a dense one is not, so that for every bound some iterates are further apart"
 claim("BLM91-C3.10", "sensitive dependence on initial data", (al[3] == al0) & (ga[3] == ga0) & hits, **SENSITIVE,
-      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-X.6", facts=[KRONECKER], prose="near every point of the corridors there are periodic points and points with dense orbit; " + APART), instances(8)],
+      by=[steps("BLM91-X.2", "BLM91-X.6", facts=[KRONECKER], prose="near every point of the corridors there are periodic points and points with dense orbit; " + APART), instances(8)],
       note="A point of period 3 and the point 1/20 further in alpha: their distance exceeds 20 at some step t <= 200. Points whose orbit ends have no iterates to compare from then on; sensitivity is read for orbits that exist.")
 claim("BLM91-S40", "an orbit that is not periodic leaves its periodic neighbours", hits & forall(t, 0, 5, al[t + 3] == al[t]), **SENSITIVE,
-      by=[steps("BLM91-X.2", "BLM91-X.3", "BLM91-X.6", facts=[KRONECKER], prose="every orbit of the corridors ends, is periodic or is dense (Theorem 3.7); " + APART + "; an orbit that ends is at infinity at that step, its neighbours arbitrarily far out"), instances(8)],
+      by=[steps("BLM91-X.2", "BLM91-X.6", facts=[KRONECKER], prose="every orbit of the corridors ends, is periodic or is dense (Theorem 3.7); " + APART + "; an orbit that ends is at infinity at that step, its neighbours arbitrarily far out"), instances(8)],
       note="The dense orbit is the neighbour in the sample of C3.10. For an orbit that ends the distance at its last step is read as infinite.")
 claim("BLM91-S41", "a periodic orbit is left by neighbours with dense orbit", hits & (abs(alb[0] - al0) * 20 == 1) & (gab[0] == ga0), **SENSITIVE,
       by=[steps("BLM91-X.2", "BLM91-X.6", facts=[KRONECKER], prose="irrational angles are dense; " + APART), instances(8)], note="The sample of C3.10.")

@@ -15,7 +15,7 @@ For alpha_0 = 0 the step is constant, gamma_0^2, except at pi = 1. With |gamma_0
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, steps
+from exactkf.evidence import combination, example, identity, induction, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -185,7 +185,7 @@ claim("BLM91-T4.1.2a", "periodic exactly for rational angles", forall(t, 1, 6, i
 BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1), standing("the solution exists", defined(pit[d]))]
 claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), u: integer(2, 3), x: scalar()}, where=BY_ANGLE, given=LOW,
-      by=[steps("BLM91-E5.4", "BLM91-X.2", "BLM91-X.3", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
+      by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
           instances(8), example(d=2, n_angle=1, u=2, x=2), example(d=3, n_angle=1, u=3, x=3), example(d=5, n_angle=2, u=2, x=2)],
       note="1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. (4.7) is run in the number field.")
 claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & (hitsN >= 1), over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar()},
@@ -203,12 +203,12 @@ claim("BLM91-T4.1.4", "for each pi_0 few parameters escape", hitsN >= 6, over={x
       note="Of the twelve parameter pairs alpha_0 = 2, 3, 4, gamma_0 = 1, .., 4 the number for which pi_3 exists.")
 claim("BLM91-T4.1.5", "every period d >= 2 for infinitely many parameters", forall(t, 1, d, iff(pit[t] == x, t == d)) & (al0 * (1 - u**2) == 2 * (lam + u)), over={d: integer(2, 9), u: integer(2, 4), x: integer(2, 4)},
       where=[let(lam, cospi(1, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP], given=[standing("the solution exists", defined(pit[d]))],
-      by=[steps("BLM91-E5.4", "BLM91-X.2", "BLM91-X.3", prose="1/kappa = cos(pi/d) serves for every d, and u runs through infinitely many points of its hyperbola"), instances(16), example(d=2, u=2, x=2), example(d=4, u=3, x=2)],
+      by=[steps("BLM91-E5.4", "BLM91-X.2", prose="1/kappa = cos(pi/d) serves for every d, and u runs through infinitely many points of its hyperbola"), instances(16), example(d=2, u=2, x=2), example(d=4, u=3, x=2)],
       note="u is the slope of the line from (0, 1) to the point.")
 claim("BLM91-T4.1", "Theorem 4.1", RATE & near, **LIMIT, by=[example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0), instances(m=(1, 2), **DRAW_PI)],
       repair=repair("missing hypothesis", "T4.1.1c fails: the limit is the smaller zero of phi only for 1 + alpha_0^2 > gamma_0^2; T4.1.4 fails: pi_0 = 1 is the pole of every equation; the other parts hold",
                     RATE & near, sizes=["m"], over=LIMIT["over"], where=LIMIT["where"], given=[*LIMIT["given"], given("I, III or IV", inside)],
-                    by=[steps("BLM91-E5.4", "BLM91-E5.1", prose="parts by the claims T4.1.0a to T4.1.5"), instances(40, m=(1, 2, 3), **DRAW_PI), example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0)]),
+                    by=[part("the limit for |kappa| <= 1"), steps("BLM91-E5.4", "BLM91-E5.1", prose="parts by the claims T4.1.0a to T4.1.5"), instances(40, m=(1, 2, 3), **DRAW_PI), example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0)]),
       note="The conjunction of the parts, represented by the limit.")
 pd_, dd_ = symbols("p_point d_riccati")
 PERIODS = (*ORBIT, MANY, let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])),

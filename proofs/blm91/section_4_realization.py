@@ -14,7 +14,7 @@ a_11)m - a_12 m^2. (With x/y the indices 1 and 2 change places.)
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, induction, instances, steps
+from exactkf.evidence import combination, example, identity, induction, instances, restated, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -113,13 +113,13 @@ ENTRY = (rows([[1], [0]]), rows([[1, 0]]))
 claim("BLM91-E4.20", "the noise of a realization by a triangular factor", B * T(B) == rows([[Rn, Sn], [Sn, Qn]]), over=OVER_B, where=TRIANGLE, given=[B2, DIAMOND],
       by=[FACTORED[0], *FACTORED[1:]],
       repair=repair("order of factors", "the vector is (v_t, w_t)', not (w_t, v_t)': the row d = (r_0^(1/2), 0) is that of the output noise, whose variance is 1 - pi_0", B * T(B) == rows([[Qn, Sn], [Sn, Rn]]), over=OVER_B, where=TRIANGLE, given=[B2],
-                    by=[combination([(ENTRY[0], "b_2", ENTRY[1])]), *FACTORED]),
+                    by=[combination([(ENTRY[0], "b_2", ENTRY[1])]), restated("a vector with covariance MM' is M times a normalized white noise"), *FACTORED]),
       note="root is r_0^(1/2), pi_0 = 1 - root^2; the covariance of (v, w) is [[Q, S], [S, R]] with Q = (1 - a^2) pi_0, S = gamma_0 + a pi_0, R = 1 - pi_0. b_1 is S/root; b_2 exists when phi(pi_0) <= 0.")
 claim("BLM91-E4.21", "the point of Corollary 4.3 from the factor", (b1 / root + a == al0 / (1 - x)) & ((b2 / root) ** 2 == -phi_ / (1 - x) ** 2), over=OVER_B, where=[*TRIANGLE, PHI], given=[B2],
       by=[combination([[], [(1 / root**2, "b_2", 1)]]), *FACTORED], note="The display defines (alpha_bar, gamma_bar) = (b_1/root + a, b_2/root); checked is that it is the point of Corollary 4.3, phi being negative.")
 FACTOR_K = (let(x, 1 - root**2), *NOISE, PHI, FIRST_BAR, let(B, root * rows([[first - a, sec], [1, 0]])))
 claim("BLM91-E4.22", "the noise of the realization with variance pi_k", (root**2 == al0 / first) & (B * T(B) == rows([[Qn, Sn], [Sn, Rn]])), over={**POINT, root: nonzero(), sec: scalar()}, where=FACTOR_K, given=[ROOT_MINUS],
-      by=[combination([[], [(1 / (1 - x) * ENTRY[0], "gamma_bar", ENTRY[1])]]), *(example(alpha0=f, gamma0=g_, root=r_, gamma_bar=b_) for f, g_, r_, b_ in (
+      by=[combination([[], [(1 / (1 - x) * ENTRY[0], "gamma_bar", ENTRY[1])]]), restated("Corollary 4.3: pi_k = 1 - alpha_0/alpha_k and (4.18) along the orbit of (4.17)"), *(example(alpha0=f, gamma0=g_, root=r_, gamma_bar=b_) for f, g_, r_, b_ in (
           ("1/8", "-3/7", "1/7", "3/2"), ("1/2", "3/7", "5/7", "9/25"), ("-1/8", "3/4", "1/5", "3/4"), ("-1/8", "3/8", "1/2", "-3/2"), ("4/7", "1/3", "6/7", "2/9"), ("-1/4", "-3/5", "1/2", "9/10")))],
       note="x = pi_k = 1 - root^2, alpha_bar = alpha_0/(1 - pi_k), gamma_bar^2 = -phi(pi_k)/(1 - pi_k)^2 as along (4.17); rows in the order (v, w).")
 claim("BLM91-R4.4.2", "b_2 = 0 at the equilibria", iff(okay, inside) & (b2 == -phi_ / Rn), over={**POINT, p: nonzero(), x: scalar()},

@@ -21,7 +21,7 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, steps
+from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, restated, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -112,7 +112,7 @@ claim("BLM91-S59", "stable and unstable fixed points",
       note=P_NOTE + " alpha_+ = p and alpha_- = 1/p are the slopes of v_+ and v_-.")
 claim("BLM91-S60", "powers of A in the eigenvectors",
       always(t, (V[t] == bp * Lp[t] * vp + bm * Lm[t] * vm) & (V[t] == Lp[t] * (bp * vp + bm * Rt[t] * vm)) & (Lm[t] == Lp[t] * Rt[t])), over=BETA, where=EIGEN,
-      by=[induction(cofactors=[[(A, 0, 1)], [(A, 1, 1)], [(p, 2, 1)]]), instances()],
+      by=[induction(cofactors=[[(A, 0, 1)], [(A, 1, 1)], [(p, 2, 1)]]), restated("p^(2t) tends to 0 for 0 < p < 1"), instances()],
       note=P_NOTE + " L_+ = lambda_+^t, L_- = lambda_-^t, R = (lambda_-/lambda_+)^t = p^(2t), which tends to zero, and with it the line to the span of v_+, if beta_+ is not 0.")
 SLOPE = function(sl, [t], (inv(hstack(vp, vm)) * V[t])[2, 1] / (inv(hstack(vp, vm)) * V[t])[1, 1])
 claim("BLM91-S61", "the slope in the coordinates of the eigenvectors",

@@ -21,7 +21,7 @@ at once, while the slope map goes on through 1/(2 lambda): in counts of escaping
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import example, identity, induction, instances, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -102,9 +102,9 @@ POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[
 claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), sizes=["d"], over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
       by=[example(d=3, n_angle=1, p=2), instances(d=range(2, 9))],
       repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
-                    by=[evaluation(d=range(2, 25)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
+                    by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(24, d=range(2, 15)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
       note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity. p is not defined where it stands, and is read as any natural number; were it the period of Theorem 3.7, which is d or 2d, the "
-           "equation would be right. Evaluated for all angles with d <= 24, every d >= 2 among them.")
+           "equation would be right. Every d >= 2 occurs, with n = 1.")
 claim("BLM91-S76", "no real zeros of phi for |kappa| > 1", phi_ > 0, over={**POINT, kap: scalar(), x: scalar()}, where=[PHI], given=[given("kappa", kap * (1 + al0**2 - ga0**2) == 2 * al0), given("|kappa| > 1", kap**2 > 1)],
       by=[steps(facts=["a quadratic polynomial with negative discriminant has no real zero"], prose="the discriminant is 4 alpha_0^2 (1/kappa^2 - 1)"),
           instances(60, using={u: scalar(), y: scalar(), s1: nonzero()}, made_by={kap: s1 + SIGN, x: u, al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * al0}),

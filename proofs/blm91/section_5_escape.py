@@ -5,7 +5,7 @@ Notation and derivation are those of the module before: 1/kappa = lambda = cos(t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, instances, positivity, steps
+from exactkf.evidence import combination, evaluation, example, identity, instances, positivity, restated, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -41,11 +41,11 @@ claim("BLM91-S77", "the escaping slopes are countably many, all different",
 claim("BLM91-S78", "escape times for a rational angle",
       forall(i, 1, d - 1, defined(be(i, i - 1)) & ~defined(be(i, i))) & forall(i, 1, d, iff(Ut[i - 1] == 0, flag(i))), sizes=["d"], over={nn: integer(1, 11)},
       where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d)],
-      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[evaluation(d=range(2, 13)), instances(12, d=range(2, 9)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
+      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
       note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
-           "U_(d-1) = 0 closes the list. Every angle n pi/d with d <= 12.")
+           "U_(d-1) = 0 closes the list.")
 claim("BLM91-S79", "every alpha belongs to two points of the hyperbola", 1 + x**2 - 2 * lam * x > 0, over={lam: scalar(), x: scalar()}, given=[given("|kappa| > 1", lam**2 < 1)],
-      by=[positivity([(1, x - lam, []), (1, 1, ["|kappa| > 1"])]), instances(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), example(**{"lambda": 2, "x": 1}), example(**{"lambda": 1, "x": 1})],
+      by=[positivity([(1, x - lam, []), (1, 1, ["|kappa| > 1"])]), restated("orbits from (alpha, gamma) and (alpha, -gamma) are mirror images, (3.3), with the first coordinate of (5.1)"), instances(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), example(**{"lambda": 2, "x": 1}), example(**{"lambda": 1, "x": 1})],
       note="gamma^2 = 1 + alpha^2 - 2 lambda alpha is positive, so that gamma and -gamma are different points; their orbits are mirror images by (3.3).")
 
 # ---------------------------------------------------------------------- the coordinate a
@@ -102,13 +102,15 @@ claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * s
 D_OF = (let(odd, cospi(p, 1) == -1), function(alternative, [t], when(odd, t == p, 2 * t == p)))
 claim("BLM91-S87", "theta from omega, and the period of alpha",
       (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(Ut[t - 1] == 0, alternative(t))), sizes=["p"], over={q: integer(1, 19)},
-      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST, by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
-      note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even). Every angle with p <= 40.")
+      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST,
+      by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a common divisor of p and p - 2q divides 2q, hence 2; U_(t-1) = 0 says that t theta is a multiple of pi"), instances(20, p=range(3, 21)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
+      note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even).")
 claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
-      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[evaluation(p=range(3, 41)), instances(12, p=range(3, 9)), example(p=3), example(p=4), example(p=6), example(p=7)],
-      note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, p <= 40; for every p by (X.2). Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
+      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[steps("BLM91-X.1", "BLM91-X.2", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p", "the cosine maps (0, pi) onto (-1, 1)"], prose="q = 1 serves for every p; the orbit is back exactly when w^t = 1"), instances(12, p=range(3, 13)), example(p=3), example(p=4), example(p=6), example(p=7)],
+      note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, from one point of each hyperbola. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
-      where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))], by=[evaluation()],
+      where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))],
+      by=[evaluation(), restated("exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p, so that (X.5) gives the periods")],
       note="omega = pi q/p; for p = 3 and 6 only q = 1 is possible, kappa = 2 and kappa = -2.")
 #: how many of the points with alpha = U_i/U_(i-1), i < d, and one sign of gamma end at step t
 TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
@@ -120,10 +122,11 @@ TWO_EACH = forall(t, 1, d - 1, count(t) == 2)
 CORRECT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0)))
 WHY = ("alpha^(d-1) is 0, and the points (0, 1), (0, -1) of every hyperbola have |gamma| = 1, so that they end at step 1 and not at step d - 1; for d > 2 four points end at step 1, two at "
        "each of the steps 2, .., d - 2, and none later")
+LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1")
 claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
       by=[example(p=3, q=1), instances(p=range(3, 9))],
       repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=LOWEST,
-                    by=[evaluation(p=range(3, 12)), instances(12, p=range(3, 9)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
+                    by=[steps("BLM91-X.1", "BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose=LIST_ENDS), instances(16, p=range(3, 12)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
       note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
@@ -135,11 +138,12 @@ claim("BLM91-E5.9", "periods for kappa > 1", iff(flag(p), exists(q, 1, p - 1, (g
       over={p: integer(3, 12), pi: scalar()}, where=[GCD, REALIZED, KIND], given=[standing("pi", (pi > rational("3.141592")) & (pi < rational("3.141593")))],
       by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
       repair=repair("factor", "the lower bound is pi/4, not 1/4: p = 6, q = 1 has pi/6 > 1/4, and period 6 does not occur for kappa > 1",
-                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p <= 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND], by=[evaluation(m=40), instances(m=(4, 6, 8))]),
-      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is evaluated for all p <= 40. Lemma 5.1 and (5.10) show that pi/4 is meant.")
+                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p <= 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND],
+                    by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]"], prose="period p occurs for 1/kappa = cos(pi (p - 2q)/p) by X.5, and that is >= 0 when p <= 4q"), instances(m=(4, 6, 8, 20))]),
+      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is tried for all p up to m. Lemma 5.1 and (5.10) show that pi/4 is meant.")
 claim("BLM91-E5.10", "periods for kappa < -1", forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (0 <= q) & (4 * q <= p)))), sizes=["m"], where=[GCD, REALIZED, BELOW],
-      by=[evaluation(m=40), instances(m=(4, 5, 8))],
-      note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) <= 0 for some q prime to p. (5.10) is divided by pi. " + BOTH + " Evaluated for all p <= 40.")
+      by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]"], prose="period p occurs for 1/kappa = cos(pi (p - 2q)/p) by X.5, and that is <= 0 when 4q <= p"), instances(m=(4, 5, 8, 20))],
+      note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) <= 0 for some q prime to p. (5.10) is divided by pi. " + BOTH + " Tried for all p up to m.")
 claim("BLM91-S91", "(5.10) by q = 1", forall(p, 1, m, iff(flag(p), p >= 4) & ((p >= 4) >> (4 * 1 <= p))), sizes=["m"],
-      where=[GCD, function(flag, [p], exists(q, 1, p - 1, (gcd(p, q) == 1) & (4 * q <= p)))], by=[evaluation(m=60), instances(m=(3, 4, 6))],
-      note="(5.10) is divided by pi. Some q satisfies it exactly for p >= 4, and q = 1 does. Evaluated for p <= 60; in general 4 * 1 <= p says it, and p = 2, 3 leave only q with 4q > p.")
+      where=[GCD, function(flag, [p], exists(q, 1, p - 1, (gcd(p, q) == 1) & (4 * q <= p)))], by=[steps(facts=["1 is prime to every number"], prose="4 * 1 <= p for every p >= 4, and p = 1, 2, 3 leave only q with 4q > p"), instances(m=(3, 4, 6, 20))],
+      note="(5.10) is divided by pi. Some q satisfies it exactly for p >= 4, and q = 1 does. Tried for all p up to m.")

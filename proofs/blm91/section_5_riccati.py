@@ -40,7 +40,7 @@ claim("BLM91-S102", "period-3 points are dense in the corridors", 2 * lam == 1, 
       by=[example(alpha0=1, gamma0="1/2"), instances(**IN_CORRIDOR)],
       repair=repair("other", "the points of one period p fill finitely many hyperbolas kappa = -sec(2 pi q/p), uncountable but not dense; the periodic points of all periods together are dense",
                     hits >= 1, over={al0: nonzero(), ga0: scalar()}, where=[LAMBDA, NEAR], given=[CORRIDOR],
-                    by=[steps("BLM91-X.2", "BLM91-X.3", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="kappa is a continuous function of the point, and all points of the hyperbolas "
+                    by=[steps("BLM91-X.2", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="kappa is a continuous function of the point, and all points of the hyperbolas "
                               "kappa = -sec(2 pi q/p) are periodic, finitely many values of alpha aside"), instances(16, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2"), example(alpha0=-1, gamma0=1)]),
       note="Dense points of period p for each p is read for p = 3: these are points of the hyperbola kappa = 2, a closed set in the corridors, so that density would put every point on it. In the correction hits "
            "counts the q for which the hyperbola of period 7 lies within 1/2 of the given one in 1/kappa.")
