@@ -38,7 +38,7 @@ claim("BLM91-X.1", "iterates in closed form",
       by=[induction(also=[H], cofactors=[[(FIRST_, 0, 1), (SECOND_, 2, 1)], [(-al[t + 1], 1, 1), (SCALE_ * FIRST_, 0, 1), (SCALE_ * SECOND_, 2, 1)],
                                          [(1 / (1 - ga[t] ** 2), 2, 1)]]), instances()],
       note="M_(t+1) = 2 lambda M_t - N_t, N_(t+1) = M_t from (1, alpha_0), so that N_t = M_(t-1), and s_t = (-1)^t.")
-w, W, p, q, y, gcd, Tn, Sn, back, many = symbols("w W p q y gcd T S back divides")
+w, W, p, q, y, gcd, Tn, Sn, back, many, whole = symbols("w W p q y gcd T S back divides whole")
 claim("BLM91-X.2", "the closed form by powers of w",
       always(t, (sg[t] * Mt[t] * (w - 1 / w) == w * W[t] - 1 / (w * W[t]) + al0 * (W[t] - 1 / W[t]))
              & (sg[t] * Nt[t] * (w - 1 / w) == 1 / W[t] - W[t] - al0 * (W[t] / w - w / W[t]))), over={al0: nonzero(), w: nonzero()},
@@ -67,7 +67,7 @@ claim("BLM91-X.5", "orbits that do not end have period p exactly when kappa = -s
           instances(12), *(example(p=p_, q=1, u=u_) for p_, u_ in ((3, 2), (4, 2), (5, 2), (6, 2), (7, 3), (8, 2)))])
 
 claim("BLM91-X.13", "U_t by powers of w", always(t, (Ut[t] * (w - 1 / w) == w * W[t] - 1 / (w * W[t])) & (Sn[t] * (w - 1 / w) == W[t] - 1 / W[t])), over={w: nonzero()},
-      where=[let(lam, (w + 1 / w) / 2), rec(Ut, t, 1, 2 * lam * Ut[t] - Sn[t]), rec(Sn, t, 0, Ut[t]), rec(W, t, 1, w * W[t])], by=[induction(), instances()],
+      where=[let(lam, (w + 1 / w) / 2), rec(Ut, t, 1, 2 * lam * Ut[t] - Sn[t]), rec(Sn, t, 0, Ut[t]), rec(W, t, 1, w * W[t])], by=[induction(cofactors=[[(w + 1 / w, 0, 1), (-1, 1, 1)], [(1, 0, 1)]]), instances()],
       note="U_t = (w^(t+1) - w^(-t-1))/(w - 1/w) for 1/kappa = (w + 1/w)/2, W_t = w^t and S_t = U_(t-1). As for X.2, it holds on the unit circle too, where 1/kappa = cos(arg w).")
 
 # ---------------------------------------------------------------------- rational data
@@ -76,8 +76,8 @@ claim("BLM91-X.6", "twice the cosine of a multiple angle, by a recursion with in
       where=[rec(Tn, t, 2, Sn[t]), rec(Sn, t, w + 1 / w, (w + 1 / w) * Sn[t] - Tn[t]), rec(W, t, 1, w * W[t])], by=[induction(), instances()],
       note="T_0 = 2, T_1 = x, T_(t+1) = x T_t - T_(t-1) for x = w + 1/w: T_t is a monic polynomial in x with integer coefficients for t >= 1.")
 claim("BLM91-X.7", "which 1/kappa = -cos(2 pi q/p) are rational",
-      iff(exists(k, -2, 2, 2 * lam == k), (p == 3) | (p == 4) | (p == 6)), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(lam, -cospi(2 * q, p))], given=LOWEST, by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
+      iff(whole, (p == 3) | (p == 4) | (p == 6)), sizes=["p"], over={q: integer(1, 29)},
+      where=[GCD, let(lam, -cospi(2 * q, p)), let(whole, exists(k, -2, 2, 2 * lam == k))], given=LOWEST, by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer"],
                 prose="2/kappa, a zero of the monic integer polynomial T_p - 2 of (X.6), is rational only as an integer, and then one of -2, .., 2, of which -2 and 2 leave w = 1, -1; "
                       "2/kappa = 1, 0, -1 leaves w^2 + 2w/kappa + 1 = 0 with w of order 3, 4, 6"),
           instances(40, p=range(3, 25)), *(example(p=k_, q=1) for k_ in (3, 4, 5, 6, 8, 12))],
@@ -120,10 +120,10 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
       note="From (1 + x, x) and (-1 - x, x); count is t and s_t = (-1)^t. The distance from the equilibrium is x/(1 - t x): for x = 2/(2j + 1), j >= 1, it is 2 at step j, however small x is.")
 
 # ---------------------------------------------------------------------- escape counts
-odd, d, unit, none, first = symbols("odd d unit none first")
+odd, d, unit, none, first, last = symbols("odd d unit none first last")
 claim("BLM91-X.10", "where U_j is 0, 1 or -1, for every rational angle",
-      forall(j, 0, d - 1, iff(none(j), j == d - 1) & iff(unit(j), (j == d - 2) | first(j))), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
+      forall(j, 0, last, iff(none(j), j == last) & iff(unit(j), (j == last - 1) | first(j))), sizes=["p"], over={q: integer(1, 29)},
+      where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(last, d - 1), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
              function(first, [j], j == 0)], given=LOWEST,
       by=[steps("BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"],
                 prose="w is not 1 or -1, and w^2 has order d: U_j = 0 says w^(2j+2) = 1, and U_j = 1 or -1 says that w^j or w^(j+2) has square 1"), instances(40, p=range(3, 25))],

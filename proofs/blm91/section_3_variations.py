@@ -62,8 +62,8 @@ claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1,
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 Am = sym("A")
 CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(Am, t, Identity(2), rows([[2 * lam, -1], [1, 0]]) * Am[t]), function(fixed, [t], Am[t] == Am[t][1, 1] * Identity(2)))
-claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(fixed(t), flag(t)) & iff(Ut[t - 1] == 0, flag(t))), sizes=["d"], over={nn: integer(1, 11)},
-      where=[*CIRCLE, function(flag, [t], t == d)], given=LOW, by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(20, d=range(2, 13)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(fixed(t), flag(t)) & iff(above(t), flag(t))), sizes=["d"], over={nn: integer(1, 11)},
+      where=[*CIRCLE, function(flag, [t], t == d), function(above, [t], Ut[t - 1] == 0)], given=LOW, by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(20, d=range(2, 13)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
       note="1/kappa = cos(pi n/d), and slopes are moved by A = [[2/kappa, -1], [1, 0]]. A^t is a multiple of the identity first for t = d, and has no real eigenvector before: every slope that does not end has period d. U_(t-1) = 0 first for "
            "t = d, so that the slopes U_i/U_(i-1), i < d, are all that end.")
 claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},

@@ -55,8 +55,10 @@ PLUS_W, MINUS_W = [FIRST_BAR, LAMBDA, PHI, *orbit(1), rec(r, t, 1, (1 - ga[t] **
 COF = 1 / ((1 - x) ** 2 * r[m])
 BY_PLUS = [instances(30, m=(0, 1, 2), **TWO_POINTS)]
 BY_MINUS = [instances(30, m=(0, 1, 2), **INNER)]
-claim("BLM91-E4.15", "the integral curve for phi >= 0", CURVE_P, sizes=["m"], over=DATA_BAR, where=PLUS_W, given=[ROOT_PLUS], by=[combination([(-COF, "gamma_bar", 1)], m=range(4)), *BY_PLUS], note=GIVEN_NOTE)
-claim("BLM91-E4.18", "the integral curve for phi <= 0", CURVE_M, sizes=["m"], over=DATA_BAR, where=MINUS_W, given=[ROOT_MINUS], by=[combination([(COF, "gamma_bar", 1)], m=range(4)), *BY_MINUS], note=GIVEN_NOTE)
+claim("BLM91-E4.15", "the integral curve for phi >= 0", always(t, 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]), over=DATA_BAR, where=PLUS_W, given=[ROOT_PLUS],
+      by=[induction(cofactors=[[(1 / (1 - ga[t] ** 2), 0, 1)]]), instances(30, **TWO_POINTS)], note=GIVEN_NOTE)
+claim("BLM91-E4.18", "the integral curve for phi <= 0", always(t, 1 + al[t] ** 2 + ga[t] ** 2 == 2 * lam * al[t]), over=DATA_BAR, where=MINUS_W, given=[ROOT_MINUS],
+      by=[induction(cofactors=[[(1 / (1 + ga[t] ** 2), 0, 1)]]), instances(30, **INNER)], note=GIVEN_NOTE)
 SOLVED = pit[m] == 1 - al0 / al[m]
 claim("BLM91-C4.3.1", "phi >= 0: the orbit on the hyperbola and the solution", CURVE_P & SOLVED, sizes=["m"], over=DATA_BAR, where=[*PLUS_W, *MAP], given=[ROOT_PLUS],
       by=[steps("BLM91-E4.15", "BLM91-E5.4", prose="alpha_t obeys the slope map on the curve, and so does alpha_0/(1 - pi_t), from the same start"), *BY_PLUS], note=GIVEN_NOTE)

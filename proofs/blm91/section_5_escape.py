@@ -11,6 +11,7 @@ from proofs.blm91.notation import *
 
 A, A1, p, q, y, be, v, al1, av, mate = symbols("A A1 p q y b v_i alpha_i a_t mate")
 gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, nn, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i n_angle divides")
+last, ends, closes = symbols("last ends closes")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
@@ -39,8 +40,9 @@ claim("BLM91-S77", "the escaping slopes are countably many, all different",
           instances(20, m=(2, 3, 5, 8)), example(m=5, numerator=1, denominator=2)],
       note="On fractions 1/kappa with terms up to 13. alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
 claim("BLM91-S78", "escape times for a rational angle",
-      forall(i, 1, d - 1, defined(be(i, i - 1)) & ~defined(be(i, i))) & forall(i, 1, d, iff(Ut[i - 1] == 0, flag(i))), sizes=["d"], over={nn: integer(1, 11)},
-      where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d)],
+      forall(i, 1, last, ends(i)) & forall(i, 1, d, iff(closes(i), flag(i))), sizes=["d"], over={nn: integer(1, 11)},
+      where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d),
+             let(last, d - 1), function(ends, [i], defined(be(i, i - 1)) & ~defined(be(i, i))), function(closes, [i], Ut[i - 1] == 0)],
       given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
       note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
            "U_(d-1) = 0 closes the list.")
@@ -101,8 +103,8 @@ claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * s
       note="alpha_i = sin(theta/2), gamma_i = cos(theta/2), lambda = cos(theta). The zeros are 2 sin(theta/2)(sin(theta/2) +- i cos(theta/2)), the upper one with argument pi/2 - theta/2.")
 D_OF = (let(odd, cospi(p, 1) == -1), function(alternative, [t], when(odd, t == p, 2 * t == p)))
 claim("BLM91-S87", "theta from omega, and the period of alpha",
-      (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(Ut[t - 1] == 0, alternative(t))), sizes=["p"], over={q: integer(1, 19)},
-      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1))], given=LOWEST,
+      (gcd(p, p - 2 * q) == when(odd, 1, 2)) & forall(t, 1, count, iff(closes(t), alternative(t))), sizes=["p"], over={q: integer(1, 19)},
+      where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1)), function(closes, [t], Ut[t - 1] == 0)], given=LOWEST,
       by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a common divisor of p and p - 2q divides 2q, hence 2; U_(t-1) = 0 says that t theta is a multiple of pi"), instances(20, p=range(3, 21)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even).")
 claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
