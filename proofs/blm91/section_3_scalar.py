@@ -74,8 +74,9 @@ ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
 #: kappa from the point
 FROM_POINT = dict(made_by={kap: 2 * al0 / (1 + al0**2 - ga0**2)})
 claim("BLM91-S33", "a hyperbola is invariant",
-      always(t, 1 + al[t] ** 2 - ga[t] ** 2 == 2 / kap * al[t]), over={al0: scalar(), ga0: scalar(), kap: nonzero()}, where=ORBIT, given=[ON],
-      by=[induction(cofactors=[[(1 / (1 - ga[t] ** 2), 0, 1)]]), instances(40, **FROM_POINT)])
+      always(t, 1 + al[t] ** 2 - ga[t] ** 2 == 2 / kap * al[t]), over={al0: nonzero(), ga0: scalar()}, where=[let(kap, 2 * al0 / (1 + al0**2 - ga0**2)), *ORBIT],
+      by=[induction(cofactors=[[(1 / (1 - ga[t] ** 2), 0, 1)]]), instances(40)],
+      note="The hyperbola is told by one of its points. alpha_0 = 0 leaves (0, 1) and (0, -1), which have no next point.")
 HYP = {al0: scalar(), ga0: scalar(), kap: nonzero()}
 SIGNDEF = nonneg_on_circle(D0) | nonneg_on_circle(-D0)
 BORDER = (abs(ga0) == abs(1 - abs(al0))) | (abs(ga0) == 1 + abs(al0))

@@ -49,16 +49,25 @@ UNIT_I = rows([[0, -1], [1, 0]])
 claim("BLM91-E4.17", "(4.17) is (3.10) with i gamma for gamma",
       (al0 * inv(Identity(2) - (ga0 * UNIT_I) ** 2) == al0 / (1 + ga0**2) * Identity(2)) & (-al0 * (ga0 * UNIT_I) * inv(Identity(2) - (ga0 * UNIT_I) ** 2) == -al0 * ga0 / (1 + ga0**2) * UNIT_I),
       over={al0: scalar(), ga0: scalar()}, by=[identity(), instances()], note="The display defines the system; i is the matrix with square -1. The step is real: i gamma goes to i gamma'.")
+gsq = sym("gamma_0sq")
+BAR = {al0: nonzero(), x: scalar(), sec: scalar()}
+
+
+def squared(sign):
+    """gamma_0^2 from gamma_bar, 1/kappa from alpha_0 and gamma_0^2, phi(pi_0)."""
+    return (let(gsq, (sign * sec**2 * (1 - x) ** 2 - x**2 + (1 - al0**2) * x) / (1 - x)), FIRST_BAR, let(lam, (1 + al0**2 - gsq) / (2 * al0)), let(phi_, x**2 - (1 - al0**2 + gsq) * x + gsq))
+
+
 CURVE_P = 1 + al[m] ** 2 - ga[m] ** 2 == 2 * lam * al[m]
 CURVE_M = 1 + al[m] ** 2 + ga[m] ** 2 == 2 * lam * al[m]
 PLUS_W, MINUS_W = [FIRST_BAR, LAMBDA, PHI, *orbit(1), rec(r, t, 1, (1 - ga[t] ** 2) * r[t])], [FIRST_BAR, LAMBDA, PHI, *orbit(-1), rec(r, t, 1, (1 + ga[t] ** 2) * r[t])]
-COF = 1 / ((1 - x) ** 2 * r[m])
 BY_PLUS = [instances(30, m=(0, 1, 2), **TWO_POINTS)]
 BY_MINUS = [instances(30, m=(0, 1, 2), **INNER)]
-claim("BLM91-E4.15", "the integral curve for phi >= 0", always(t, 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]), over=DATA_BAR, where=PLUS_W, given=[ROOT_PLUS],
-      by=[induction(cofactors=[[(1 / (1 - ga[t] ** 2), 0, 1)]]), instances(30, **TWO_POINTS)], note=GIVEN_NOTE)
-claim("BLM91-E4.18", "the integral curve for phi <= 0", always(t, 1 + al[t] ** 2 + ga[t] ** 2 == 2 * lam * al[t]), over=DATA_BAR, where=MINUS_W, given=[ROOT_MINUS],
-      by=[induction(cofactors=[[(1 / (1 + ga[t] ** 2), 0, 1)]]), instances(30, **INNER)], note=GIVEN_NOTE)
+SQUARED = "x = pi_0. Of gamma_0 only the square enters, written gamma_0sq: the number for which (gamma_bar(1 - pi_0))^2 is phi(pi_0), or its negative."
+claim("BLM91-E4.15", "the integral curve for phi >= 0", always(t, (1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]) & (phi_ == sec**2 * (1 - x) ** 2)), over=BAR, where=[*squared(1), *orbit(1)],
+      by=[induction(cofactors=[[(1 / (1 - ga[t] ** 2), 0, 1)], []]), instances(30)], note=SQUARED)
+claim("BLM91-E4.18", "the integral curve for phi <= 0", always(t, (1 + al[t] ** 2 + ga[t] ** 2 == 2 * lam * al[t]) & (phi_ == -(sec**2 * (1 - x) ** 2))), over=BAR, where=[*squared(-1), *orbit(-1)],
+      by=[induction(cofactors=[[(1 / (1 + ga[t] ** 2), 0, 1)], []]), instances(30)], note=SQUARED)
 SOLVED = pit[m] == 1 - al0 / al[m]
 claim("BLM91-C4.3.1", "phi >= 0: the orbit on the hyperbola and the solution", CURVE_P & SOLVED, sizes=["m"], over=DATA_BAR, where=[*PLUS_W, *MAP], given=[ROOT_PLUS],
       by=[steps("BLM91-E4.15", "BLM91-E5.4", prose="alpha_t obeys the slope map on the curve, and so does alpha_0/(1 - pi_t), from the same start"), *BY_PLUS], note=GIVEN_NOTE)
@@ -119,11 +128,15 @@ claim("BLM91-E4.20", "the noise of a realization by a triangular factor", B * T(
       note="root is r_0^(1/2), pi_0 = 1 - root^2; the covariance of (v, w) is [[Q, S], [S, R]] with Q = (1 - a^2) pi_0, S = gamma_0 + a pi_0, R = 1 - pi_0. b_1 is S/root; b_2 exists when phi(pi_0) <= 0.")
 claim("BLM91-E4.21", "the point of Corollary 4.3 from the factor", (b1 / root + a == al0 / (1 - x)) & ((b2 / root) ** 2 == -phi_ / (1 - x) ** 2), over=OVER_B, where=[*TRIANGLE, PHI], given=[B2],
       by=[combination([[], [(1 / root**2, "b_2", 1)]]), *FACTORED], note="The display defines (alpha_bar, gamma_bar) = (b_1/root + a, b_2/root); checked is that it is the point of Corollary 4.3, phi being negative.")
-FACTOR_K = (let(x, 1 - root**2), *NOISE, PHI, FIRST_BAR, let(B, root * rows([[first - a, sec], [1, 0]])))
-claim("BLM91-E4.22", "the noise of the realization with variance pi_k", (root**2 == al0 / first) & (B * T(B) == rows([[Qn, Sn], [Sn, Rn]])), over={**POINT, root: nonzero(), sec: scalar()}, where=FACTOR_K, given=[ROOT_MINUS],
-      by=[combination([[], [(1 / (1 - x) * ENTRY[0], "gamma_bar", ENTRY[1])]]), restated("Corollary 4.3: pi_k = 1 - alpha_0/alpha_k and (4.18) along the orbit of (4.17)"), *(example(alpha0=f, gamma0=g_, root=r_, gamma_bar=b_) for f, g_, r_, b_ in (
-          ("1/8", "-3/7", "1/7", "3/2"), ("1/2", "3/7", "5/7", "9/25"), ("-1/8", "3/4", "1/5", "3/4"), ("-1/8", "3/8", "1/2", "-3/2"), ("4/7", "1/3", "6/7", "2/9"), ("-1/4", "-3/5", "1/2", "9/10")))],
-      note="x = pi_k = 1 - root^2, alpha_bar = alpha_0/(1 - pi_k), gamma_bar^2 = -phi(pi_k)/(1 - pi_k)^2 as along (4.17); rows in the order (v, w).")
+STEP_K = [(al0 * al[t] / (1 - pit[t]), 3, 1), (1, 4, 1)]
+NOISE_K = al0 / al[t] * rows([[(al[t] - a) ** 2 + ga[t], al[t] - a], [al[t] - a, 1]])
+CURVE_K = al0 * (1 + al[t] ** 2 + ga[t]) / al[t] == 1 + al0**2 - ga0**2
+FACTOR_K = (*MAP, PHI, FIRST_BAR, rec(al, t, first, al[t] / (1 + ga[t])), rec(ga, t, -phi_ / (1 - x) ** 2, al[t] ** 2 * ga[t] / (1 + ga[t]) ** 2))
+claim("BLM91-E4.22", "the noise of the realization with variance pi_k",
+      always(t, (NOISE_K[1, 1] == (1 - a**2) * pit[t]) & (NOISE_K[1, 2] == ga0 + a * pit[t]) & (NOISE_K[2, 2] == 1 - pit[t])), over={**POINT, x: scalar()}, where=FACTOR_K,
+      by=[induction(also=[pit[t] == (al[t] - al0) / al[t], CURVE_K],
+                    cofactors=[[(-(1 - a**2) * STEP_K[0][0], 3, 1), (a**2, 4, 1)], [(-a * e_, i_, 1) for e_, i_, _ in STEP_K], STEP_K, STEP_K, [(1, 4, 1)]]), instances()],
+      note="x = pi_0, t = k; gamma here is the square of gamma_bar_k, moved by (4.17). The matrix is BB' for B as printed, with rows in the order (v, w) and alpha_0/alpha_bar_k for the square of the root.")
 claim("BLM91-R4.4.2", "b_2 = 0 at the equilibria", iff(okay, inside) & (b2 == -phi_ / Rn), over={**POINT, p: nonzero(), x: scalar()},
       where=[*NOISE, PHI, let(b2, Qn - Sn**2 / Rn), let(okay, b2 == 0), let(inside, (x == 1 - al0 / p) | (x == 1 - al0 * p))], given=[ROOT, DIAMOND],
       by=[steps("BLM91-E4.21", "BLM91-E4.12", prose="b_2^2 = Q - S^2/R = -phi/R, and phi has the zeros p_+ and p_-"),
