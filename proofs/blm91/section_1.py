@@ -13,7 +13,7 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, part, steps, use
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, restated, steps, use
 from exactkf.language import *
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
@@ -51,10 +51,14 @@ claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t
 # ---------------------------------------------------------------------- covariances and spectral density
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (covariance(output(t + i), output(t)) == covariance(output(i), output(0))) & (covariance(output(0), output(0)) == 1))),
       sizes=["n", "m"], over=SYSTEM, where=STATE, by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
-claim("BLM91-S3", "the spectral density", num == poly * recip(poly) / sum_of(j, 0, n, sigma[j] ** 2), sizes=["n"], over={sigma: sequence(0, n)}, where=[*MA, let(poly, sum_of(j, 0, n, sigma[j] * Z**j))],
-      by=[identity(n=range(0, 7)), part("moving averages"), instances(n=range(0, 5))], note="The display defines the density; checked is that for moving averages sum sigma_j e_(t-j), E y^2 = 1, it is the squared modulus of the transfer function. num is the sum of c_k z^k.")
+TRANSFER = T(h) * inv(Identity(n) * Z - F)
+BACKWARDS = inv(Identity(n) / Z - T(F)) * h
+claim("BLM91-S3", "the spectral density", TRANSFER * Q * BACKWARDS + TRANSFER * S + T(S) * BACKWARDS + Tm == p + recip(p), sizes=["n"], over=SYSTEM,
+      where=[PHI, let(Q, P - F * P * T(F)), let(S, g - F * P * h), let(Tm, 1 - T(h) * P * h)],
+      by=[identity(n=(1, 2)), restated("the coefficients of (zI - F)^(-1) at infinity are the powers of F"), instances(n=(1, 2, 3))],
+      note="The display defines the density; checked is that for a model (1.1) the sum is the density of the noise between the transfer function and its value at 1/z. The sum is Phi_+(z) + Phi_+(1/z) by (1.6); T_m is the variance of w.")
 claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(k, 1, m, rows([[laurent(p, k)]]) == Y(k) * G * T(Y(0))), sizes=["n", "m"], over=SYSTEM, where=[*MODEL, PHI],
-      by=[identity(n=(1, 2), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
+      by=[steps("BLM91-E2.2", "BLM91-E2.3", prose="(2.2) are the covariances, and the coefficients of Phi_+ at infinity"), instances(n=(1, 2, 3), m=(2, 3))], note="As series: Phi_+(z) + Phi_+(1/z) has the coefficients c_0 = 1 and c_k of z^k and z^(-k).")
 claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
       by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],

@@ -26,7 +26,7 @@ gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, fact, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -50,12 +50,14 @@ claim("BLM91-E2.2", "covariances of the output",
       by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="c_k is E{y_(t+k) y_t}, the same for every t; model as for (2.1).")
 
+upto, power = symbols("upto power")
 PHI = let(p, rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g)
 claim("BLM91-E2.3", "Phi_+ has the covariances as its coefficients at infinity",
-      (laurent(p, 0) == rational("1/2")) & forall(k, 1, m, laurent(p, k) == T(h) * F ** (k - 1) * g),
-      sizes=["n", "m"], over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI],
-      by=[identity(n=(1, 2, 3), m=4), instances(n=(1, 2, 3), m=(3, 4))],
-      note="The display defines Phi_+; what is checked is that it generates the sequence (2.2).")
+      always(t, Identity(1) / 2 + T(h) * inv(x * Identity(n) - F) * g == upto[t] + T(h) * inv(x * Identity(n) - F) * power[t]),
+      sizes=["n"], over={F: matrix(n, n), h: vector(n), g: vector(n), x: nonzero()},
+      where=[rec(power, t, g, 1 / x * (F * power[t])), rec(upto, t, Identity(1) / 2, upto[t] + 1 / x * (T(h) * power[t]))],
+      by=[induction(), instances(n=(1, 2, 3))],
+      note="The display defines Phi_+; what is checked is that it generates the sequence (2.2): upto is 1/2 + h'g x^(-1) + .. + h'F^(t-1)g x^(-t), power is F^t g x^(-t), and the remainder has order x^(-t-1) at infinity. x is z.")
 
 # chi = det(zI - F), gz/chi = h'(zI - F)^(-1) g, num = chi chi* (Phi_+(z) + Phi_+(1/z))
 POPOV = (let(chi, charpoly(F)), let(gz, charpoly(F - g * T(h)) - chi),

@@ -15,7 +15,7 @@ For alpha_0 = 0 the step is constant, gamma_0^2, except at pi = 1. With |gamma_0
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, induction, instances, part, steps
+from exactkf.evidence import combination, example, generic_index, identity, induction, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -50,8 +50,8 @@ claim("BLM91-E4.3", "increments of rank one", forall(t, 0, m, Lam(Pi[t]) == r[t]
 
 # ---------------------------------------------------------------------- n = 1
 claim("BLM91-E4.4", "the scalar system is stationary with E y^2 = 1",
-      forall(t, 0, m, (X[t] * G * T(X[t]) == P) & (X[t + 1] * G * T(Y(t)) == g) & (Y(t) * G * T(Y(t)) == Identity(1))), sizes=["m"], over={a: scalar(), g: vector(1), P: symmetric_matrix(1)},
-      where=[let(n, 1), let(F, rows([[-a]])), let(h, Identity(1)), *MODEL], by=[identity(m=(0, 1, 2)), instances(m=(1, 2))],
+      forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["m"], over={F: matrix(1, 1), g: vector(1), P: symmetric_matrix(1)},
+      where=[let(n, 1), let(h, Identity(1)), *STATE], by=[generic_index(*WRITTEN_OUT), instances(m=(1, 2))],
       note="F = -a, h = 1; the noise covariances are those of Section II, P the covariance of the state.")
 SCALAR = {a: scalar(), ga0: scalar()}
 PI = rec(pit, t, 0, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t]))

@@ -84,8 +84,10 @@ claim("BLM91-C4.3.3", "phi <= 0 only for |kappa| <= 1", kap**2 <= 1, over={**POI
           instances(40, using={u: nonzero(), y: scalar()}, made_by={al0: (SHARE * y**2 - 1 / SHARE) / (y**2 - 1), ga0: y * (SHARE - 1 / SHARE) / (y**2 - 1), x: (1 - al0**2 + ga0**2) / 2}), instances(20),
           example(alpha0=1, gamma0=1, x=0), example(alpha0="1/2", gamma0="1/2", x="1/2")], note="x = pi_0.")
 FX = let(fx, ((al0**2 - ga0**2) * x + ga0**2) / (1 - x))
-claim("BLM91-S48", "the sign of phi is kept", (fx**2 - (1 - al0**2 + ga0**2) * fx + ga0**2) * (1 - x) ** 2 == al0**2 * phi_, over={**POINT, x: scalar()}, where=[FX, PHI], by=[identity(), instances()],
-      note="phi(pi') = (alpha_0/(1 - pi))^2 phi(pi), so that phi >= 0 is handed on.")
+FACTOR_PHI = (al0 / (1 - pit[t])) ** 2
+claim("BLM91-S48", "the sign of phi is kept", always(t, pit[t] ** 2 - (1 - al0**2 + ga0**2) * pit[t] + ga0**2 == r[t] ** 2 * phi_), over={**POINT, x: scalar()}, where=[PHI, *MAP, rec(r, t, 1, al0 / (1 - pit[t]) * r[t])],
+      by=[induction(cofactors=[[(FACTOR_PHI, 0, 1)]]), instances()],
+      note="phi(pi_t) is phi(pi_0) times the square of a real number, the product of the alpha_0/(1 - pi_s), s < t: it is not negative if phi(pi_0) is not.")
 claim("BLM91-E4.19", "the increment for phi >= 0", pit[m + 1] - pit[m] == (1 - pit[m]) * ga[m] ** 2, sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(1)], given=[ROOT_PLUS],
       by=[steps("BLM91-E4.11", "BLM91-E4.15", "BLM91-E5.4", prose="phi(pi_t) = (1 - pi_t)^2 (alpha_t^2 - 2 lambda alpha_t + 1) = (1 - pi_t)^2 gamma_t^2"), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-S49", "the increment for phi <= 0", pit[m + 1] - pit[m] == -((1 - pit[m]) * ga[m] ** 2), sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(-1)], given=[ROOT_MINUS],

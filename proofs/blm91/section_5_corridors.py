@@ -64,12 +64,15 @@ claim("BLM91-S70", "what lies between the fixed points", iff(near, odd) & (odd >
       note="alpha_+ = p, alpha_- = 1/p; image: phi(pi_0) <= 0; between: alpha between the fixed points; stays: the slope is there still at time m. Outside phi >= 0, and the points that end are countably many.")
 
 # ---------------------------------------------------------------------- rotations
-EIGEN = (let(kap, 2 * p / (1 + p**2)), A_KAPPA, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]])), rec(V, t, bp * vp + bm * vm, A * V[t]),
-         rec(Lp, t, 1, 1 / p * Lp[t]), rec(Lm, t, 1, p * Lm[t]))
-claim("BLM91-S71", "powers of A in complex eigenvectors", always(t, V[t] == bp * Lp[t] * vp + bm * Lm[t] * vm), over={p: nonzero(), bp: scalar(), bm: scalar()}, where=EIGEN,
-      by=[induction(cofactors=[[(A, 0, 1)]]), instances()],
-      note="An identity of rational functions of p: it holds for p = exp(-i theta) too, where kappa = 2p/(1 + p^2) = 1/cos(theta); v_+, v_- and L_+, L_- are then conjugate, and a real "
-           "vector has conjugate coefficients.")
+# real and imaginary parts: v_+ = (exp(i theta), 1)', beta_+ = beta_re + i beta_im, lambda_+^t = C_t + i S_t
+COMPLEX = (let(cs, (1 - y**2) / (1 + y**2)), let(sn, 2 * y / (1 + y**2)), let(kap, 1 / cs), A_KAPPA, rec(Lp, t, 1, cs * Lp[t] - sn * Lm[t]), rec(Lm, t, 0, sn * Lp[t] + cs * Lm[t]),
+           let(vp, rows([[cs], [1]])), let(vm, rows([[sn], [0]])), rec(V, t, 2 * (bp * vp - bm * vm), A * V[t]))
+claim("BLM91-S71", "powers of A in complex eigenvectors",
+      always(t, (V[t] == 2 * ((bp * Lp[t] - bm * Lm[t]) * vp - (bp * Lm[t] + bm * Lp[t]) * vm)) & (A * vp == cs * vp - sn * vm) & (A * vm == sn * vp + cs * vm) & (cs**2 + sn**2 == 1)),
+      over={y: nonzero(), bp: scalar(), bm: scalar()}, where=COMPLEX,
+      by=[induction(cofactors=[[(A, 0, 1)], [], [], []]), instances()],
+      note="Real and imaginary parts: v_+ is v_plus + i v_minus with eigenvalue cos(theta) + i sin(theta), kappa = 1/cos(theta), y = tan(theta/2); beta_+ is beta_plus + i beta_minus, lambda_+^t is L_plus + i L_minus, "
+           "and v_-, lambda_-, beta_- are conjugate, so that the sum is twice the real part. For every theta but 0 and those with cosine 0.")
 many = sym("divides")
 TURNS = (rec(cs, t, 1, lam * cs[t] - (1 - lam**2) * sn[t]), rec(sn, t, 0, cs[t] + lam * sn[t]))
 FRACTIONS = {top: integer(-13, 13), low: integer(1, 13)}
