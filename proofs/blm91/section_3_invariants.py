@@ -109,15 +109,22 @@ INVARIANT_AB = r[t] * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t)) == 2 * D
 claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
       by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, INVARIANT_AB, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
                         closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))])
+
+
+def by_invariant(times):
+    """(3.6), shown first, times a factor."""
+    return generic_index(lemma(t, NEXT, direct=True), lemma(t, INVARIANT_AB, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]), closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=times)])
+
+
 claim("BLM91-E3.7", "the real part of b_t/(2 a_t)",
       forall(t, 0, m, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n", "m"], over=POINT, where=ORBITS,
       by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))], note="d_t is written D/r_t.")
 claim("BLM91-E3.8", "d_t in terms of a_t and b_t",
-      forall(t, 0, m, 1 / r[t] * D == av(t) * recip(bv(t)) + recip(av(t)) * bv(t)), sizes=["n", "m"], over=POINT, where=ORBITS,
-      by=[example(n=1, m=0, q0=[0], qs0=[0]), instances(n=(1, 2), m=(0, 1))],
+      always(t, 1 / r[t] * D == av(t) * recip(bv(t)) + recip(av(t)) * bv(t)), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
+      by=[example(n=1, q0=[0], qs0=[0]), instances(n=(1, 2))],
       repair=repair("factor", "a_t b_t* + a_t* b_t is 2 d_t: (3.6) has 2D on the right, and d_t = D/r_t",
-                    forall(t, 0, m, 1 / r[t] * D == rational("1/2") * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t))), sizes=["n", "m"], over=POINT, where=ORBITS,
-                    by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))]),
+                    always(t, 1 / r[t] * D == rational("1/2") * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t))), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
+                    by=[by_invariant(-1 / (2 * r[t])), instances(n=(1, 2, 3))]),
       note="d_t is D/r_t, as defined after (3.7).")
 claim("BLM91-S32", "sign definiteness along the orbit",
       iff(nonneg_on_circle(D) | nonneg_on_circle(-D), nonneg_on_circle(dm) | nonneg_on_circle(-dm)), sizes=["n", "m"], over=POINT,

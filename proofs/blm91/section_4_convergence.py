@@ -50,9 +50,9 @@ claim("BLM91-E4.3", "increments of rank one", forall(t, 0, m, Lam(Pi[t]) == r[t]
 
 # ---------------------------------------------------------------------- n = 1
 claim("BLM91-E4.4", "the scalar system is stationary with E y^2 = 1",
-      forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["m"], over={F: matrix(1, 1), g: vector(1), P: symmetric_matrix(1)},
-      where=[let(n, 1), let(h, Identity(1)), *STATE], by=[generic_index(*WRITTEN_OUT), instances(m=(1, 2))],
-      note="F = -a, h = 1; the noise covariances are those of Section II, P the covariance of the state.")
+      forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["n", "m"], over={**SYSTEM, P: symmetric_matrix(n)},
+      where=STATE, given=[standing("(4.4)", (n == 1) & (h == _UNIT))], by=[generic_index(*WRITTEN_OUT), instances(n=1, m=(1, 2), made_by={h: _UNIT})],
+      note="F is -a, h is 1; the noise covariances are those of Section II, P the covariance of the state.")
 SCALAR = {a: scalar(), ga0: scalar()}
 PI = rec(pit, t, 0, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t]))
 claim("BLM91-E4.5", "the scalar filter is (1.2) with F = -a, h = 1",
