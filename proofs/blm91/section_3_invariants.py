@@ -106,16 +106,14 @@ claim("BLM91-E3.5", "a_t and b_t are monic of degree n and carry Q_t and Q*_t",
       sizes=["n"], over=POINT, where=ORBITS, by=[generic_index(), instances(n=(1, 2, 3))],
       note="The display defines a_t and b_t.")
 INVARIANT_AB = r[t] * (av(t) * recip(bv(t)) + recip(av(t)) * bv(t)) == 2 * D
-claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
-      by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, INVARIANT_AB, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
-                        closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))])
 
 
 def by_invariant(times):
-    """(3.6), shown first, times a factor."""
+    """(3.6), shown first, which is taken off this many times."""
     return generic_index(lemma(t, NEXT, direct=True), lemma(t, INVARIANT_AB, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]), closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=times)])
 
 
+claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME, by=[by_invariant(1), instances(n=(1, 2, 3))])
 claim("BLM91-E3.7", "the real part of b_t/(2 a_t)",
       forall(t, 0, m, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n", "m"], over=POINT, where=ORBITS,
       by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))], note="d_t is written D/r_t.")

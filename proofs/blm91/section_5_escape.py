@@ -99,7 +99,8 @@ claim("BLM91-S84", "periods of alpha, of a and of the point",
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
-      where=[let(st, 2 * y / (1 + y**2)), let(gt, (1 - y**2) / (1 + y**2)), let(lam, gt**2 - st**2), ONE_LESS_A], by=[identity(), instances()],
+      where=[let(st, 2 * y / (1 + y**2)), let(gt, (1 - y**2) / (1 + y**2)), let(lam, gt**2 - st**2), ONE_LESS_A],
+      by=[identity(), restated("an angle in (0, pi) is determined by its cosine", "sin(x) = cos(pi/2 - x)"), instances()],
       note="alpha_i = sin(theta/2), gamma_i = cos(theta/2), lambda = cos(theta). The zeros are 2 sin(theta/2)(sin(theta/2) +- i cos(theta/2)), the upper one with argument pi/2 - theta/2.")
 D_OF = (let(odd, cospi(p, 1) == -1), function(alternative, [t], when(odd, t == p, 2 * t == p)))
 claim("BLM91-S87", "theta from omega, and the period of alpha",

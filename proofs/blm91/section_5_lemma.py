@@ -17,7 +17,7 @@ The paper argues with a prime p' between [p/4] and 2[p/4] (Bertrand), and with p
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances, steps
+from exactkf.evidence import evaluation, example, identity, instances, restated, steps
 from exactkf.language import *
 
 p, q, d, j, k, r, s, x = symbols("p q d j k r s x")
@@ -35,7 +35,8 @@ FAMILIES = (let(p1, 2 * j + 1), let(q1, j), let(p2, 4 * j), let(q2, 2 * j - 1), 
 WITNESS = ((p1 - 2 * q1 == 1) & ((2 * j - 1) * q2 - (j - 1) * p2 == 1) & (j * (p3 - 2 * q3) - q3 == 1) & (q4 - j * (p4 - 2 * q4) == 1)
            & (p2 - 2 * q2 == 2) & (p3 - 2 * q3 == 4) & (p4 - 2 * q4 == 4)
            & (4 * q1 - p1 == 2 * (j - 1) + 1) & (4 * q2 - p2 == 4 * (j - 1)) & (4 * q3 - p3 == 8 * (j - 1) + 2) & (4 * q4 - p4 == 8 * (j - 1) + 6))
-claim("BLM91-X.12", "a fraction with denominator p between 1/4 and 1/2, in lowest terms, for every p", WITNESS, over={j: scalar()}, where=FAMILIES, by=[identity(), instances()],
+claim("BLM91-X.12", "a fraction with denominator p between 1/4 and 1/2, in lowest terms, for every p", WITNESS, over={j: scalar()}, where=FAMILIES,
+      by=[identity(), restated("Bezout: numbers of which a combination with integer coefficients is 1 are coprime", "every p >= 3 other than 6 is 2j + 1, 4j, 8j + 2 or 8j + 6 for some j >= 1"), instances()],
       note="p = 2j + 1, 4j, 8j + 2, 8j + 6 with j >= 1 are all p >= 3 but 6. The first four equations make q coprime to p; the others give 0 < p - 2q and 4q - p >= 0.")
 #: is there such a q for p
 SERVES = (*COPRIME, function(serves, [p], exists(q, 1, p - 1, coprime_(p, q) & MEANT)))
