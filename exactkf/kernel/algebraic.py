@@ -13,7 +13,8 @@ from fractions import Fraction
 from math import lcm
 from typing import Any
 
-from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown
+from exactkf.kernel.limits import DEGREE, within
+from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown, fraction
 from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
 
 __all__ = ["Algebraic", "AlgebraicField"]
@@ -32,6 +33,13 @@ class AlgebraicField:
         if not lo < hi or _sign_at(modulus, lo) * _sign_at(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
         self.modulus, self.lo, self.hi, self.irreducible = _whole(modulus) if irreducible else modulus, lo, hi, irreducible
+
+    @classmethod
+    def of(cls, data: Any) -> AlgebraicField:
+        """From a certificate: a list of coefficients and two ends of an interval."""
+        modulus, lo, hi = data
+        within(len(modulus) - 1, DEGREE, "the degree of a number field")
+        return cls([fraction(c) for c in modulus], fraction(lo), fraction(hi))
 
     def tidy(self, p: list) -> list:
         """Coefficients in the type that arithmetic in this field expects: ints where they are integers and the modulus is known."""

@@ -33,19 +33,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from itertools import islice
+from math import comb, gcd, isqrt, lcm
 from operator import mul
 from struct import iter_unpack
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.limits import MINORS, STEPS, WORK, within
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
 __all__ = ["backward", "check_irreducible", "check_never_singular", "intersected", "reading", "step_matrix", "zeros_modulo"]
 
-_LONGEST, _MOST = 10**6, 10**5
+_MOST = 10**5  # times that several primes leave
 
 
 def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
@@ -60,12 +62,14 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
         The k of statement 3.
     """
     _need(bool(places), "no prime is named")
-    m, period, left = len(Q) - 1, 1, [0]
+    m, period, left, work = len(Q) - 1, 1, [0], 0
     for p, L, root in map(_place, places):
-        _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
-        _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
+        _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        _need(type(L) is int and 0 < L < STEPS, "a period is not a positive integer")
         values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
-        period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
+        work += comb(2 * m, m) * L
+        within(work, 5 * WORK, "minors")
+        period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L), _MOST)
         _need(len(left) < _MOST, "too many times are left")
     if left:
         singular = _singular_before(Q, S, before)
@@ -78,14 +82,15 @@ def _place(data: Any) -> tuple[Any, Any, Any]:
     return data[0], data[1], data[2] if len(data) == 3 else None
 
 
-def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
-    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues."""
+def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int], most: int | None = None) -> tuple[int, list[int]]:
+    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues, at most so many."""
     common = gcd(M, L)
     by_rest: dict[int, list[int]] = {}
     for t in second:
         by_rest.setdefault(t % common, []).append(t)
     u = pow(M // common, -1, L // common) if L > common else 0
-    return M // common * L, [s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ())]
+    left = (s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ()))
+    return M // common * L, list(islice(left, most))
 
 
 # ---------------------------------------------------------------------- modulo N
@@ -158,6 +163,8 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     """
     S, size = step_matrix(q, g, p), isqrt(L) + 1
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
+    within(comb(2 * m, m) * size, MINORS, "minors")
+    _need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
     top, rows = [_minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
     power = eye[:m]
     for _ in range(size - 1):
@@ -165,7 +172,6 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
         top.append(_minors(power, p))
     leap = _power(S, size, p)
     _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
-    _need(len(top[0]) * p * p < 1 << 64, "the minors are too many")
     packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):
