@@ -292,7 +292,7 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     if "center" in evidence:
         _enclosed_limit(reduced, D, limit, evidence)
         return
-    field = _field(evidence.get("field"))
+    field = next((x.field for x in D if isinstance(x, Algebraic)), None) or _field(evidence.get("field"))
     one = _number("1", field)
     w = [_number(x, field) for x in evidence["factor"]]
     _need(len(w) == len(reduced.Q) and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
