@@ -20,7 +20,7 @@ from exactkf.kernel.orbit_sieve import intersected
 from exactkf.kernel.replay import Rejected, digest, replay, seal
 from exactkf.kernel.rotation import _Residues
 from tests.dynamics.starts import algebraic_start, before, on_hyperbola, rational_start
-from tests.dynamics.test_every_order import start, stepped
+from tests.dynamics.test_every_order import start
 
 BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "undecided", "not convergent, not periodic")
 WANDERS = "not convergent, not periodic"
@@ -226,7 +226,8 @@ TWO = {"a": ["-1/2", "1"], "g": ["3", "1/3"]}
 TWELVE = {"a": ["1", "1/3"] * 6, "g": ["2", "5"] * 6}
 FAR = [["-2", *["0"] * 298, "1"], "1", "2"]
 TOO_MUCH = {
-    "escape": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**6), "escape too far": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**9),
+    "escape": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**6),
+    "escape too far": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**9),
     "steps": asked(TWO, {"searched": 10**9}, behaviour="undecided", never_escapes=False),
     "steps modulo": asked(TWO, {"searched": 10**1000, "modulus": 2**61 - 1}, behaviour="undecided", never_escapes=False),
     "period": asked(TWO, behaviour="periodic", period=10**30), "power": asked(TWO, behaviour="periodic", period=10**6),

@@ -98,3 +98,15 @@ def test_deep_nesting_is_no_certificate(tmp_path, capsys):
     file.write_text('{"format": "exactkf-certificate", "says": ' + "[" * 5000 + "]" * 5000 + "}")
     assert main([str(file)]) == 2
     assert capsys.readouterr().err.count("\n") == 1
+
+
+# ---------------------------------------------------------------------- values that are none
+@pytest.mark.parametrize("says", [
+    ["=", ["real_roots", z, 1, ["neg", 1]], ["neg", 1]], ["=", ["ncols", ["block", [["O", 0, 5]], [["I", 2]]]], 2],
+    ["=", ["ncols", ["block", [["I", 2]], [["O", 0, 5]]]], 2],
+])
+def test_degenerate_values(says):
+    """No interval has a negative number of roots; rows of blocks are of one width, also where one has no height."""
+    assert not accepted("evaluation", statement(says, [], sizes=[]), {"cases": [{}]})
+    assert accepted("evaluation", statement(["=", ["real_roots", z, 1, ["neg", 1]], 0], [], sizes=[]), {"cases": [{}]})
+    assert accepted("evaluation", statement(["=", ["ncols", ["block", [["O", 0, 2]], [["I", 2]]]], 2], [], sizes=[]), {"cases": [{}]})
