@@ -85,7 +85,7 @@ def _modular_rest(f: list[int], modulus: list[int], p: int) -> list[int]:
 def _orders(degree: int) -> tuple[int, ...]:
     """The orders of all roots of unity of at most this degree."""
     stop = 2 * degree * degree + 3  # phi(k) >= sqrt(k/2)
-    within(stop, 3 * STEPS, "orders of roots of unity")
+    within(stop, 10 * STEPS, "orders of roots of unity")
     totient = list(range(stop))
     for p in range(2, stop):
         if totient[p] == p:

@@ -72,11 +72,13 @@ def changed(certificate, path, value):
 
 
 def same_number(old, new):
-    """An interval that was changed still holds the same zero, and no other."""
+    """An interval that was changed still holds the same zero, and no other; where no polynomial is given it is wider."""
+    (a, b), (c, d) = ([fmpq(*map(int, x.split("/"))) for x in named["interval"]] for named in (old, new))
+    if "minpoly" not in old:
+        return c <= a and b <= d
     with precision(256):
         zeros = [z.real.mid().fmpq() for z, _ in fmpq_poly([fmpq(c) if "/" not in c else fmpq(*map(int, c.split("/"))) for c in old["minpoly"]]).numer()
                  .complex_roots() if z.imag.contains(0)]
-    (a, b), (c, d) = ([fmpq(*map(int, x.split("/"))) for x in named["interval"]] for named in (old, new))
     return [x for x in zeros if a < x < b] == [x for x in zeros if c < x < d] and sum(a < x < b for x in zeros) == 1
 
 
