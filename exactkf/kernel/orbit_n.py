@@ -370,7 +370,9 @@ def power_of_z(k: int, modulus: list) -> list:
 
 def _bits(x: Any) -> int:
     """About as many as an exact number is written with."""
-    return sum(map(_bits, x.c)) if isinstance(x, Algebraic) else int(x.numerator).bit_length() + int(x.denominator).bit_length()
+    if isinstance(x, Algebraic):
+        return sum(map(int.bit_length, x.whole)) + x.below.bit_length()
+    return int(x.numerator).bit_length() + int(x.denominator).bit_length()
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
