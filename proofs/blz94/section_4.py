@@ -61,10 +61,10 @@ from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
     FAST,
     HALF,
-    INVERSE,
     KIMURA,
     NORM,
     ORBIT,
@@ -236,11 +236,11 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 
 claim("BLZ94-T4.3.4", "the recursion for the Schur parameters of v",
-      gamma(0, m + n) == -sum_of(i, 1, n, alpha(m + 1, i) * gamma(0, m + n - i)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n), m: integer(0, 2)}, where=[*FAST, *INVERSE],
-      by=[steps("BLZ94-T4.3.2", "BLZ94-L4.2", prose="The last row of (4.4b), with gamma_k(t) = gamma_{t+k}."),
-          instances(n=(1, 2, 3))],
-      note="t = m; gamma(0, k) are the Schur parameters of v, alpha(t, i) the coordinates of v_t.")
+      schur(m + n) == -sum_of(i, 1, n, alpha_next(i) * schur(m + n - i)), sizes=["n", "m"], **_DELETED,
+      where=[*FAST, *AT_START, *ALPHA_NEXT, *QUOTIENTS, *PARTS],
+      by=[generic_index(*UPDATE, **OPENED_FOR_UPDATE, uses=CONCLUDED), instances(n=(1, 2, 3), m=(0, 1, 2))],
+      note="t is the size m, so that it is arbitrary; schur(k) are the Schur parameters (3.6) of v, and alpha(i), by (3.12a), the coordinates of v_{m+1}, "
+           "whose own Schur parameters are later(k). The coefficients w and what comes after them serve the proof alone.")
 
 claim("BLZ94-T4.3.5", "the gain in the new coordinates",
       always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == Pi[t] * alpha[t] + pi[t] - Phi * alpha0 - a_of),
