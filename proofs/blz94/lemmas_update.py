@@ -18,7 +18,7 @@ from __future__ import annotations
 from exactkf.evidence import lemma, use
 from exactkf.language import Expr, coeff, forall, function, sum_of, symbols, when
 from proofs.blz94.lemmas_deletion import DELETION, NAMES_1, OPENED_AT_BOTH, e_of, later, pairing, parameters, part, schur
-from proofs.blz94.notation import a, g, i, j, k, m, n, s, t, u
+from proofs.blz94.notation import a, g, i, j, k, m, n, s, u
 
 __all__ = ["ALPHA_NEXT", "CONCLUDED", "OPENED_FOR_UPDATE", "PARTS", "UPDATE", "alpha_next"]
 
