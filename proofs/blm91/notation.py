@@ -91,8 +91,8 @@ def output(t):
     return T(h) * XX0[t], T(h) * XV(s, t), when(s == t, 1, 0)
 
 
-def covariance(x, y, noise=NOISE, cov=P):
-    """E{x y'} for noise (v_s, w_s) of covariance [[q, r], [r', w]], s <= m, and x_0 of covariance ``cov``."""
+def covariance(x, y, noise=NOISE, cov=P, last=m):
+    """E{x y'} for noise (v_s, w_s) of covariance [[q, r], [r', w]], s <= ``last``, and x_0 of covariance ``cov``."""
     (x0, xv, xw), (y0, yv, yw), (q, sv, w) = x, y, noise
     each = xv * q * T(yv)
     if yw is not None:
@@ -101,7 +101,7 @@ def covariance(x, y, noise=NOISE, cov=P):
         each = each + xw * (T(sv) * T(yv))
     if xw is not None and yw is not None:
         each = each + xw * yw * w
-    return x0 * cov * T(y0) + sum_of(s, 0, m, each)
+    return x0 * cov * T(y0) + sum_of(s, 0, last, each)
 
 
 #: x_t written out; for `generic_index`

@@ -15,6 +15,7 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_estimate import BY_ESTIMATE, CLOSED, ESTIMATE, ESTIMATE_LEMMAS, FILTER_WEIGHTS, KALMAN, PROJECTED, RICCATI_GAIN, SOME, filtered
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
@@ -31,8 +32,8 @@ claim("BLM91-E1.1", "the model is stationary, with E y^2 = 1 and E x_(t+1) y_t =
       forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["n", "m"], over=SYSTEM, where=STATE,
       by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2))],
       note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties. X_0 and X_v are the coefficients of x_0 and v_s in x_t.")
-claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, RICCATI],
-      by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
+claim("BLM91-E1.2", "the Kalman filter", always(t, filtered(KALMAN(t))), sizes=["n"], over=SYSTEM, where=[*STATE, *ESTIMATE, *RICCATI_GAIN, *FILTER_WEIGHTS], given=SOME,
+      by=[generic_index(*ESTIMATE_LEMMAS, **CLOSED, uses=BY_ESTIMATE), instances(n=(1, 2, 3), horizon=2)], note=PROJECTED + " The gain K_t is (1.3). U serves the proof alone.")
 OTHER = {"noise": (P2 - F * P2 * T(F), g - F * P2 * h, 1 - T(h) * P2 * h), "cov": P2}
 claim("BLM91-S1", "the gain is the same for all realizations",
       forall(t, 0, m, GAIN == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
