@@ -16,9 +16,12 @@ from typing import Any
 from exactkf.evidence import fact, lemma, use
 from exactkf.language import Expr, T, always, forall, function, inv, sum_of, symbols
 from proofs.blm91.lemmas_estimate import ESTIMATE_LEMMAS, Gram, Past, Pi, U, a, column, cov_xy, cov_y, e, l, q, row, v, xh
-from proofs.blm91.notation import F, g, h, i, j, k, n, s, t
+from proofs.blm91.notation import F, g, h, i, k, n, s, t
 
-__all__ = ["BY_RICCATI_OF_COVARIANCE", "COVARIANCE", "COVARIANCE_LEMMAS", "RICCATI_OF_COVARIANCE", "cov"]
+__all__ = [
+    "BY_COVARIANCE", "BY_RICCATI_OF_COVARIANCE", "COVARIANCE", "COVARIANCE_LEMMAS", "RICCATI_OF_COVARIANCE", "SYMMETRIC", "cov", "moved", "partial_sums",
+    "product_fact",
+]
 
 cov, moved = symbols("cov F_g")
 #: E{x^_t x^_t'}; and the entries of F^l g
@@ -62,6 +65,10 @@ _SUMS = partial_sums(19, T(_FOUND)[i, q] * (Gram(t) * _FOUND)[q, k], U(q - 1, t)
 _COVARIANCE = lemma(t, _places(cov(t)[i, k] == Pi[t][i, k], n, n), start=1, direct=True,
                     uses=[use(18, times=-1, **_AT), use(19, s=t, v=t, **_AT), use(14, a=0, e=0, **_AT)])
 COVARIANCE_LEMMAS = (*ESTIMATE_LEMMAS, _SYM, _MOVED, _OF_FOUND, _OF_U, _NORMAL, _SQUARE, _SUMS, _COVARIANCE)
+#: next of a list: Pi_t is symmetric
+SYMMETRIC = lemma(t, always(a, always(e, _places((F**a * Pi[t] * T(F) ** e)[i, k] == (F**e * Pi[t] * T(F) ** a)[k, i], n, n))),
+                  uses=[use(21, a=a + 1, e=e + 1, **_AT)])
+BY_COVARIANCE = [use(20, t=t, i=row, k=column), use(21, t=t, a=0, e=0, i=row, k=column), use(20, t=t, i=column, k=row)]
 
 
 def _multiplied(number: int, x: Expr | None, y: tuple[Expr, Expr], z: Expr | None, before: int, rows: Any, columns: Any) -> tuple[dict[str, Any], ...]:

@@ -19,11 +19,11 @@ from typing import Any
 
 from exactkf.evidence import fact, lemma, use
 from exactkf.language import Expr, T, Zero, always, forall, function, hstack, inv, matrix_of, rec, standing, sum_of, symbols, when
-from proofs.blm91.notation import WRITTEN_OUT, F, covariance, g, h, i, j, k, n, output, s, state, t
+from proofs.blm91.notation import WRITTEN_OUT, F, covariance, g, h, i, j, k, n, output, state, t
 
 __all__ = [
-    "BY_ESTIMATE", "CLOSED", "ESTIMATE", "ESTIMATE_LEMMAS", "FILTER_WEIGHTS", "KALMAN", "KALMAN_GAIN", "PAST", "PROJECTED", "RICCATI_GAIN", "SOME",
-    "Gram", "Past", "by_weights", "column", "cov_xy", "cov_y", "e", "estimate_lemmas", "filtered", "innovation_weights", "l", "q", "row", "solved", "v", "xh",
+    "BETWEEN", "BY_ESTIMATE", "CLOSED", "ESTIMATE", "ESTIMATE_LEMMAS", "FILTER_WEIGHTS", "KALMAN", "KALMAN_GAIN", "PAST", "PROJECTED", "RICCATI_GAIN", "SOME",
+    "Gram", "Past", "by_weights", "column", "cov_xy", "cov_y", "e", "estimate_lemmas", "filtered", "innovation_weights", "l", "q", "row", "seen_lemmas", "solved", "v", "xh",
 ]
 
 xh, cov_y, cov_xy, Gram, Past, KALMAN, U, Pi = symbols("x_hat cov_y cov_xy Gram Past K U Pi")
@@ -80,12 +80,22 @@ def _crossed(before: Expr, x: Any, y: Any) -> Expr:
                                                                             (before * Pi[t] * T(F) ** (j - t) * h)[x, y])
 
 
+#: (2.2)
+BETWEEN = lemma(t, always(j, cov_y(j, t) == when(j == t, 1, (T(h) * F ** (abs(j - t) - 1) * g)[1, 1])), direct=True, uses=[use(cov_y, j, t)])
+
+
+def seen_lemmas(number: int, past: int) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Products of h' with E{x_t y_j}, from this number on."""
+    return (_summed(number, past, lambda x: T(h)[1, q] * x),
+            fact(t, "product", always(e, sum_of(q, 1, n, T(h)[1, q] * (F**e * g)[q, 1]) == (T(h) * (F**e * g))[1, 1])))
+
+
 def estimate_lemmas(first: int, past: int) -> tuple[dict[str, Any], ...]:
     """The lemmas on the estimate, the first of them with this number; ``past`` is that of `PAST`."""
     between, sym, cross, by_f, with_f, by_h, with_h = range(first, first + 7)
     at = {"t": t, "j": row - 1}
     return (
-        lemma(t, always(j, cov_y(j, t) == when(j == t, 1, (T(h) * F ** (abs(j - t) - 1) * g)[1, 1])), direct=True, uses=[use(cov_y, j, t)]),
+        BETWEEN,
         lemma(t, always(a, always(e, (T(h) * F**a * Pi[t] * T(F) ** e * h)[1, 1] == (T(h) * F**e * Pi[t] * T(F) ** a * h)[1, 1])),
               uses=[use(sym, t=t, a=a + 1, e=e + 1)]),
         lemma(t, always(j, always(e, forall(i, 1, n, _crossed(F**e, i, 1)) & _crossed(T(h) * F**e, 1, 1))),
@@ -93,8 +103,7 @@ def estimate_lemmas(first: int, past: int) -> tuple[dict[str, Any], ...]:
                     use(between, t=t, j=j), *(use(sym, t=t, a=x, e=j - t) for x in (0, e, e + 1))]),
         _summed(by_f, past, lambda x: F[i, q] * x),
         fact(t, "product", always(e, forall(i, 1, n, sum_of(q, 1, n, F[i, q] * (F**e * g)[q, 1]) == (F * (F**e * g))[i, 1]))),
-        _summed(by_h, past, lambda x: T(h)[1, q] * x),
-        fact(t, "product", always(e, sum_of(q, 1, n, T(h)[1, q] * (F**e * g)[q, 1]) == (T(h) * (F**e * g))[1, 1])),
+        *seen_lemmas(by_h, past),
         solved(Past(t), n, U(i - 1, t)[j, 1], use(cross, e=0, i=column, **at), use(past, i=column, **at)),
         solved(Past(t) * T(F), n, (F * U(i - 1, t))[j, 1], use(cross, e=1, i=column, **at), use(by_f, k=n, v=n, i=column, **at),
                use(with_f, t=t, e=t - row, i=column)),
