@@ -9,7 +9,8 @@ A stationary process is handled through its covariances. Random variables are
 rows of coefficients over the independent variables x_0, v_0, w_0, v_1, ...;
 with their covariance matrix ``G`` the product E{xi eta'} is xi G eta'. For a
 proof for every n and every time the coefficients of x_0, v_s and w_s are kept
-apart, and E{xi eta'} is a sum over s. The covariance of the state is ``P``;
+apart, and E{xi eta'} is a sum over s; an estimate is the row of its weights on
+the outputs. The covariance of the state is ``P``;
 stationarity makes the noise covariances Q = P - F P F', S = g - F P h,
 R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
 every symmetric P.
