@@ -37,13 +37,13 @@ RICCATI_FROM_ZERO = (let(F, J - a0 * T(h)), rec(P, t, Zero(n, n), F * P[t] * T(F
 #: r_t, by gamma(t)
 SCALES = (rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),)
 
-_PLACES = [(p, q) for p in (1, i, i + 1) for q in (1, j, j + 1)]
+_PLACES = [(1, 1), (i, j), (i + 1, 1), (1, j + 1), (i + 1, j + 1)]
 _FOR_I, _FOR_J = i - i + 1, j - j + 1  # one, where there are such indices: so the multiples add up to 1, x_1 and x_1^2
 _SAME = lemma(t, g[t][1] == gamma[t][1], direct=True, uses=[use(8, t=t, i=1), use(7, k=n, t=t), use(6, k=n - 1, t=t)])
 _CARRIED = lemma(t, forall(i, 1, n, forall(j, 1, n, (F * P[t] * T(F))[i, j] + r[t] * _gain(i) * _gain(j) == P[t][i, j] + r[t] * g[t][i] * g[t][j]))
                  & (r[t] == 1 - P[t][1, 1]) & forall(i, 1, n, _LEFT[i] == r[t] * _gain(i)),
                  uses=[use(10, t=t, i=1, j=1, times=1), use(10, t=t, i=_FOR_I, j=1, times=a_first(1) - 1),
                        use(10, t=t, i=1, j=_FOR_J, times=a_first(1) * (a_first(1) - 1)), *(use(P, t + 1, row=p, column=q) for p, q in _PLACES),
-                       *(use(10, t=t, i=p, j=q) for p, q in _PLACES), *(use(10, t=t, i=p, j=1) for p in (j, j + 1)), use(9, t=t)])
+                       *(use(10, t=t, i=p, j=q) for p, q in _PLACES), *(use(10, t=t, i=p, j=1) for p in (i, j, j + 1)), use(9, t=t)])
 GAIN = (*ONE_STEP, {**COORDINATES(8), "base": [use(a_first, i), use(g_first, i)]}, _SAME, _CARRIED)
 OPENED_FOR_GAIN = {**FOUR_ALPHA, "whole": [alpha, P], "closed": [a_first, g_first]}
