@@ -69,8 +69,12 @@ FAST = (
 SCALE = (rec(r, t, 1, (1 - g[t][1] ** 2) * r[t]),)
 #: a_t(z), b_t(z) along the fast algorithm
 POLYNOMIALS = (function(apoly, [t], monic_of(a[t])), function(bpoly, [t], monic_of(a[t] + 2 * g[t])))
-#: the gain k_t
+#: the Riccati step (2.2) from P_0 = 0
 gain = sym("k")
+RICCATI = (
+    *OBSERVER,
+    rec(P, t, 0 * J, F * P[t] * T(F) + (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) * T(g0 - F * P[t] * h)),
+)
 
 # ---------------------------------------------------------------------- Szego polynomials of one sequence
 gamma, alpha, beta, c = symbols("gamma alpha beta c")
