@@ -35,7 +35,7 @@ BLZ94 Theorem 7.1, Corollary 7.2, Lemmas 6.7-6.12, Proposition 8.1.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
@@ -44,7 +44,7 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.answer import Answer, Fact, later
+from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
 from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
@@ -197,20 +197,36 @@ def _describe(case: _Case, shape: str) -> None:
 
 
 # ---------------------------------------------------------------------- answers
-def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | Callable[[], dict[str, Any]], reason: str = "", **fields: Any) -> Answer:
-    n = len(case.a)
-    def sealed(answer: Answer) -> dict[str, Any]:
-        found = evidence() if callable(evidence) else evidence
-        return seal("orbit", "orbit", {"question": _question(case), "answer": answer.decided()}, found)
-
-    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=later(sealed), **fields)
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | None, reason: str = "", **fields: Any) -> Answer:
+    """The answer; without evidence it converges, and the limit, which is the evidence, is found when it is asked for."""
+    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, **fields}
+    later = {"certificate": _sealed} if evidence is not None else {"limit": _limit, "certificate": _sealed}
+    return Answer.of_entries(len(case.a), entries, later, (case.a, case.g, evidence))
 
 
-def _question(case: _Case) -> dict[str, Any]:
-    if case.rational:
-        return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g], "field": None}
-    field = case.a[0].field
-    return {"order": len(case.a), "a": [element_json(x) for x in case.a], "g": [element_json(x) for x in case.g], "field": field_json(field)}
+def _sealed(answer: Answer) -> dict[str, Any]:
+    a, g, evidence = answer.__dict__["_start"]
+    return seal("orbit", "orbit", {"question": _question(a, g), "answer": answer.decided()}, _found(answer).evidence if evidence is None else evidence)
+
+
+def _limit(answer: Answer) -> dict[str, Any]:
+    return _found(answer).limit
+
+
+def _found(answer: Answer) -> _Limit | EnclosedLimit:
+    """The limit, which may take long to find, kept for the certificate."""
+    if "_found" not in answer.__dict__:
+        a, g, _ = answer.__dict__["_start"]
+        case = _case(a, g)
+        exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
+        answer.__dict__["_found"] = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
+    return answer.__dict__["_found"]
+
+
+def _question(a: Sequence[Any], g: Sequence[Any]) -> dict[str, Any]:
+    if not isinstance(a[0], RealNumber):
+        return {"order": len(a), "a": [str(x) for x in a], "g": [str(x) for x in g], "field": None}
+    return {"order": len(a), "a": [element_json(x) for x in a], "g": [element_json(x) for x in g], "field": field_json(a[0].field)}
 
 
 def _escaped(case: _Case, t: int) -> Answer:
@@ -231,9 +247,7 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
-    found: Any = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
-    return _answer(case, "converges", lambda: found.evidence, limit=later(lambda _: found.limit), **fields)
+    return _answer(case, "converges", None, **fields)
 
 
 class _Limit:
@@ -361,7 +375,7 @@ def _returning(case: _Case, period: int) -> Answer:
                                f"$\\deg (a, b)$ grows until step ${start}$, so no state before it comes back."))
     evidence: dict[str, Any] = {}
     if not case.rational:
-        reduced = reduce_pair(*start_pair(_question(case)))
+        reduced = reduce_pair(*start_pair(_question(case.a, case.g)))
         evidence["bits"] = next(bits for k in range(12) if does_not_escape(reduced.Q, reduced.S, period, bits := (256 + 4 * period) << k))
     if start:
         return _answer(case, "eventually periodic", evidence, never_escapes=True, period=period, preperiod=start)

@@ -271,9 +271,9 @@ def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
 
 def coprime(Q: list, S: list) -> tuple[list, list]:
     q, s = ([Fraction(x) if isinstance(x, int) else x for x in p] for p in (Q, S))
-    common = gcd_poly(q, s)
-    q = divmod_poly(q, common)[0]
-    return q, _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))
+    common, zero = gcd_poly(q, s), q[-1] - q[-1]
+    q = [zero + x for x in divmod_poly(q, common)[0]]
+    return q, [zero + x for x in _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))]
 
 
 def is_positive_real(Q: list, S: list) -> bool:
