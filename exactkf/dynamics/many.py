@@ -268,7 +268,6 @@ _STARTS: Sequence[Start] = ()
 def _prepare(starts: Sequence[Start]) -> None:
     global _STARTS
     _STARTS = starts
-    gc.collect()
     gc.freeze()  # what is there stays: the collector need not look at it again
 
 

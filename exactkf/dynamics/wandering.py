@@ -40,7 +40,7 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_sieve import intersected, step_matrix
+from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
 __all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
@@ -48,8 +48,8 @@ __all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "e
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
-_PRIME_BOUND_MANY, _LONGEST, _MARGIN, _MOST_LEFT_OF_MANY = 1000, (10_000, 30_000, 100_000, 300_000), 1, 50_000
-_MOST_READ = 1_500_000
+_PRIME_BOUND_MANY, _LONGEST, _MARGIN, _MOST_LEFT_OF_MANY = 3000, (10_000, 30_000, 100_000, 300_000, 999_999), 1, 20_000
+_MOST_READ = 3_000_000
 _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 12, 10_000, 200_000, 10_000
 _Taken = tuple[int, int | None, int, set[int]]
 
@@ -108,12 +108,14 @@ class Readings(NamedTuple):
         return sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
 
     def read(self, values: Sequence[Any], p: int, root: int | None, power: int = 1) -> list[int] | None:
-        """The values modulo `p` or its square; None if a denominator is no unit."""
+        """The values modulo a power of `p`; None if a denominator is no unit."""
         N = p**power
         if power > 1 and self.field is not None and root is not None:
             f = self.field.minpoly
-            value, slope = f(fmpq(root)), f.derivative()(fmpq(root))
-            root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
+            slope = f.derivative()(fmpq(root))
+            for _ in range(power - 1):
+                value = f(fmpq(root))
+                root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
         out = []
         try:
             for x in values:
@@ -211,8 +213,9 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
 def more_places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] | None:
     """Return places as `places_without_escape` does, of larger periods and more of them, or None.
 
-    Places with periods L_i and a part q_i of the residues leave about lcm(L_i) prod q_i times, as far as chance goes.  So those are taken whose
-    periods have much in common, the shorter the better; q_i is about 1/p_i before it is known.
+    Places with periods L_i and a part q_i of the residues leave about lcm(L_i) prod q_i times, as far as chance goes, and one in p^a of them where
+    the common period is a multiple of L p^a.  So those are taken whose periods have much in common, also with the primes, the shorter the better; q_i is
+    about 1/p_i before it is known.
     """
     some = takewhile(lambda p: p < _PRIME_BOUND_MANY, primes(5 if before else 2))
     candidates = [(p, root, L) for p in some for root in pair.roots(p)[:1] if (L := _order(pair, p, root))]
@@ -227,9 +230,11 @@ def more_places_without_escape(pair: Readings, before: list[int]) -> list[list[A
                 known[p] = p, root, L, _read_zeros(pair, p, root, L, before)
             chosen = _with_much_in_common(within, known)
         if _expected(chosen, known) < _MARGIN:
-            taken = _few_left([known[p] for p, _, _ in chosen])
+            taken = _few_left(pair, [known[p] for p, _, _ in chosen], known)
             for one in sorted(taken or [], key=lambda x: -x[2]):
-                taken = _few_left([x for x in taken or [] if x is not one]) or taken
+                fewer = [x for x in taken or [] if x is not one]
+                if _expected([x[:3] for x in fewer], known) < _MARGIN:
+                    taken = _few_left(pair, fewer, known) or taken
             if taken:
                 return [_place(p, root, L) for p, root, L, _ in taken]
     return None
@@ -252,33 +257,63 @@ def _part(place: _Place, known: dict[int, _Taken]) -> Fraction:
     return Fraction(len(known[p][3]), L) if p in known else Fraction(1, p)
 
 
-def _expected(places: list[_Place], known: dict[int, _Taken]) -> Fraction:
+def _expected(places: Sequence[_Place], known: dict[int, _Taken]) -> Fraction:
     """How many times are left, as far as chance goes."""
-    return lcm(*(L for _, _, L in places)) * prod((_part(x, known) for x in places), start=Fraction(1))
+    full = lcm(*(L for _, _, L in places))
+    parts = prod((_part(x, known) for x in places), start=Fraction(1))
+    return full * parts / prod(p ** exponent(full // L, p) for p, _, L in places)
 
 
 def _with_much_in_common(places: list[_Place], known: dict[int, _Taken]) -> list[_Place]:
-    """Leave out, one after the other, places that add more to the common period than they take from the times left."""
+    """Leave out, one after the other, places without which fewer times are left."""
+    least = _expected(places, known)
     while len(places) > 1:
-        full = lcm(*(L for _, _, L in places))
-        added, worst = max((full // lcm(*(x[2] for x in places if x is not one)) * _part(one, known), one) for one in places)
-        if added < 1:
+        fewer, worst = min((_expected([x for x in places if x is not one], known), one) for one in places)
+        if fewer >= least:
             return places
-        places = [x for x in places if x is not worst]
+        least, places = fewer, [x for x in places if x is not worst]
     return places
 
 
-def _few_left(taken: list[_Taken]) -> list[_Taken] | None:
+def _few_left(pair: Readings, taken: list[_Taken], known: dict[int, _Taken]) -> list[_Taken] | None:
     """The places in an order in which few times are left on the way to none, or None if some are left."""
-    period, left, order = 1, [0], []
+    period, left, order, depths = 1, [0], list[_Taken](), dict[int, int]()
     while taken and left:
-        one = min(taken, key=lambda x: (Fraction(len(x[3]), gcd(period, x[2])), x[2]))
+        one = min(taken, key=lambda x: (_expected([y[:3] for y in (*order, x)], known), x[2]))
         taken = [x for x in taken if x is not one]
         if len(left) * len(one[3]) > _MOST_LEFT_OF_MANY * gcd(period, one[2]):
             return None
         period, left = intersected(period, left, one[2], one[3])
         order.append(one)
+        for p, root, L, _ in order:
+            a = exponent(period // L, p)
+            if a > depths.get(p, 0):
+                left, depths[p] = _deeper(pair, left, p, root, L, a), a
     return None if left else order
+
+
+def _deeper(pair: Readings, left: list[int], p: int, root: int | None, L: int, a: int) -> list[int]:
+    """The times with det X_t = 0 also modulo p^{a+1}; see `exactkf.kernel.orbit_sieve`, statement 5."""
+    S = _step_matrix(pair, p, root, a + 1) if p ** (a + 1) < 1 << 63 else None
+    if S is None or not left:
+        return left
+    m, period, table = S.nrows() // 2, L * p**a, []
+    for _ in range(0, period.bit_length(), 5):
+        powers = [_unit(2 * m, 2 * m, p ** (a + 1))]
+        for _ in range(32):
+            powers.append(S * powers[-1])
+        S = powers.pop()
+        table.append(powers)
+    top, columns = _unit(m, 2 * m, p ** (a + 1)), _unit(2 * m, m, p ** (a + 1))
+
+    def vanishes(t: int) -> bool:
+        t, product = t % period, top
+        for powers in table:
+            t, d = divmod(t, 32)
+            product = product * powers[d]
+        return int(fmpz_mat(m, m, [int(x) for x in (product * columns).entries()]).det()) % p ** (a + 1) == 0
+
+    return [t for t in left if vanishes(t)]
 
 
 def _order(pair: Readings, p: int, root: int | None) -> int | None:

@@ -5,8 +5,9 @@ Main definitions
 ----------------
 `check_never_singular`  no X_t, t >= 0, is singular
 `zeros_modulo`          the t at which det X_t vanishes modulo a prime
+`exponent`              how often a prime divides a number
 `intersected`           what two periodic sets of integers have in common
-`reading`               numbers modulo a prime or its square
+`reading`               numbers modulo a power of a prime
 `check_irreducible`     the modulus of a field is irreducible
 
 Main statements
@@ -25,7 +26,10 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
 4. *Algebraic data.*  theta is a zero of an irreducible polynomial F, monic and p-integral, and r a zero of F modulo p.  A p-integral polynomial
    that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
    If r is a simple zero it lifts to the p-adic integers, and the homomorphism with it.
-5. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
+5. *Powers of a prime.*  If S_m^L = I modulo p then S_m^{L p^a} = I modulo p^{a+1}: (I + p^j A)^p = I + p^{j+1} (...) for j > 0.  So det X_t
+   modulo p^{a+1} depends on t modulo L p^a only.  If the common period of several primes is a multiple of that, as L' of another may have the factor p, each
+   time that is left can be tested modulo p^{a+1}: one in p^a or so stays.
+6. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
    less than H + 1.  If F = GK then |G(n)|, |K(n)| > c for an integer n > H + 1 + c.  So if F(n) is c times a prime, F is irreducible (Murty).
 """
 
@@ -43,7 +47,7 @@ from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_irreducible", "check_never_singular", "intersected", "reading", "step_matrix", "zeros_modulo"]
+__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "intersected", "reading", "step_matrix", "zeros_modulo"]
 
 _LONGEST, _MOST = 10**6, 10**5
 
@@ -61,12 +65,17 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
     """
     _need(bool(places), "no prime is named")
     m, period, left = len(Q) - 1, 1, [0]
-    for p, L, root in map(_place, places):
+    depths: dict[int, int] = {}
+    for i, (p, L, root) in enumerate(map(_place, places)):
         _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
         _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
         values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
         period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
         _need(len(left) < _MOST, "too many times are left")
+        for j, (r, K, residue) in enumerate(map(_place, places[:i + 1])):
+            a = exponent(period // K, r)
+            if a > depths.get(j, 0):
+                left, depths[j] = _deeper(Q, S, left, r, K, residue, a), a
     if left:
         singular = _singular_before(Q, S, before)
         alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
@@ -88,9 +97,44 @@ def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> 
     return M // common * L, [s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ())]
 
 
+def exponent(n: int, p: int) -> int:
+    """How often p divides n."""
+    a = 0
+    while n % p == 0:
+        n, a = n // p, a + 1
+    return a
+
+
+def _deeper(Q: list, S: list, left: list[int], p: int, L: int, root: int | None, a: int) -> list[int]:
+    """The times with det X_t = 0 also modulo p^{a+1}, where S_m^L = I modulo p; see statement 5.
+
+    S^t is a product of powers S^{d 32^i}, 0 <= d < 32, from a table.
+    """
+    N, m, period = p ** (a + 1), len(Q) - 1, L * p**a
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, a + 1)
+    base, table = step_matrix(values[:m], values[m:], N), []
+    for _ in range(0, period.bit_length(), 5):
+        columns = [list(c) for c in zip(*base, strict=True)]
+        powers = [[[int(i == j) for j in range(2 * m)] for i in range(2 * m)]]
+        for _ in range(32):
+            powers.append(_product(powers[-1], columns, N))
+        base = powers.pop()
+        table.append(powers)
+
+    def vanishes(t: int) -> bool:
+        t, columns = t % period, [[int(i == j) for j in range(2 * m)] for i in range(m)]
+        for powers in table[:-1]:
+            t, d = divmod(t, 32)
+            columns = _product(columns, powers[d], N) if d else columns
+        top = _product(columns, table[-1][t][:m], N)
+        return _minors(top, N)[0] == 0
+
+    return [t for t in left if vanishes(t)]
+
+
 # ---------------------------------------------------------------------- modulo N
 def reading(values: list, p: int, root: int | None = None, power: int = 1) -> list[int]:
-    """Numbers modulo a prime or its square; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
+    """Numbers modulo a power of a prime; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
     field = next((x.field for x in values if isinstance(x, Algebraic)), None)
     if field is None:
         _need(root is None, "rational data have no generator")
@@ -105,12 +149,13 @@ def reading(values: list, p: int, root: int | None = None, power: int = 1) -> li
     if power > 1:  # Hensel's lemma
         slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
         _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
-        root = (root - value * pow(slope, -1, p)) % p**power
+        for _ in range(power - 1):  # each time for one more power
+            root = (root - _horner(modulus, root, p**power) * pow(slope, -1, p)) % p**power
     return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
 
 
 def check_irreducible(field: AlgebraicField, n: Any) -> None:
-    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 5."""
+    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 6."""
     common = lcm(*(Fraction(c).denominator for c in field.modulus))
     F = [int(c * common) for c in field.modulus]
     content = gcd(*F)
