@@ -47,6 +47,7 @@ from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
+from exactkf.dynamics.sieve import places_of_signs
 from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
@@ -58,7 +59,6 @@ from exactkf.dynamics.wandering import (
     escapes_before,
     irreducible_at,
     modulus_without_escape,
-    more_places_without_escape,
     no_escape_modulo,
     places_without_escape,
 )
@@ -432,14 +432,22 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
             case.facts.append(Fact(f"The orbit does not escape modulo {modulus}, so it never does.",
                                    f"$1 - \\gamma_t^2$ is no multiple of ${modulus}$, so it is never zero."))
             return {"modulus": modulus}
-    places = places_without_escape(pair, before) or more_places_without_escape(pair, before)
-    if places is None:
-        return None
-    shown = ", ".join(str(p) for p, *_ in places)
     apart = f", apart from {', '.join(str(-k) for k in before)}, where it would have escaped before the start" if before else ""
-    case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
-                           f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
-    return {"places": places, "before": before}
+    places = places_without_escape(pair, before)
+    if places is not None:
+        shown = ", ".join(str(p) for p, *_ in places)
+        case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
+                               f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
+        return {"places": places, "before": before}
+    signs = places_of_signs(pair, before)
+    if signs is None:
+        return None
+    first, second = (", ".join(str(p) for p, *_ in places) for places in signs)
+    case.facts.append(Fact(f"The determinants whose zeros are the escapes have zeros of two kinds: modulo powers of {first} there is no time for one of the "
+                           f"first kind{apart}, and modulo powers of {second} none for one of the second: the orbit never escapes.",
+                           f"$X_t u = 0$ and $Y_t u = Ku$ modulo powers of ${first}$, or $Y_t u = -Ku$ modulo powers of ${second}$, "
+                           "has no solution $t \\ge 0$, $u \\ne 0$ that lifts."))
+    return {"signs": signs, "before": before}
 
 
 def _is_simple(D: Sequence[Any]) -> bool:

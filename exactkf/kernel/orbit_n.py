@@ -375,6 +375,10 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     elif "order" in evidence:
         _need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
+    elif "signs" in evidence:
+        read: dict[Any, set[int]] = {}
+        for sign, places in zip((1, -1), evidence["signs"], strict=True):
+            check_never_singular(reduced.Q, reduced.S, places, evidence["before"], sign, read)
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
