@@ -55,6 +55,7 @@ from exactkf.dynamics.wandering import (
     aperiodic_place,
     apparent_orders,
     common_period,
+    convergence_modulo,
     escape_seen,
     escapes_before,
     irreducible_at,
@@ -426,6 +427,12 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                                "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
                                f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
         return {"order": N}
+    reduced = case.reduced
+    if pair.integral is not None and (found := convergence_modulo(_fractions(reduced.Q), _fractions(reduced.S), pair.integral)):
+        modulus, after = found
+        case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {modulus}, and there is no escape before: the orbit never escapes.",
+                               f"$\\gamma_t$ is a multiple of ${modulus}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
+        return {"modulus": modulus, "after": after}
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:

@@ -36,7 +36,7 @@ from exactkf.kernel.orbit_sieve import exponent, has_null_vector, intersected, i
 __all__ = ["places_of_signs"]
 
 _PRIME_BOUND, _LONGEST = 3000, (10_000, 30_000, 100_000, 300_000, 999_999)
-_MARGIN, _MOST_LEFT, _MOST_READ = 1, 20_000, 3_000_000
+_MARGIN, _MOST_LEFT, _MOST_READ, _FEW, _MANY = 2, 20_000, 3_000_000, 10, 200  # with a few times expected, there may be none
 _Place = tuple[int, int | None, int]
 
 
@@ -70,6 +70,10 @@ class _Search:
 
     def places(self, candidates: list[_Place]) -> list[_Place] | None:
         """Places that leave no time, in an order in which few times are left on the way."""
+        with_multiple_zeros = all(L % p == 0 for p, _, L in candidates)
+        for one in sorted(candidates, key=lambda x: x[2] // x[0])[:_MANY if with_multiple_zeros else _FEW]:
+            if one[2] <= _LONGEST[1] and not self._read(one):  # the times of one place may all be of the other kind
+                return [one]
         for most in _LONGEST:
             within = [c for c in candidates if c[2] <= most]
             chosen = self._with_much_in_common(within)
@@ -77,7 +81,7 @@ class _Search:
                 if sum(L for p, _, L in candidates if p in self.zeros) + sum(L for p, _, L in unknown if p not in self.zeros) > _MOST_READ:
                     return None
                 for one in unknown:
-                    self.known[one[0]] = self._read(one)
+                    self._read(one)
                 chosen = self._with_much_in_common(within)
             if self._expected(chosen) < _MARGIN and (taken := self._none_left(chosen)):
                 return self._needed(taken)
@@ -94,12 +98,15 @@ class _Search:
     def _read(self, one: _Place) -> set[int]:
         """The times that a place leaves."""
         p, root, L = one
+        if p in self.known:
+            return self.known[p]
         if p not in self.zeros:
             found = zeros_at(self.pair, p, root, L)
             if found is None:
-                return set(range(L))
+                found = set(range(L))
             self.zeros[p] = found - {-k % L for k in self.before if L > k and -k % L in found and is_alone(self.pair, k, p, root, L)}
-        return set(self._deeper(sorted(self.zeros[p]), one, 0))
+        self.known[p] = set(self._deeper(sorted(self.zeros[p]), one, 0))
+        return self.known[p]
 
     def _part(self, one: _Place) -> Fraction:
         """The part of the residues that a place leaves, or about that."""

@@ -6,6 +6,7 @@ Main definitions
 ``places_without_escape``  primes that together show that the orbit never escapes
 ``aperiodic_place``        a prime that shows that the zeros of `D` are not distinct roots of unity
 ``modulus_without_escape``  one small prime that shows it
+``convergence_modulo``     a prime modulo which gamma vanishes from some step on
 ``escapes_before``         the times before the start at which the orbit would have escaped
 ``Readings``               a pair and its `D` modulo primes
 
@@ -30,7 +31,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
-from math import isqrt, lcm
+from math import gcd, isqrt, lcm
 from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
@@ -38,14 +39,16 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_sieve import intersected, step_matrix
+from exactkf.kernel.orbit_n import states
+from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "is_alone",
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before", "irreducible_at", "is_alone",
            "least", "modulus_without_escape", "no_escape_modulo", "place", "places_without_escape", "primes", "step_matrix_at", "unit", "zeros_at"]
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
+_FEW_STEPS, _SOME = 60, 5
 _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 12, 10_000, 200_000, 10_000
 _Taken = tuple[int, int | None, int, set[int]]
 
@@ -156,6 +159,22 @@ def modulus_without_escape(Q: Sequence[Fraction], S: Sequence[Fraction], bound: 
                 return p
         except Undefined:
             continue
+    return None
+
+
+def convergence_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], D: fmpz_poly, steps: int = _FEW_STEPS) -> tuple[int, int] | None:
+    """Return a prime and a step from which on S = 0 modulo the prime and no denominator has it, so that gamma = 0, or None.
+
+    If the prime divides all coefficients of `D` but the middle one, no zero of `D` has the p-adic modulus one, and the orbit tends to a rest in
+    the p-adic numbers as it does in the real ones if `D` is positive.
+    """
+    common = gcd(*(int(D[i] // D.content()) for i in range(D.degree() // 2)))
+    wanted = [p for p in _small_primes() if common % p == 0][:_SOME]
+    for t, (q, s) in zip(range(steps if wanted else 0), states(list(Q), list(S)), strict=False):
+        for p in wanted:
+            power = p ** exponent(int(q[-1]), p)
+            if all(x % power == 0 for x in q) and all(x % (power * p) == 0 for x in s):
+                return p, t
     return None
 
 
