@@ -3,8 +3,8 @@
 
 If an orbit tends to (alpha, 0), D is a multiple of alpha(z)alpha(1/z) and so does not change sign on the circle. Conversely let P be
 the solution of the Riccati equation that belongs to the dominant subspace of S, and Gamma its closed loop. A step from Q goes to
-P + Gamma (Q - P)(I - hh'(Q - P)/(1 - h'Ph))^(-1) Gamma', which ties the orbit to the powers of Gamma.
-A common factor of a and b stays in a and b for all times.
+P + Gamma (Q - P)(I - hh'(Q - P)/(1 - h'Ph))^(-1) Gamma', which ties the orbit to the powers of Gamma. If D has zeros on the circle, they are
+eigenvalues of S with one Jordan block each, of even size for definite D. A common factor of a and b stays in a and b for all times.
 """
 
 from exactkf.claims import claim
@@ -13,6 +13,7 @@ from exactkf.language import (
     Identity,
     T,
     Z,
+    coeff,
     column,
     forall,
     given,
@@ -34,6 +35,8 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
     vector,
+    vstack,
+    when,
 )
 from proofs.blz94.notation import (
     ORBIT,
@@ -57,8 +60,9 @@ from proofs.blz94.notation import (
     t,
     u,
 )
+from proofs.blz94.section_6_subspaces import S_OF_LOOP
 
-E, K, L, N, Q, Gamma, Phi, c, p, q, r, s, v, w, x, y, z = symbols("E K L N Q Gamma Phi c p q r s v w x y z")
+A, E, K, L, N, Q, S, Gamma, Phi, c, p, q, r, s, v, w, x, y, z = symbols("A E K L N Q S Gamma Phi c p q r s v w x y z")
 
 claim("BLZ94-X.2", "the step of the Riccati equation near a solution, on which sufficiency in Theorem 7.1 rests",
       (F * Q * T(F) + (g - F * Q * h) / (1 - T(h) * Q * h) * T(g - F * Q * h))
@@ -87,6 +91,29 @@ claim("BLZ94-X.8", "the solution of the Riccati equation near another one, in cl
       note="Not printed. K_t is P_t - P, as its step by X.2 is K(I - qhh'K)^(-1) between Gamma and Gamma', and I + chh'K is that inverse. Phi_t is Gamma^t and N_t is "
            "the inverse of P_0 - P less q times the sum of the Gamma'^k hh' Gamma^k, k < t.")
 
+_ROTATION = matrix_of(i, j, n, n, when(i == j, (1 - p**2) / (1 + p**2), when(i < j, 2 * p / (1 + p**2), -2 * p / (1 + p**2))))
+_SIMILARITY = matrix_of(i, j, n, n, when(i == j, q, when(i < j, r, -r)))
+#: n = 2, with (u, v) = M = qI + rJ for (x, y) = I, and g and A from h; and n = 1, lambda = 1
+_PAIR = {"using": {p: scalar(), q: scalar(), r: scalar()},
+         "made_by": {c: (1 - p**2) / (1 + p**2), s: 2 * p / (1 + p**2), x: column(i, n, when(i == 1, 1, 0)), y: column(i, n, when(i == 1, 0, 1)),
+                     u: column(i, n, when(i == 1, q, -r)), v: column(i, n, when(i == 1, r, q)), g: _ROTATION * T(_SIMILARITY) * h,
+                     A: _ROTATION * (Identity(n) - T(_SIMILARITY) * h * T(h))}}
+_REAL = {"using": {p: nonzero(), q: scalar()},
+         "made_by": {c: 1, s: 0, x: column(i, n, p), u: column(i, n, p * q), y: 0 * h, v: 0 * h, g: q * h, A: Identity(n) - q * h * T(h)}}
+claim("BLZ94-X.13", "an eigenvector of S to an eigenvalue on the circle is seen by h as much as by g",
+      T(u) * h * T(h) * u + T(v) * h * T(h) * v == T(x) * g * T(g) * x + T(y) * g * T(g) * y, sizes=["n"],
+      over={A: nonsingular(n), g: vector(n), h: vector(n), x: vector(n), y: vector(n), u: vector(n), v: vector(n), c: scalar(), s: scalar()},
+      where=[S_OF_LOOP],
+      given=[given("real part of S(x + iy; u + iv) = lambda(x + iy; u + iv)", S * vstack(x, u) == c * vstack(x, u) - s * vstack(y, v)),
+             given("imaginary part", S * vstack(y, v) == s * vstack(x, u) + c * vstack(y, v)), given("lambda is on the circle", c**2 + s**2 == 1)],
+      by=[order(), instances(16, n=(2,), **_PAIR), instances(8, n=(1,), **_REAL),
+          example(n=1, A=[["5/2"]], g=[1], h=[1], x=[1], y=[0], u=[-4], v=[0], c=2, s=0),
+          example(n=1, A=[[1]], g=[1], h=[2], x=[1], y=[0], u=[1], v=[0], c=1, s=0), example(n=1, A=[[1]], g=[1], h=[2], x=[0], y=[1], u=[0], v=[1], c=1, s=0)],
+      note="Not printed. lambda = c + is. If h'(u + iv) = 0, then g'(x + iy) = 0 as well, hence A(u + iv) = lambda(u + iv) and A'(x + iy) = (x + iy)/lambda, "
+           "and both vectors are zero if (h, A) is observable and (A, g) reachable. So an eigenvalue on the circle has one eigenvector only, up to factors, "
+           "and one Jordan block of the size of its multiplicity, "
+           "as the proof of Lemma 6.10 assumes.")
+
 claim("BLZ94-X.1", "a multiple of w(z)w(1/z) does not change sign on the circle", nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"],
       over={a: monic(n), b: monic(n), w: monic(n), c: scalar()}, where=[let(D, symmetric_part(a, b))],
       given=[given("D = c w(z)w(1/z)", D == c * w * recip(w))],
@@ -96,10 +123,12 @@ claim("BLZ94-X.1", "a multiple of w(z)w(1/z) does not change sign on the circle"
 
 claim("BLZ94-X.3", "a common factor of a and b goes through a step",
       (symmetric_part(u * w, v * w) == symmetric_part(u, v) * w * recip(w))
-      & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w), sizes=["n"], over={u: monic(n), v: monic(n), w: monic(n), x: scalar()},
-      by=[identity(n=range(1, 5)), instances(n=(1, 2))],
-      note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor; so a_t and b_t keep it, and the limit is "
-           "that of the reduced orbit times the factor.")
+      & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w)
+      & (Z * (v * w - u * w) - x * (u * w + v * w) == (Z * (v - u) - x * (u + v)) * w)
+      & (coeff(v * w - u * w, n + k - 1) == coeff(v - u, n - 1)), sizes=["n", "k"], over={u: monic(n), v: monic(n), w: monic(k), x: scalar()},
+      by=[identity(n=range(1, 5), k=range(5)), instances(n=(1, 2), k=(1, 2))],
+      note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor, as the last equation says; so a_t "
+           "and b_t keep it, and the limit is that of the reduced orbit times the factor.")
 
 claim("BLZ94-E7.1", "(7.1) determines the factor with zeros in the closed disc", u == w, sizes=["n"], over={u: monic(n), w: monic(n), r: nonzero()},
       given=[given("same product", u * recip(u) == r * w * recip(w)), given("u has no zero outside", outside_roots(u) == 0),

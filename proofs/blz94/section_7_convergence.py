@@ -10,13 +10,14 @@ Convergence as such is decided on instances: of an orbit with sign definite D it
 one asks, of one with indefinite D that it never meets them.
 """
 
-from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, instances, steps
+from exactkf.claims import claim, repair
+from exactkf.evidence import example, induction, instances, steps
 from exactkf.language import (
             Identity,
             T,
             Z,
             Zero,
+            always,
             charpoly,
             coeff,
             column,
@@ -82,39 +83,64 @@ from proofs.blz94.section_6 import B, factored
 N, Gamma, Phi, c, e, f, l, o, p, q, r, s, u, v, w, x, y = symbols("N Gamma Phi c e f l o p q r s u v w x y")
 
 # ---------------------------------------------------------------------- Theorem 7.1
+cosine, value, highest, lowest, bound = symbols("cosine value highest lowest bound")
 _DEFINITE = let(y, when(nonneg_on_circle(D) | nonneg_on_circle(-D), 1, 0))
+#: if D has values of both signs, of modulus s at least, at points with cos(theta) = -1 + k/8, half of the bound of X.14 for the square length of g(t)
+_AWAY = (
+    function(cosine, [k, j], when(j == 0, 1, when(j == 1, rational("1/8") * k - 1, 2 * cosine(k, 1) * cosine(k, j - 1) - cosine(k, j - 2)))),
+    function(value, [k], coeff(D, 0) + sum_of(j, 1, n, 2 * coeff(D, j) * cosine(k, j))),
+    function(highest, [k], when(k == 0, value(0), when(value(k) > highest(k - 1), value(k), highest(k - 1)))),
+    function(lowest, [k], when(k == 0, value(0), when(value(k) < lowest(k - 1), value(k), lowest(k - 1)))),
+    let(s, when((highest(16) > 0) & (lowest(16) < 0), when(highest(16) < -lowest(16), highest(16), -lowest(16)), 0)),
+    let(bound, when(s == 0, 0, when(s < n * abs(coeff(D, 0)), s / (4 * n * abs(coeff(D, 0))), rational("1/4")))),
+)
 TENDS = when(y == 1, q >= 0, p < 1)
 #: first t at which the square of the length of g(t) is at most x, or -1 if the orbit is back before
 _NEAR = function(f, [t], when((T(g[t]) * g[t])[1, 1] <= x, t, when((t > 0) & (a[t] == a0) & (g[t] == g0), -1, f(t + 1)))), let(q, f(0))
 _VECTORS = {"sizes": ["n", "m"], "over": {a0: vector(n), g0: vector(n), x: positive()},
             "where": [*FAST, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0))), _DEFINITE, _NEAR,
-                      let(p, sum_of(t, 0, m, when(g[t] == 0 * g0, 1, 0)))]}
+                      *_AWAY, let(p, sum_of(t, 0, m, when((T(g[t]) * g[t])[1, 1] <= bound, 1, 0)))]}
 POWERS_TEND = ["Parlett and Poole: the powers of a matrix take a subspace to the dominant one, in the sense of exponents, if it is complementary to the codominant one",
-          "powers of a matrix with all eigenvalues in the open disc tend to zero"]
+               "a subspace of half the dimension has a Lagrangian complement", "powers of a matrix with all eigenvalues in the open disc tend to zero"]
 CONVERGENCE = ("BLZ94-E6.16", "BLZ94-EA.22", "BLZ94-EA.25", "BLZ94-E6.21", "BLZ94-E6.34", "BLZ94-S53", "BLZ94-E8.8", "BLZ94-E6.33", "BLZ94-X.2", "BLZ94-X.3", "BLZ94-X.5", "BLZ94-X.6",
-          "BLZ94-X.7", "BLZ94-X.8")
-_GLUE = ("Necessity: in the limit (2.18) makes D a multiple of v(z)v(1/z), see X.1. Sufficiency: if a and b are coprime, Im(I; 0) does not meet the codominant subspace "
-         "(Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the difference of two P_t. A common factor goes "
-         "through all steps (X.3), and alpha_n = 0 lowers the order (S26).")
+               "BLZ94-X.7", "BLZ94-X.8", "BLZ94-X.13", "BLZ94-X.14", "BLZ94-P6.6", "BLZ94-E6.12", "BLZ94-E4.13", "BLZ94-E7.4", "BLZ94-S26")
+_SIGNS = ["a number times its conjugate is not negative", "a function that does not change sign has zeros of even multiplicity only"]
+_GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v(1/z), which has one sign on the circle; X.14 gives a bound. Sufficiency: if "
+         "a and b are coprime, an eigenvalue of S on the circle has one Jordan block (X.13), of even size for definite D, so that half of its exponents are positive and "
+         "half negative: the dominant and the codominant subspace are determined, and Lagrangian as limits of Lagrangian subspaces under powers of S and S^(-1). Im(I; 0) does not "
+         "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the "
+         "difference of two P_t. A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
+claim("BLZ94-X.14", "D_t as a difference of squares, which bounds g(t) away from zero where D is not sign definite",
+      always(t, (r[t] * (monic_of(a[t] + g[t]) * recip(monic_of(a[t] + g[t])) - strict_of(g[t]) * recip(strict_of(g[t]))) == D)
+             & (r[t] * (1 + (T(a[t] + g[t]) * (a[t] + g[t]))[1, 1] - (T(g[t]) * g[t])[1, 1]) == coeff(D, 0))), sizes=["n"], over={a0: vector(n), g0: vector(n)},
+      where=[*FAST, *SCALE, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))], by=[induction(n=range(1, 5)), instances(n=(1, 2, 3), horizon=3)],
+      note="Not printed. Let D have the values d > 0 and -e < 0 on the circle and s = min(d, e). At one of the two points D_t = D/r_t is at most -s/|r_t|, "
+           "so |g_t(z)|^2 is at least s/|r_t| there, and n times "
+           "the square length of g(t) is. If that length is at most 1/2, 1/|r_t| is at least 1/(2|d_0|) by the second equation; if d_0 = 0, the length is at "
+           "least one. So the square length of g(t) "
+           "is never less than the smaller of 1/2 and s/(2n|d_0|), and the orbit tends to no equilibrium.")
+
 claim("BLZ94-T7.1.0", "an orbit that does not escape tends to the equilibria if and only if D is sign definite",
       TENDS, **_VECTORS,
-      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose=_GLUE),
+      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS], prose=_GLUE),
           example({a0: ["1/3"], g0: ["7/3"], x: "1/9"}, n=1, m=4), example({a0: ["-1/3", "5/3"], g0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({a0: [2], g0: [0], x: "1/9"}, n=1, m=2), example({a0: [3], g0: ["-1"], x: "1/25"}, n=1, m=2), example({a0: [-3], g0: [2], x: "1/25"}, n=1, m=2),
           instances(10, n=(1, 2), m=(3, 4), using={u: scalar(), v: vector(n)}, made_by={x: u**2 / 8 + rational("1/20")}),
           instances(10, n=(1, 2), m=(3,), using={u: scalar(), v: vector(n), w: vector(n)},
                     made_by={x: u**2 / 8 + rational("1/20"), a0: column(i, n, v[i] / 4), g0: column(i, n, w[i] / 9)})],
-      note="g(t) tends to zero: for every x > 0 some g(t) has a square length of at most x, q being the first such t. y = 1 if D is sign definite. If it is not, none of the first g(t) is zero, p being their number; that g(t) does "
-           "not tend to zero either is (2.18). An orbit that escapes, where a division by zero occurs, is outside the statement.")
+      note="g(t) tends to zero: for every x > 0 some g(t) has a square length of at most x, q being the first such t. y = 1 if D is sign definite. If it is "
+           "not, X.14 bounds g(t) away from zero: p is the number of the first g(t) with a square "
+           "length of at most the bound, which is zero if no value of the grid shows both signs. An orbit that escapes, where a division by zero occurs, is "
+           "outside the statement.")
 
 _GAMMA_NEAR = function(f, [t], when((T(gamma[t]) * gamma[t])[1, 1] <= x, t, when((t > 0) & (alpha[t] == alpha0) & (gamma[t] == gamma0), -1, f(t + 1)))), let(q, f(0))
-ALONG = (*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), _DEFINITE, _GAMMA_NEAR,
-             let(p, sum_of(t, 0, m, when(gamma[t] == 0 * gamma0, 1, 0))))
+ALONG = (*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), _DEFINITE, _GAMMA_NEAR, *_AWAY,
+         let(p, sum_of(t, 0, m, when((T(b_of[t] - a_of[t]) * (b_of[t] - a_of[t]))[1, 1] <= 4 * bound, 1, 0))))
 claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergence, away from the escaping points",
       TENDS, sizes=["n", "m"],
       over={alpha0: vector(n), gamma0: vector(n), x: positive()},
       where=ALONG,
-      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", facts=POWERS_TEND, prose=_GLUE),
+      by=[steps(*CONVERGENCE, "BLZ94-T4.3.1", "BLZ94-T4.3.2", facts=[*POWERS_TEND, *_SIGNS], prose=_GLUE),
           example({alpha0: [0, 2], gamma0: ["1/2", "1/3"], x: "1/100"}, n=2, m=4),
           example({alpha0: ["8/3"], gamma0: ["7/3"], x: "1/9"}, n=1, m=3),
           example({alpha0: [2], gamma0: [0], x: "1/9"}, n=1, m=2), example({alpha0: [3], gamma0: [2], x: "1/25"}, n=1, m=2), example({alpha0: [1], gamma0: [3], x: "1/25"}, n=1, m=2),
@@ -122,11 +148,7 @@ claim("BLZ94-T7.1.2", "sign definite D is necessary and sufficient for convergen
           instances(10, n=(1, 2), m=(3,), using={u: scalar(), v: vector(n), w: vector(n)},
                     made_by={x: u**2 / 8 + rational("1/20"), alpha0: column(i, n, v[i] / 4), gamma0: column(i, n, w[i] / 9)})],
       note="The statement of Theorem 7.1 once more, in the coordinates (alpha, gamma). gamma(t) tends to zero: q is the first t at which its square length is at most x; "
-           "y = 1 for sign definite D, and p counts the zeros among the first gamma(t).")
-
-not_checked("BLZ94-T7.1.1", "the points that escape, and the closure of those among them with sign definite D, have measure zero",
-            "a statement about Lebesgue measure and closure, for which there is no formula here. Its exact part: for each t escape is one equation 1 - gamma_t^2 = 0, which is not an "
-            "identity as equilibria never escape (BLZ94-X.4)")
+           "y = 1 for sign definite D, and p counts those of the first (b(t) - a(t))/2 that the bound of X.14 forbids otherwise.")
 
 FACTORED = factored(J, h)
 _LIMIT = q * (g0 - F * P * h) + a0
@@ -140,8 +162,12 @@ claim("BLZ94-T7.1.3", "the limit: the factor of D with zeros in the closed disc,
              rec(u, t, monic_of(a0) * x, (u[t] + (1 - Z) * v[t]) / (1 - p(t))), rec(v, t, strict_of(g0) * x, ((Z - p(t)) * v[t] - p(t) * u[t]) / (1 - p(t) ** 2))],
       given=[standing("(6.1)", F * P * T(F) - P + q * (g0 - F * P * h) * T(g0 - F * P * h) == Zero(n, n)), standing("q is the inverse of 1 - h'Ph", q * (1 - T(h) * P * h) == 1),
              standing("zeros in the closed disc", outside_roots(monic_of(alpha)) == 0), standing("coprime", coprime(monic_of(a0), monic_of(a0 + 2 * g0)))],
-      by=[steps(*CONVERGENCE, facts=POWERS_TEND, prose="By X.2, X.8 and (2.17). The right side tends to zero since the powers of the closed loop do; with zeros on the circle by the theorem of "
-                                            "Parlett and Poole. The sum of the two polynomials of the orbit tends to alpha(z) times the common factor, their difference to zero."),
+      by=[steps(*CONVERGENCE, facts=[*POWERS_TEND, *_SIGNS],
+                prose="By X.2, X.8 and (2.17). By X.13 and as D is definite, S has Jordan blocks of even size on the circle. The right side tends to zero "
+                      "since the powers of the "
+                      "closed loop do; with zeros on the circle by the theorem of Parlett and Poole. The sum of the two polynomials of the orbit tends to "
+                      "alpha(z) times the "
+                      "common factor, their difference to zero."),
           instances(16, n=(1, 2), k=(0, 1), m=(1, 2, 3), **FACTORED)],
       note="(a, g) are the reduced data and x the common factor theta; u and v are a_t(z) and g_t(z) along (2.16) from the full data. alpha is (6.2) for the P whose closed loop has its "
            "zeros in the closed disc, and r_t goes to 1/q, so that alpha(z)theta(z) is the limit.")

@@ -264,7 +264,7 @@ claim("BLZ94-F8.4b", "where the points of the regions of Figure 8.4 converge to"
           example(n=2, m=3, alphabar=[0, 2], x="1/100"), example(n=2, m=3, alphabar=[0, 3], x="1/50"), example(n=2, m=3, alphabar=[0, 0], x="1/100"),
           example(n=2, m=3, alphabar=[5, 3], x="1/50"), example(n=2, m=3, alphabar=[0, "-3"], x="1/50"),
           instances(12, n=(2,), m=(3,), using={u: scalar()}, made_by={x: u**2 / 8 + rational("1/20")})],
-      note="gamma(t) tends to zero where D is sign definite (y = 1): q is the first t at which its square length is at most x. Where it is not, none of the first gamma(t) is zero.")
+      note="gamma(t) tends to zero where D is sign definite (y = 1): q is the first t at which its square length is at most x. Where it is not, the bound of X.14 keeps (b(t) - a(t))/2 away from zero.")
 
 not_checked("BLZ94-F8.5", "the plot of an orbit", "a picture without printed numbers; what the text says of it is in X8.1a, X8.1b and X8.1c")
 not_checked("BLZ94-F8.6", "an orbit from a rounded periodic point",
