@@ -427,12 +427,6 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                                "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
                                f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
         return {"order": N}
-    reduced = case.reduced
-    if pair.integral is not None and (found := convergence_modulo(_fractions(reduced.Q), _fractions(reduced.S), pair.integral)):
-        modulus, after = found
-        case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {modulus}, and there is no escape before: the orbit never escapes.",
-                               f"$\\gamma_t$ is a multiple of ${modulus}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
-        return {"modulus": modulus, "after": after}
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:
@@ -446,6 +440,12 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
         case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
                                f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
         return {"places": places, "before": before}
+    reduced = case.reduced
+    if pair.integral is not None and (settled := convergence_modulo(_fractions(reduced.Q), _fractions(reduced.S), pair.integral)):
+        prime, after = settled
+        case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {prime}, and there is no escape before: the orbit never escapes.",
+                               f"$\\gamma_t$ is a multiple of ${prime}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
+        return {"modulus": prime, "after": after}
     signs = places_of_signs(pair, before)
     if signs is None:
         return None

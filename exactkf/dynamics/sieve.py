@@ -36,7 +36,7 @@ from exactkf.kernel.orbit_sieve import exponent, has_null_vector, intersected, i
 __all__ = ["places_of_signs"]
 
 _PRIME_BOUND, _LONGEST = 3000, (10_000, 30_000, 100_000, 300_000, 999_999)
-_MARGIN, _MOST_LEFT, _MOST_READ, _FEW, _MANY = 2, 20_000, 3_000_000, 10, 200  # with a few times expected, there may be none
+_MARGIN, _MOST_LEFT, _MOST_READ, _FEW, _MANY = 2, 5_000, 2_000_000, 10, 60  # with a few times expected, there may be none
 _Place = tuple[int, int | None, int]
 
 
@@ -72,7 +72,7 @@ class _Search:
         """Places that leave no time, in an order in which few times are left on the way."""
         with_multiple_zeros = all(L % p == 0 for p, _, L in candidates)
         for one in sorted(candidates, key=lambda x: x[2] // x[0])[:_MANY if with_multiple_zeros else _FEW]:
-            if one[2] <= _LONGEST[1] and not self._read(one):  # the times of one place may all be of the other kind
+            if one[2] <= _LONGEST[0] and not self._read(one):  # the times of one place may all be of the other kind
                 return [one]
         for most in _LONGEST:
             within = [c for c in candidates if c[2] <= most]

@@ -43,8 +43,9 @@ from exactkf.kernel.orbit_n import states
 from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before", "irreducible_at", "is_alone",
-           "least", "modulus_without_escape", "no_escape_modulo", "place", "places_without_escape", "primes", "step_matrix_at", "unit", "zeros_at"]
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before", "irreducible_at",
+           "is_alone", "least", "modulus_without_escape", "no_escape_modulo", "place", "places_without_escape", "primes", "step_matrix_at", "unit",
+           "zeros_at"]
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
