@@ -33,6 +33,7 @@ __all__ = ["Membership", "find_induction", "find_membership", "find_order", "sea
 
 
 _DEGREE_WITH_LEMMAS = 12
+_LONG_LETTER = 40
 
 
 @dataclass(frozen=True)
@@ -239,8 +240,19 @@ def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, de
         except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
             continue
         if None not in blocks:
-            return {"sum": terms, "blocks": blocks, **more, **way}
+            return {"sum": terms, **_spelled(blocks), **more, **way}
     return None
+
+
+def _spelled(blocks: list) -> dict:
+    """The terms of each block; long letters, such as inverses of sums, are listed once, and stand in words by their numbers."""
+    letters: dict[str, int] = {}
+
+    def short(word: list) -> list:
+        return [letters.setdefault(a, len(letters)) if len(a) > _LONG_LETTER else a for a in word]
+
+    made = [[[c, short(left), name, short(right), *more] for c, left, name, right, *more in terms] for terms in blocks]
+    return {"blocks": made, **({"letters": list(letters)} if letters else {})}
 
 
 def _ways(case: dict, formula: Any, terms: list) -> Iterator[dict]:

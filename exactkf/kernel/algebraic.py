@@ -10,7 +10,7 @@ intervals. Numbers of two different fields do not mix.
 from __future__ import annotations
 
 from fractions import Fraction
-from math import lcm
+from math import gcd, lcm
 from typing import Any
 
 from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown
@@ -31,14 +31,34 @@ class AlgebraicField:
             raise Undefined("the polynomial of a number field must be square-free of positive degree")
         if not lo < hi or _sign_at(modulus, lo) * _sign_at(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
-        self.modulus, self.lo, self.hi, self.irreducible = _whole(modulus) if irreducible else modulus, lo, hi, irreducible
+        self.lo, self.hi, self.irreducible = lo, hi, irreducible
+        self.take(modulus)
 
-    def tidy(self, p: list) -> list:
-        """Coefficients in the type that arithmetic in this field expects: ints where they are integers and the modulus is known."""
-        return _whole(p) if self.irreducible else p
+    def take(self, modulus: list) -> None:
+        """Compute modulo this polynomial from now on: in integers, up to a factor."""
+        factor = lcm(*(Fraction(c).denominator for c in modulus)) * (1 if modulus[-1] > 0 else -1)
+        self.modulus, self.whole = modulus, [int(c * factor) for c in modulus]
 
     def element(self, coefficients: list) -> Algebraic:
-        return Algebraic(self, _remainder(coefficients, self.modulus))
+        """A polynomial in theta."""
+        below = lcm(*(c.denominator for c in coefficients))
+        return self.reduced([c.numerator * (below // c.denominator) for c in coefficients], below)
+
+    def reduced(self, p: list[int], below: int) -> Algebraic:
+        """p(theta) over a positive integer; the list is used up."""
+        *m, lead = self.whole
+        while len(p) > len(m):
+            f = p.pop()
+            if f and lead != 1:
+                p, below = [lead * x for x in p], lead * below
+            for i, c in enumerate(m if f else (), len(p) - len(m)):
+                if c:
+                    p[i] -= f * c
+        while p and p[-1] == 0:
+            p.pop()
+        if below != 1 and (common := gcd(below, *p)) != 1:
+            p, below = [x // common for x in p], below // common
+        return Algebraic(self, p, below)
 
     def refine(self) -> None:
         """Halve the isolating interval."""
@@ -53,85 +73,64 @@ class AlgebraicField:
             self.lo = mid
 
 
-def _whole(p: list) -> list:
-    """Coefficients that are integers as ints, with which arithmetic is faster."""
-    return [c.numerator if c.denominator == 1 else c for c in p]
-
-
-def _exact(p: list) -> list[Fraction]:
-    """Coefficients that may be divided by each other."""
-    return [Fraction(c) for c in p]
-
-
 def _sign_at(p: list, x: Fraction) -> int:
     """Sign of p(x), in integers."""
     low, _, _ = _enclose(p, x, x)
     return (low > 0) - (low < 0)
 
 
-def _remainder(p: list, m: list) -> list:
-    p = list(p)
-    while len(p) >= len(m):
-        f = p[-1] if m[-1] == 1 else Fraction(p[-1]) / m[-1]
-        if f:
-            for i, c in enumerate(m[:-1], len(p) - len(m)):
-                if c:
-                    p[i] -= f * c
-        p.pop()
-    while p and p[-1] == 0:
-        p.pop()
-    return p
-
-
 class Algebraic(FieldElement):
-    """Polynomial in theta, reduced modulo the modulus."""
+    """Polynomial in theta, reduced modulo the modulus: integers over a positive one without a common divisor."""
 
-    __slots__ = ("c", "field")
+    __slots__ = ("below", "field", "whole")
 
-    def __init__(self, field: AlgebraicField, coefficients: list) -> None:
-        self.field, self.c = field, coefficients
+    def __init__(self, field: AlgebraicField, whole: list[int], below: int = 1) -> None:
+        self.field, self.whole, self.below = field, whole, below
+
+    @property
+    def c(self) -> list[Fraction]:
+        """Coefficients from theta^0 up."""
+        return [Fraction(v, self.below) for v in self.whole]
 
     def _coerce(self, x: Any) -> Algebraic | None:
         if isinstance(x, Algebraic):
             if x.field is not self.field:
                 raise Unknown("numbers of two different fields in one term")
             return x
-        if type(x) is int and self.field.irreducible:
-            return Algebraic(self.field, [x] if x else [])
         if hasattr(x, "denominator"):  # int, Fraction, or the faster type of a search
-            return Algebraic(self.field, self.field.tidy([Fraction(int(x.numerator), int(x.denominator))]) if x else [])
+            return Algebraic(self.field, [int(x.numerator)] if x else [], int(x.denominator))
         return None
 
     def __add__(self, other: Any) -> Any:
         y = self._coerce(other)
         if y is None:
             return NotImplemented
-        long, short = (self.c, y.c) if len(self.c) >= len(y.c) else (y.c, self.c)
-        out = [v + short[k] if k < len(short) else v for k, v in enumerate(long)]
-        while out and out[-1] == 0:
-            out.pop()
-        return Algebraic(self.field, out)
+        long, short = (self, y) if len(self.whole) >= len(y.whole) else (y, self)
+        common = gcd(long.below, short.below)
+        a, b = short.below // common, long.below // common
+        out = [a * v for v in long.whole] if a != 1 else list(long.whole)
+        for k, v in enumerate(short.whole):
+            out[k] += b * v
+        return self.field.reduced(out, a * long.below)
 
     __radd__ = __add__
 
     def __neg__(self) -> Algebraic:
-        return Algebraic(self.field, [-v for v in self.c])
+        return Algebraic(self.field, [-v for v in self.whole], self.below)
 
     def __sub__(self, other: Any) -> Any:
         return NotImplemented if isinstance(other, (Laurent, Ratio)) else self + (-other)
 
     def __mul__(self, other: Any) -> Any:
-        if isinstance(other, (int, Fraction)):
-            return Algebraic(self.field, self.field.tidy([v * other for v in self.c]) if other else [])
         y = self._coerce(other)
         if y is None:
             return NotImplemented
-        out: list = [0 if self.field.irreducible else Fraction(0)] * max(0, len(self.c) + len(y.c) - 1)
-        for i, a in enumerate(self.c):
-            for j, b in enumerate(y.c if a else ()):
+        out = [0] * max(0, len(self.whole) + len(y.whole) - 1)
+        for i, a in enumerate(self.whole):
+            for j, b in enumerate(y.whole if a else ()):
                 if b:
                     out[i + j] += a * b
-        return self.field.element(out)
+        return self.field.reduced(out, self.below * y.below)
 
     __rmul__ = __mul__
 
@@ -139,10 +138,9 @@ class Algebraic(FieldElement):
         """By the extended Euclidean algorithm in Q[x]; a common factor not vanishing at theta is divided out."""
         if self.sign() == 0:
             raise Undefined("division by zero")
-        common = [] if self.field.irreducible else gcd_poly(_exact(self.c), _exact(self.field.modulus))
-        if len(common) > 1:
-            self.field.modulus = divmod_poly(_exact(self.field.modulus), common)[0]
-        a, b = _exact(self.field.modulus), _exact(_remainder(self.c, self.field.modulus))
+        if len(common := self._common()) > 1:
+            self.field.take(divmod_poly([Fraction(c) for c in self.field.modulus], common)[0])
+        a, b = [Fraction(c) for c in self.field.modulus], self.field.reduced(list(self.whole), self.below).c
         s: list[Fraction] = []
         t = [Fraction(1)]
         while len(b) > 1:
@@ -152,17 +150,21 @@ class Algebraic(FieldElement):
                 for j, y in enumerate(t):
                     new[i + j] -= x * y
             a, b, s, t = b, r, t, new
-        return self.field.element(self.field.tidy([x / b[0] for x in t]))
+        return self.field.element([x / b[0] for x in t])
+
+    def _common(self) -> list:
+        """Greatest common divisor of this polynomial and the modulus, where it may have a positive degree."""
+        return [] if self.field.irreducible else gcd_poly(self.c, [Fraction(c) for c in self.field.modulus])
 
     def sign(self) -> int:
         """Sign of the real number: zero is decided by a gcd, the rest by interval arithmetic."""
-        if not self.c:
+        if not self.whole:
             return 0
-        common = [] if self.field.irreducible else gcd_poly(_exact(self.c), _exact(self.field.modulus))
+        common = self._common()
         if len(common) > 1 and _sign_at(common, self.field.lo) * _sign_at(common, self.field.hi) < 0:
             return 0
         while True:
-            low, high, _ = _enclose(self.c, self.field.lo, self.field.hi)
+            low, high, _ = _enclose(self.whole, self.field.lo, self.field.hi)
             if low > 0 or high < 0:
                 return 1 if low > 0 else -1
             self.field.refine()
@@ -170,16 +172,16 @@ class Algebraic(FieldElement):
     def enclosed(self, width: Fraction) -> tuple[Fraction, Fraction]:
         """An interval of at most that width around the number."""
         while True:
-            low, high, below = _enclose(self.c, self.field.lo, self.field.hi)
-            if Fraction(high - low, below) <= width:
-                return Fraction(low, below), Fraction(high, below)
+            low, high, below = _enclose(self.whole, self.field.lo, self.field.hi)
+            if Fraction(high - low, below * self.below) <= width:
+                return Fraction(low, below * self.below), Fraction(high, below * self.below)
             self.field.refine()
 
     def __eq__(self, other: object) -> bool:
         y = self._coerce(other)
         if y is None:
             return NotImplemented
-        return self.c == y.c if self.field.irreducible else (self - y).sign() == 0
+        return self.whole == y.whole and self.below == y.below if self.field.irreducible else (self - y).sign() == 0
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -59,7 +59,7 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
 def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0) -> Iterator[tuple[Terms, Symbolic]]:
     """What a case, its coefficients or its entries come to, in each part of the region."""
     tree, env, forms, within = case
-    region = Region([*sizes, *forms])
+    region = Region.of(*sizes, *forms)
     if region.empty:
         return
     terms = make(region)
@@ -86,7 +86,7 @@ def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
         return Terms(statement, region)
 
     found = set()
-    for name in make(Region([])).recursive:
+    for name in make(Region.of()).recursive:
         first, later = _cases(next(d for d in statement["where"] if d[1] == name))
         try:
             for case in first + later:
@@ -257,12 +257,12 @@ def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:
         return not terms.field.factors and (wanted is None or not (x - terms.number(wanted)).num)
 
     try:
-        terms = _AtPoint(witness, Region(witness.sizes))
+        terms = _AtPoint(witness, Region.of(*witness.sizes))
         rows, cols = terms.shape(matrix, env)
         if not terms.is_matrix(matrix) or plus(rows, cols, -1):
             return False
         gap: Form = {"column": 1, "row": -1}
-        square = Region([*witness.sizes, {"row": 1, "": -1}, plus(rows, {"row": 1}, -1), {"column": 1, "": -1}, plus(rows, {"column": 1}, -1)])
+        square = Region.of(*witness.sizes, {"row": 1, "": -1}, plus(rows, {"row": 1}, -1), {"column": 1, "": -1}, plus(rows, {"column": 1}, -1))
         places = {1: (gap, plus({}, gap, -1)), 0: (plus(gap, {"": 1}, -1),), None: (plus(plus({}, gap, -1), {"": 1}, -1),)}
         return all(ones(square.and_(*forms), wanted) for wanted, forms in places.items())
     except (Unknown, Undefined, KeyError):

@@ -22,12 +22,12 @@ from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, hypotheses
 from exactkf.kernel.words import Blocks
 
-__all__ = ["apart", "are_transposed", "definiteness", "exists", "nonsingular", "sign"]
+__all__ = ["apart", "are_transposed", "definiteness", "exists", "nonsingular", "plain", "sign"]
 
 
 def exists(reader: Reader, tree: Any, known: list) -> bool:
     """Every inverse in a term is one of the statement or of a matrix that is nonsingular (a number that is positive) by its form."""
-    if not isinstance(tree, (list, tuple)):
+    if plain(reader, tree):
         return True
     if tree and not isinstance(tree[0], str):  # a row of a block matrix
         return all(exists(reader, x, known) for x in tree)
@@ -45,6 +45,18 @@ def exists(reader: Reader, tree: Any, known: list) -> bool:
     if tree and tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets:
         return exists(reader, reader.lets[tree[1]][3], known)
     return all(exists(reader, x, known) for x in tree[1:])
+
+
+def plain(reader: Reader, tree: Any) -> bool:
+    """No inverse, quotient, power or value of a function in a term, nor in what its names stand for: what readers of the same letters find alike."""
+    if not isinstance(tree, (list, tuple)):
+        return True
+    key = ("plain", id(tree))
+    if key not in reader.alike:
+        body = reader.lets[tree[1]][3] if tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets else 0
+        free = tree[0] not in ("inv", "/", "^", "at") and plain(reader, body) and all(plain(reader, x) for x in tree)
+        reader.alike[key] = tree, free
+    return reader.alike[key][1]
 
 
 def _brings_nothing(reader: Reader, tree: Any) -> bool:

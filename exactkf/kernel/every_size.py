@@ -18,7 +18,8 @@ Main definitions
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 from exactkf.kernel.index_induction import generic_index
@@ -67,8 +68,12 @@ def _up_to(statement: Mapping[str, Any], k: int, whole: Reader, assumed: dict[st
     return reader, {name: relation for name, relation in assumed.items() if relation in found}
 
 
-def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly, rows: Size, cols: Size, terms: list) -> Poly:
-    """What is left of a polynomial after multiples c s l (assumption) r are taken off; s is a monomial in the scalars."""
+def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly, rows: Size, cols: Size, terms: list,
+                    letters: Sequence[str] = ()) -> Poly:
+    """What is left of a polynomial after multiples c s l (assumption) r are taken off; s is a monomial in the scalars.
+
+    A number in a word stands for one of the letters.
+    """
     rest = dict(goal)
     sizes: dict[tuple[Word, Size], Size] = {}
 
@@ -78,21 +83,29 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
         return sizes[word, start]
 
     for c, left, name, right, *more in terms:
-        before, behind = tuple(left), tuple(right)
+        before, behind = (tuple([letters[a] if type(a) is int else a for a in word]) if letters else tuple(word) for word in (left, right))
         scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
-        _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
-        _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
+        if scalars:
+            _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
+            _need(all(e > 0 or n in reader.units for n, e in scalars), "a term is divided by a scalar that may vanish")
         relation = assumed[name] if isinstance(name, str) else _between_numbers(reader, assumed, name)
         start = after(before, rows)
         if relation.rows is not None:
-            _need(start == relation.rows, f"relation {name} has other sizes than the word before it")
+            if start != relation.rows:
+                raise Rejected(f"relation {name} has other sizes than the word before it")
             start = relation.cols  # type: ignore[assignment]
-        _need(after(behind, start) == cols, f"a word of relation {name} has other sizes than the block")
-        factor = number(fraction(c))
+        if after(behind, start) != cols:
+            raise Rejected(f"a word of relation {name} has other sizes than the block")
+        factor = c if type(c) is int else _factor(c)
         for (s, word), value in relation.poly.items():
             key = (times_scalars(s, scalars) if s and scalars else s or scalars, before + word + behind)
             rest[key] = rest.get(key, 0) - factor * value
     return {key: value for key, value in rest.items() if value}
+
+
+@lru_cache(maxsize=1 << 10)
+def _factor(text: str) -> Any:
+    return number(fraction(text))
 
 
 def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any) -> Relation:
@@ -124,7 +137,8 @@ def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[st
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
         _need(len(blocks) == len(leaf.goals), f"part {place}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
-            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms), f"part {place}: the terms do not add up")
+            _need(not _less_multiples(leaf.reader, leaf.assumed(k), goal, rows, cols, terms, proof.get("letters", ())),
+                  f"part {place}: the terms do not add up")
         denominators.extend(d for term, _ in leaf.known if (d := f"det({_text(term)})") not in denominators)
     return denominators
 

@@ -23,6 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from exactkf.kernel.chains import Chains
@@ -75,6 +76,7 @@ class Terms(Indefinite, Chains):
         self.places: dict[tuple, int] = {}
         self.nested = self.perhaps = 0
         self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
+        self.shapes: dict[tuple[Region, str], tuple[Form, Form]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -90,6 +92,8 @@ class Terms(Indefinite, Chains):
         return Symbolic(self.field, {1 << (BITS * self.places[key]): 1}, 1, ())
 
     def number(self, value: Any) -> Symbolic:
+        if type(value) is int:
+            return Symbolic(self.field, {0: value} if value else {}, 1, ())
         value = Fraction(value)
         return Symbolic(self.field, {0: value.numerator} if value else {}, value.denominator, ())
 
@@ -471,13 +475,13 @@ class Terms(Indefinite, Chains):
         if op == "block":
             return self._blocks(tree, env)
         if op in ("sym", "at"):
-            kind = self.known.kinds.get(tree[1])
-            if op == "sym" and kind:
-                return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
-            d = self.definitions[tree[1]]
-            if d[0] == "rec":
-                self._need_one_shape(d)
-                return self.shape(d[4][0], {})
+            d: Any = self.definitions.get(tree[1], ("",))
+            if op == "sym" and tree[1] not in self.recursive or d[0] == "rec":  # whatever the indices are
+                if d[0] == "rec":
+                    self._need_one_shape(d)
+                if (self.region, tree[1]) not in self.shapes:
+                    self.shapes[self.region, tree[1]] = self._shape_of_name(tree[1], d)
+                return self.shapes[self.region, tree[1]]
             inner = dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {}
             if d[1] in self.recursive:  # what a first branch gives
                 self._need_one_shape(d)
@@ -505,6 +509,12 @@ class Terms(Indefinite, Chains):
         if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
+
+    def _shape_of_name(self, name: str, d: Any) -> tuple[Form, Form]:
+        """Numbers of rows and columns of a variable, a definition without indices, or the values of a recursion."""
+        if kind := self.known.kinds.get(name):
+            return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
+        return self.shape(d[4][0] if d[0] == "rec" else d[3], {})
 
     def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
         """A term that is not known to be a number is made of matrices of one row and column."""
@@ -550,7 +560,7 @@ class Terms(Indefinite, Chains):
         """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
         name, region = d[1], self.region
         if name not in self.kept:
-            self.kept[name], self.region = True, Region([])
+            self.kept[name], self.region = True, Region.of()
             try:
                 first, *others = (self.shape(tree, env) for tree, env in _branches(d))
                 keeps = all(shape == first for shape in others)
@@ -560,6 +570,7 @@ class Terms(Indefinite, Chains):
                 self.region = region
             if not keeps:  # what has been seen of others may rest on it
                 self.kept.clear()
+                self.shapes.clear()
                 self.kept[name] = False
         if not self.kept[name]:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
@@ -674,6 +685,7 @@ _GAPS: dict[str, Callable[[Region, Form], bool]] = {
 }
 
 
+@lru_cache(maxsize=1 << 12)
 def _atom_text(key: tuple) -> str:
     if key[0] in ("opaque", "word"):
         return f"<{key[1]}>[{', '.join(_form_text(x) for x in key[2:])}]"

@@ -60,9 +60,9 @@ class Indefinite:
         return self._range(low, high, factor, True)
 
     def _range(self, low: Form, high: Form, body: Callable[[Any, Form], Symbolic], times: bool) -> Symbolic:
-        if not self.region.holds(plus(plus(high, low, -1), {"": 1})) or self.region.decide(plus(high, low, -1)) is False:
-            return self.number(int(times))
         length = self.region.reduce(plus(high, low, -1))
+        if not self.region.holds(plus(length, {"": 1})) or self.region.decide(length) is False:
+            return self.number(int(times))
         if self.region.decide(plus({}, length, -1)) is True:  # one term, or none
             if not self.region.holds(length):
                 return self.number(int(times))
@@ -74,7 +74,7 @@ class Indefinite:
                 out = out * x if times else out + x
             return out
         name = f"#{self.nested}"  # sums within this one have other names
-        empty = int(self.region.decide(plus(high, low, -1)) is not True)  # then what stands in the body need not have a value
+        empty = int(self.region.decide(length) is not True)  # then what stands in the body need not have a value
         self.nested += 1
         self.perhaps += empty
         j = {name: 1}
@@ -233,4 +233,5 @@ def _moved(key: tuple, name: str, s: int, offset: Form) -> tuple:
     """The atom with s # + offset in place of the index of the sum; '#' stands for the new index."""
     if key[0] in BOUND and name != "#" and Indefinite._moves(key[1], name):  # '#' itself is bound there
         raise Unknown("sums within sums that depend on the outer index")
-    return (*key[:2], *(form_key(plus({n: c for n, c in x if n != name}, plus({"#": s} if s else {}, offset), dict(x).get(name, 0))) for x in key[2:]))
+    moved = plus({"#": s} if s else {}, offset)
+    return (*key[:2], *(form_key(plus({n: c for n, c in x if n != name}, moved, c)) if (c := dict(x).get(name, 0)) else x for x in key[2:]))

@@ -87,7 +87,7 @@ class _Proof:
         if names or any(n.startswith(("#", "@")) for n in statement["sizes"]):
             raise Unknown(f"a name that the induction needs: {', '.join(sorted(names))}")
         self.sizes: list[Form] = [{name: 1} for name in statement["sizes"]]
-        terms = Terms(statement, Region([]))
+        terms = Terms(statement, Region.of())
         for _, formula, _ in statement["given"]:  # a hypothesis such as n > 1; the others are not used
             if formula[0] in _LEAST and len(formula) == 3:
                 with suppress(Unknown):
@@ -111,7 +111,7 @@ class _Proof:
                 return [terms.coefficient(tree, terms.region.reduce({"z": 1}), env)]
 
             for outside in ({"z": -1, "": -1}, plus({"z": 1, "": -1}, last, -1)):
-                self.close(Region([*forms, outside]), goal, [], {}, f"exponents of {name}", limited=True)
+                self.close(Region.of(*forms, outside), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
@@ -121,7 +121,7 @@ class _Proof:
         check_formula(self.statement, says, index)
         rules = list(_rules(says, index, place)) if lemma.get("rule") else []
         self.in_values = bool(lemma.get("in values"))
-        generic = Region([*self.sizes, plus({INDEX: 1}, {"": first}, -1)])
+        generic = Region.of(*self.sizes, plus({INDEX: 1}, {"": first}, -1))
         if "fact" in lemma:
             if lemma["fact"] not in FACTS or index in _RESERVED | set(self.statement["sizes"]):
                 raise Rejected(f"{place}: no fact of that name, or an index that is taken")
@@ -132,7 +132,7 @@ class _Proof:
             self._show(says, {index: {INDEX: 1}}, generic, lemma.get("uses", ()), place)
             self.lemmas.append(lemma)
             return
-        self._show(says, {index: {"": first} if first else {}}, Region(self.sizes), lemma.get("base", ()), f"{place}, base")
+        self._show(says, {index: {"": first} if first else {}}, Region.of(*self.sizes), lemma.get("base", ()), f"{place}, base")
         self.lemmas.append(lemma)
         known, self.supported = self.supported, [] if lemma.get("bare") else self.supported
         self.rules.update((name, (None, names, high, term)) for name, names, high, term in rules)
@@ -151,18 +151,18 @@ class _Proof:
                 shift = max(0, min(low, evidence.get("shift", 0)))  # t = @ + shift, and every t from low on is reached
                 t: Form = plus({INDEX: 1}, {"": shift})
                 forms = [*self.sizes, {INDEX: 1}, plus(t, {"": low}, -1)]
-                terms = Terms(self.statement, Region([]))
+                terms = Terms(self.statement, Region.of())
                 if part[0] == "forall":
                     forms.append(plus(terms.index(part[3], {}), t, -1))
-                self._show(part[-1], {part[1]: t}, Region(forms), uses, name)
+                self._show(part[-1], {part[1]: t}, Region.of(*forms), uses, name)
             elif _is_determinant(part) and part[2] == 1:
-                unit_triangular(self, part[1][1], {}, Region(self.sizes), uses, name)
+                unit_triangular(self, part[1][1], {}, Region.of(*self.sizes), uses, name)
             elif _is_determinant(part) and "triangular" in evidence:
                 if not isinstance(part[2], list) or part[2][0] != "prod":
                     raise Rejected(f"{name}: a determinant at a generic size is one, or a product over the rows")
-                determinant(self, part, evidence["triangular"], {}, Region(self.sizes), uses, name)
+                determinant(self, part, evidence["triangular"], {}, Region.of(*self.sizes), uses, name)
             else:
-                self._show(part, {}, Region(self.sizes), uses, name)
+                self._show(part, {}, Region.of(*self.sizes), uses, name)
 
     # ------------------------------------------------------------------ formulas
     def _show(self, says: Any, env: dict[str, Form], region: Region, uses: Any, place: str, names: Mapping[str, Form] | None = None,

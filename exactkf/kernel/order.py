@@ -42,7 +42,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular
+from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.stable import is_stable, no_eigenvector
@@ -82,7 +82,7 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
 
 def _outer_leaves(statement: Mapping[str, Any], lemmas: Any) -> Iterator[tuple[dict, Any]]:
     own = [statement["says"]]
-    for case in _cases({**statement, "given": [], "own": own}, [list(g) for g in statement["given"]]):
+    for case in _cases({**statement, "given": [], "own": own, "alike": {}}, [list(g) for g in statement["given"]]):
         for lemma in lemmas:
             check_formula(case, lemma)
             yield from _leaves({**case, "lemma": True}, lemma)
@@ -296,6 +296,7 @@ class Leaf:
             raise Unknown("a root that need not exist")
         square = reader.read(tree)
         reader.kinds[name] = ["psd"]
+        reader.alike = dict(reader.alike)  # other readers do not have this letter
         reader._letter(name, square.rows[0], square.rows[0], True)
         self.extra[f"root {name}"] = Relation(add({((), (name, name)): 1}, square.grid[0][0], -1), square.rows[0], square.rows[0])
 
@@ -315,6 +316,7 @@ class Leaf:
         if not isinstance(free, Blocks) or free.rows != step.rows or len(free.rows) != 1:
             raise Unknown("a solution of another size than the stable matrix, or in blocks")
         reader.kinds[name] = ["pd" if level == 2 else "psd"]
+        reader.alike = dict(reader.alike)
         reader._letter(name, free.rows[0], free.rows[0], True)
         x = reader.read(["sym", name])
         rest = reader._plus(reader._plus(x, reader._times(reader._times(step, x), reader.transpose(step)), -1), free, -1)
@@ -426,9 +428,7 @@ def register_inverses(reader: Reader, tree: Any, evaluated: bool = True) -> None
 
     What comes after the first part of a conjunction need not be evaluated; there only inverses that exist by their form are met.
     """
-    if not isinstance(tree, (list, tuple)) or not tree:
-        return
-    if tree[0] in _LAZY:
+    if plain(reader, tree) or tree[0] in _LAZY:
         return
     if tree[0] in ("=>", "or", "if"):  # what comes after the first part need not have a value
         register_inverses(reader, tree[1], evaluated)

@@ -245,6 +245,8 @@ def _remainder_vanishes(a: list[int], b: list[int]) -> bool:
 def content(p: Poly, place: int) -> list[Poly]:
     """Polynomials in one variable whose product is the greatest one that divides p; the roots 0, 1 and -1 are split off."""
     field = _MASK << place
+    if not any(k & field for k in p):
+        return []
     slices: dict[int, dict[int, int]] = {}
     for k, c in p.items():
         slices.setdefault(k & ~field, {})[(k & field) >> place] = c

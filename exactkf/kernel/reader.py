@@ -68,12 +68,14 @@ class Reader:
         self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
+        self.marks = 0  # counts what depends on what this reader has met: inverses, determinants, null spaces, scalars of words
         self.turned: dict[Word, Word] = {}  # words and their transposes
         self.noted: dict[int, dict[str, Relation]] = {}  # what hypotheses say, by their number, see `relations`
         self.dets: dict[str, Blocks] = {}
         self.quotients: list[tuple[Poly, str]] = []  # (scalar, name of its inverse)
         self.units = {name for name, kind in self.kinds.items() if kind[0] in ("nonzero", "positive")}
         symmetric = {f[1][1] for _, f in hypotheses(statement) if f[0] in ("symmetric", "psd", "pd") and not isinstance(f[1], int) and f[1][0] == "sym"}
+        self.alike = _alike(statement, frozenset(symmetric))  # what all readers of these letters read alike
         self.granted: tuple[list, list, set] = ([], [], set())  # inverses, quotients and units of the statement, see exactkf.kernel.definite
         for name, kind in statement["over"]:
             if kind[0] == "matrix":
@@ -120,15 +122,20 @@ class Reader:
         local = local or {}
         if isinstance(tree, int):
             return {((), ()): tree} if tree else {}
-        if not local and id(tree) in self.memory:
-            return self.memory[id(tree)][1]
+        if not local:
+            if (found := self.alike.get(id(tree))) is not None:
+                return found[1]
+            if (found := self.memory.get(id(tree))) is not None:
+                self.marks += 1
+                return found[1]
         check_arguments(tree)
         method = getattr(self, f"_read_{_METHODS.get(tree[0], '')}", None)
         if method is None:
             raise Unknown(f"{tree[0]!r} in a statement for every size")
+        marks = self.marks
         value = method(tree, local)
         if not local:
-            self.memory[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
+            (self.alike if self.marks == marks else self.memory)[id(tree)] = tree, value  # the tree is kept, so that its id stays its own
         return value
 
     def _read_rational(self, tree: Any, local: Mapping[str, Any]) -> Any:
@@ -226,6 +233,7 @@ class Reader:
 
     def scalar_name(self, word: Word) -> str:
         """Name of the scalar of a 1 x 1 word; a number is its own transpose."""
+        self.marks += 1
         name = f"<{'*'.join(min(word, self._transpose_word(word)))}>"
         self.numbers[name] = word
         return name
@@ -256,6 +264,7 @@ class Reader:
 
         A size is not negative, so that t^k has a value; to divide by it t must not vanish.
         """
+        self.marks += 1
         out: dict[str, int] = {}
         for name, e in scalars:
             for n, c in size:
@@ -290,6 +299,7 @@ class Reader:
 
     def _inverse(self, x: Any) -> Any:
         """A scalar monomial is turned over; a matrix gets letters for its inverse, a sum of scalars a name."""
+        self.marks += 1
         if not isinstance(x, Blocks):
             return self._quotient(x)
         if self.total(x.rows) != self.total(x.cols):
@@ -329,6 +339,7 @@ class Reader:
         It has a left inverse, and for any (1)-inverse Y of X the columns of I - YX lie in the null space, so that I - YX = NM
         with M = L(I - YX) for a left inverse L of N; then MN = LN = I. So there are M and Y with the relations that `relations` notes.
         """
+        self.marks += 1
         x = self.read(tree[1], local)
         if not isinstance(x, Blocks):
             raise Unknown("the null space of a scalar")
@@ -374,6 +385,7 @@ class Reader:
 
     def det(self, x: Blocks) -> Poly:
         """Determinant: of a block triangular matrix, of a product of square letters; of another matrix, and of a letter, a scalar."""
+        self.marks += 1
         if x.rows != x.cols:
             if self.total(x.rows) != self.total(x.cols):
                 raise Undefined(f"a {shape(x)} matrix is not square")
@@ -454,6 +466,15 @@ class Reader:
         return Blocks(sum(heights, ()), sum(widths, ()), grid)  # type: ignore[arg-type]
 
 
+def _alike(statement: Mapping[str, Any], symmetric: frozenset[str]) -> dict[Any, tuple[Any, Any]]:
+    """What has been read by readers of the same letters in statements that one statement was taken apart into.
+
+    Trees are known by their identity, and so are the parts of a statement on which letters depend; all of them are kept.
+    """
+    parts = [statement[x] for x in ("sizes", "over", "where")]
+    return statement.get("alike", {}).setdefault((*map(id, parts), symmetric), (parts, {}))[1]
+
+
 def _is_number(x: Any) -> bool:
     return isinstance(x, Blocks) and x.rows == x.cols == (_ONE_ROW,)
 
@@ -520,9 +541,11 @@ def _other_side(reader: Reader, formula: Any) -> list[Blocks]:
 def relations(reader: Reader) -> dict[str, Relation]:
     """Named polynomials that vanish under the hypotheses: call after every goal has been read."""
     out: dict[str, Relation] = {}
-    for place, (label, formula) in enumerate(hypotheses(reader.statement)):
-        if place in reader.noted:
-            out.update(reader.noted[place])
+    for place, (label, whole) in enumerate(hypotheses(reader.statement)):
+        formula = whole
+        key, marks = (label, id(formula)), reader.marks
+        if place in reader.noted or key in reader.alike:
+            out.update(reader.noted[place] if place in reader.noted else reader.alike[key][1])
             continue
         try:
             if formula[0] in ("psd", "pd", "loewner"):  # that the matrix is symmetric is part of it
@@ -536,7 +559,10 @@ def relations(reader: Reader) -> dict[str, Relation]:
         noted: dict[str, Relation] = {}
         for n, blocks in enumerate(found):
             _note(noted, reader, f"{label}/{n}", blocks)
-        reader.noted[place] = noted  # what has been read once reads the same again
+        if reader.marks == marks:
+            reader.alike[key] = whole, noted
+        else:
+            reader.noted[place] = noted  # what has been read once reads the same again
         out.update(noted)
     for n, (term, inverse) in enumerate(reader.inverses, 1):
         _note(out, reader, f"inverse {n}/right", term.times(inverse).plus(Blocks.unit(term.rows), -1))
@@ -562,6 +588,7 @@ def _note(out: dict[str, Relation], reader: Reader, name: str, blocks: Blocks) -
 
 def _one_sided(reader: Reader, tree: Any, rank: Any) -> list[Blocks]:
     """A matrix whose rank is its number of columns has a left inverse, one whose rank is its number of rows a right one."""
+    reader.marks += 1
     x, r = reader.read(tree), reader.size(rank)
     out = []
     if isinstance(x, Blocks) and r in (reader.total(x.rows), reader.total(x.cols)):

@@ -34,24 +34,33 @@ class Split(Exception):
 
 
 def plus(x: Form, y: Form, factor: int = 1) -> Form:
+    """x + factor y."""
+    if not y:
+        return x
     out = dict(x)
+    get = out.get
     for name, c in y.items():
-        out[name] = out.get(name, 0) + factor * c
-    return {name: c for name, c in out.items() if c} if 0 in out.values() else out
+        total = get(name, 0) + factor * c
+        if total:
+            out[name] = total
+        else:
+            out.pop(name, None)
+    return out
 
 
 def form_key(form: Form) -> tuple:
-    return tuple(sorted(form.items()))
+    return tuple(sorted(form.items())) if len(form) > 1 else tuple(form.items())
 
 
 def _bounded(forms: list[Form]) -> list[Form]:
     """The forms without those that hold where a parameter is large enough, or small enough: no other form bounds it on that side."""
     while True:
-        signs: dict[str, int] = {}
+        above, below = set[str](), set[str]()
         for f in forms:
             for n, c in f.items():
-                signs[n] = signs.get(n, 0) | (1 if c > 0 else 2)
-        free = {n for n, s in signs.items() if n and s != 3}
+                (above if c > 0 else below).add(n)
+        free = above ^ below
+        free.discard("")
         if not free:
             return forms
         forms = [f for f in forms if free.isdisjoint(f)]
@@ -64,14 +73,25 @@ class Region:
         self.solved = dict(solved or {})
         self.forms = [self.reduce(f) for f in forms]
         self.keys = frozenset(map(form_key, self.forms))
+        self.greatest: dict[tuple, int] = {}  # of linear forms without a constant
+        for key in self.keys:
+            rest, constant = tuple((n, -c) for n, c in key if n), dict(key).get("", 0)
+            self.greatest[rest] = min(constant, self.greatest.get(rest, constant))
         self.answers: dict[tuple, bool | None] = {}
         self.parts: dict[tuple, Region] = {}
+        if _possible(frozenset(form_key(plus(form, {"": 1}, -1)) for form in self.forms if form)):
+            return  # no form is zero everywhere
         for form in list(self.forms):
             if form and not self._possible(plus(form, {"": 1}, -1)) and (name := self._unit(form)):
                 value = {n: -c * form[name] for n, c in form.items() if n != name}
                 self.solved = {n: self._put(f, name, value) for n, f in self.solved.items()} | {name: value}
                 self.__init__(self.forms, self.solved)  # type: ignore[misc]
                 return
+
+    @staticmethod
+    def of(*forms: Form) -> Region:
+        """The region of these forms; one that is asked for again is the same, with the answers that it has given."""
+        return _made(tuple(map(form_key, forms)), ())
 
     @staticmethod
     def _unit(form: Form) -> str:
@@ -83,7 +103,7 @@ class Region:
 
     def reduce(self, form: Form) -> Form:
         """The form with solved parameters inserted."""
-        if not self.solved:
+        if self.solved.keys().isdisjoint(form):
             return form
         for name in [n for n in form if n in self.solved]:
             form = self._put(form, name, self.solved[name])
@@ -100,13 +120,22 @@ class Region:
     def decide(self, form: Form) -> bool | None:
         """form >= 0: True, False, or None where it depends."""
         form = self.reduce(form)
-        if set(form) <= {""}:
+        if not form or len(form) == 1 and "" in form:
             return form.get("", 0) >= 0
         key = form_key(form)
         if key not in self.answers:
             below = plus({n: -c for n, c in form.items()}, {"": 1}, -1)
-            self.answers[key] = True if not self._possible(below) else None if self._possible(form) else False
+            answer = self._at_sight(form_key(below), key)
+            self.answers[key] = answer if answer is not None else True if not self._possible(below) else None if self._possible(form) else False
         return self.answers[key]
+
+    def _at_sight(self, below: tuple, form: tuple) -> bool | None:
+        """The answer, where one form of the region and the negative of what is asked for differ by a constant."""
+        for negative, answer in ((below, True), (form, False)):
+            constant, rest = (negative[0][1], negative[1:]) if negative[0][0] == "" else (0, negative)
+            if self.greatest.get(rest, -constant) < -constant:
+                return answer
+        return None
 
     def holds(self, form: Form) -> bool:
         """form >= 0; `Split` where it depends."""
@@ -123,7 +152,7 @@ class Region:
         """The part with these forms >= 0; regions do not change, so that one that is asked for again is the same."""
         key = tuple(map(form_key, forms))
         if key not in self.parts:
-            self.parts[key] = Region([*self.forms, *forms], self.solved)
+            self.parts[key] = _made((*map(form_key, self.forms), *key), tuple((n, form_key(f)) for n, f in self.solved.items()))
         return self.parts[key]
 
     def cases(self, form: Form) -> Iterator[Region]:
@@ -131,6 +160,11 @@ class Region:
             region = self.and_(part)
             if not region.empty:
                 yield region
+
+
+@lru_cache(maxsize=1 << 13)
+def _made(keys: tuple[tuple, ...], solved: tuple[tuple[str, tuple], ...]) -> Region:
+    return Region([dict(key) for key in keys], {name: dict(key) for name, key in solved})
 
 
 @lru_cache(maxsize=1 << 16)

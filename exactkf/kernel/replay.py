@@ -40,6 +40,7 @@ from exactkf.kernel.meaning import Generic, World, indices
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_n import check_orbit
+from exactkf.kernel.rational import quotient
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
@@ -93,7 +94,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
             raise NotACertificate("the id of a certificate is a string")
         if digest(certificate) != certificate["digest"]:
             raise Rejected("digest: the certificate was altered after it was written")
-        with rationals(Fraction):
+        with rationals(quotient):
             evidence = certificate["evidence"]
             _well_formed(certificate)
             return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})

@@ -25,6 +25,9 @@ from exactkf.kernel.trials import Trials
 __all__ = ["Symbolic", "SymbolicField"]
 
 
+_ONE: Poly = {0: 1}
+
+
 class SymbolicField:
     """Rational functions over Q in the variables that `variable` has made.
 
@@ -233,6 +236,10 @@ class Symbolic(FieldElement):
         if not self.num or not y.num:
             return Symbolic(self.field, {}, 1, ())
         if not self.den and not y.den:
+            if y.num == _ONE and y.q == 1:
+                return self
+            if self.num == _ONE and self.q == 1:
+                return y
             return Symbolic(self.field, mul(self.num, y.num), self.q * y.q, ())._primitive()
         mine, theirs = dict(self.den), dict(y.den)
         p = self._cancelled(theirs, sorted(theirs.keys() - mine.keys()))

@@ -7,9 +7,26 @@ T_iS_i' are the projections that belong to the direct sum of the ranges of the T
 A T_iS_i' = T_i Lambda_i S_i'.
 """
 
-from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order
-from exactkf.language import Identity, T, Zero, block, eq, hstack, inv, let, matrix, size_of, symbols, vstack
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    block,
+    eq,
+    hstack,
+    inv,
+    let,
+    matrix,
+    nonsingular,
+    positive_semidefinite,
+    rec,
+    size_of,
+    symbols,
+    vstack,
+)
 
 q, r, TT, L1, L2, T1, T2, S1, S2, x, A = symbols("q r TT L1 L2 T1 T2 S1 S2 x A")
 N = q + r
@@ -44,3 +61,38 @@ claim("D71-E1.63", "the equation of a mode",
       sizes=["q", "r"], over={**BLOCKS, L1: matrix(q, q), L2: matrix(r, r)},
       where=[*PARTS, let(A, TT*block([[L1, Zero(q, r)], [Zero(r, q), L2]])*inv(TT))], by=[order(), instances(**SIZES)],
       note="T_iS_i' times dx/dt = Ax + Gu, with xi_i = T_iS_i'x: the right side is T_i Lambda_i S_i' xi_i + T_iS_i'Gu.")
+
+# --- in coordinates, and in discrete time ----------------------------------------------------------------------------------
+
+w, u, G, h, Lam, Phi, H, n, p, k = symbols("w u G h Lam Phi H n p k")
+Rd, Pw, Cov = symbols("Rd Pw Cov")
+
+claim("D71-E1.52", "the system in new coordinates",
+      inv(TT)*(A*x + G*u) == Lam*w + inv(TT)*G*u,
+      sizes=["n", "p"], over={A: matrix(n, n), TT: nonsingular(n), w: matrix(n, 1), G: matrix(n, p), u: matrix(p, 1)},
+      where=[let(Lam, inv(TT)*A*TT), let(x, TT*w)], by=[order(), instances(6, n=(1, 2), p=(1, 2))],
+      note="The left side is the derivative of w = T^{-1}x; at t_0 it is T^{-1}x(t_0).")
+
+not_checked("D71-E1.54", "the Jordan form", "a classical form of matrices, quoted to fix notation")
+
+JORDAN = let(A, TT*block([[L1, Zero(q, r)], [Zero(r, q), L2]])*inv(TT))
+claim("D71-E1.61", "the equation of the coordinates of a mode",
+      T(S1)*(A*x + h) == L1*(T(S1)*x) + T(S1)*h,
+      sizes=["q", "r"], over={**BLOCKS, L1: matrix(q, q), L2: matrix(r, r), x: matrix(N, 1), h: matrix(N, 1)}, where=[*PARTS, JORDAN],
+      by=[order(), instances(6, **SIZES)], note="Two blocks; h stands for Gu.")
+
+not_checked("D71-E1.68", "completely driven and completely observable modes in continuous time", "a definition: it fixes notation and asserts nothing")
+
+claim("D71-E1.70", "modes in discrete time",
+      (T(S1)*(A*x + h) == L1*(T(S1)*x) + T(S1)*h) & (T1*T(S1)*(A*x + h) == T1*L1*T(S1)*(T1*T(S1)*x) + T1*T(S1)*h)
+      & (inv(TT)*(A*x + h) == block([[L1, Zero(q, r)], [Zero(r, q), L2]])*(inv(TT)*x) + inv(TT)*h),
+      sizes=["q", "r"], over={**BLOCKS, L1: matrix(q, q), L2: matrix(r, r), x: matrix(N, 1), h: matrix(N, 1)}, where=[*PARTS, JORDAN],
+      by=[order(), instances(6, **SIZES)], note="Two blocks; A stands for Phi. On the left Phi x + h is the next state.")
+
+claim("D71-E1.73", "the covariance due to the inputs",
+      always(k, Cov[k] == Rd[k]), sizes=["n"], over={Phi: matrix(n, n), H: positive_semidefinite(n)},
+      where=[rec(Pw, k, Identity(n), Phi*Pw[k]), rec(Rd, k, Zero(n, n), Rd[k] + Pw[k]*H*T(Pw[k])), rec(Cov, k, Zero(n, n), Phi*Cov[k]*T(Phi) + H)],
+      by=[induction(also=[Phi*Rd[k]*T(Phi) + H == Rd[k] + Pw[k]*H*T(Pw[k])]), instances(6, n=(1, 2, 3), horizon=3)],
+      note="R_d is Rd_n. On the left stands the covariance of a state that starts from zero, on the right the sum of the Phi^i H(Phi')^i for i < k.")
+
+not_checked("D71-S3", "completely observable modes in discrete time", "a definition: it fixes notation and asserts nothing")

@@ -8,10 +8,37 @@ X_k = (a/N_k)(k, 1)'(k, 1) with N_k = 1 + a(1 + 4 + ... + k^2). So x_22 = a/N_k 
 first step on, while x_11 = a k^2/N_k rises until N_k has grown too large.
 """
 
-from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances
-from exactkf.language import Identity, T, Zero, always, forall, iff, inv, let, matrix, nonneg, psd, rank, rational, rec, rows, sym, symbols, symmetric_matrix
-from proofs.d71.notation import H, M, P, Phi, V, gain, gram, k, step
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import evaluation, example, identity, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    block,
+    charpoly,
+    forall,
+    function,
+    iff,
+    inv,
+    let,
+    matrix,
+    matrix_of,
+    nonneg,
+    positive_definite,
+    positive_semidefinite,
+    psd,
+    rank,
+    rational,
+    rec,
+    rows,
+    substitute,
+    sym,
+    symbols,
+    symmetric_matrix,
+    vstack,
+)
+from proofs.d71.notation import H, K, M, P, Phi, V, gain, gram, i, j, k, step
 
 TT, Lam, S, X, U, a = symbols("TT Lam S X U a")
 third = rational("1/3")
@@ -103,3 +130,99 @@ claim("D71-E3.227", "the solution from diag(0, a)",
       over={a: nonneg()}, where=[*DATA, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(X, k, rows([[0, 0], [0, a]]), Lam*X[k]*inv(I2 + T(TT)*S*TT*X[k])*T(Lam))],
       by=[instances(12, horizon=5)],
       note="N_k = 1 + a(1 + 4 + ... + k^2), so that x_11 = ak^2/N_k, x_12 = x_21 = ak/N_k and x_22 = a/N_k.")
+
+# --- the solution near zero, and the function of (3.218) -------------------------------------------------------------------
+
+Lin, Y, left, f, gg, v, entries, factored = symbols("Lin Y left f g v entries factored")
+WALK = rec(X, k, rows([[0, 0], [0, a]]), Lam*X[k]*inv(I2 + T(TT)*S*TT*X[k])*T(Lam))
+
+claim("D71-X3.2", "the mode of the example",
+      (substitute(charpoly(Phi), 1) == 0) & (rank(Phi - I2) == 1) & (rank(vstack(M, M*Phi)) == 2) & (Phi*H*T(Phi) + H == Zero(2, 2)) & (T(Phi)*left == left),
+      where=[*DATA, let(left, rows([[3], [-2]]))], by=[evaluation()],
+      note="One Jordan block of order two at the eigenvalue 1; observable, as M and M Phi have rank 2; undriven, as H is zero, and (3, -2), the eigenvector "
+           "of Phi', is "
+           "a null vector of it.")
+
+claim("D71-S61", "the linearized equation is unstable, and yet the solutions come back",
+      always(k, (Lin[k]*left == TT*rows([[a*k**2, a*k], [a*k, a]])*T(TT)*left) & (Ns[k]*(TT*X[k]*T(TT))*left == Lin[k]*left)),
+      over={a: nonneg(), left: matrix(2, 1)},
+      where=[*DATA, WALK, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(Lin, k, TT*rows([[0, 0], [0, a]])*T(TT), Phi*Lin[k]*T(Phi))],
+      by=[instances(12, horizon=6)],
+      note="For the solution from diag(0, a). The linearized one grows like k^2; the solution is that divided by N_k = 1 + a(1 + 4 + ... + k^2), which grows "
+           "like k^3, "
+           "so it tends to zero. The two matrices are compared by their products with any vector.")
+
+claim("D71-S63", "slightly negative values diverge",
+      forall(k, 0, 5, (X[k][1, 1] <= Y[k][1, 1]) & (Y[k][1, 1] <= 0)) & (2*X[6][1, 1] < 3*Y[6][1, 1]),
+      where=[*DATA, let(a, rational("-1/200")), WALK, rec(Y, k, rows([[0, 0], [0, a]]), Lam*Y[k]*T(Lam))], by=[evaluation()],
+      note="For a = -1/200; Y is the solution of the linearized equation, -k^2/200 in its first entry. The divisor N_k falls from 1 to 109/200 at k = 6.")
+
+
+claim("D71-E3.233", "the elements of the next covariance",
+      (entries == Phi*(I2 - gain()*M)*P*T(Phi*(I2 - gain()*M)) + Phi*gain()*V*T(Phi*gain()) + H) & (factored == entries),
+      over={Phi: matrix(2, 2), H: symmetric_matrix(2), M: matrix(1, 2), V: matrix(1, 1), P: symmetric_matrix(2)},
+      where=[let(f, Phi*(I2 - gain()*M)), let(gg, Phi*gain()), let(v, V[1, 1]),
+             let(entries, matrix_of(i, j, 2, 2, f[i, 1]*P[1, 1]*f[j, 1] + f[i, 1]*P[1, 2]*f[j, 2] + f[i, 2]*P[2, 1]*f[j, 1] + f[i, 2]*P[2, 2]*f[j, 2]
+                                    + gg[i]*v*gg[j] + H[i, j])),
+             let(factored,
+                 matrix_of(i, j, 2, 2, f[i, 1]*(P[1, 1]*f[j, 1] + P[1, 2]*f[j, 2]) + f[i, 2]*(P[2, 1]*f[j, 1] + P[2, 2]*f[j, 2]) + gg[i]*v*gg[j] + H[i, j]))],
+      by=[identity(), instances()],
+      note="The f_12 in the last product of (3.233) is read as f_i2. Two states and one measurement.")
+
+not_checked("D71-F3.7", "the trace by three algorithms", "curves of a program in the floating point arithmetic of an IBM 360/65, which the text does not "
+                                                         "determine")
+
+# --- figure 3.6 ------------------------------------------------------------------------------------------------------------
+
+ROWS = (1, 2)
+
+
+def product(one, other, size):
+    """The Kronecker product."""
+    return block([[one[r, c]*other for c in range(1, size + 1)] for r in range(1, size + 1)])
+
+
+def lyapunov(matrix_, column):
+    """mu'S mu for the solution S of S - F'SF = I: the trace of the solution of X - FXF' = mu mu'."""
+    square = vstack(*(column[r, 1]*column for r in range(1, 5)))
+    return T(vstack(*(rows([[1 if r == c else 0] for c in range(4)]) for r in range(4))))*inv(Identity(16) - product(matrix_, matrix_, 4))*square
+
+
+def value_along(name, run_, exchanged):
+    """The function (3.218) along a solution, with the printed product or the one that moves the stacked columns of U."""
+    deviation = TT*run_[k]*T(TT)
+    turned = inv(I2 + S*deviation)*T(Phi)
+    mu = vstack(*(deviation[r, c] for c in ROWS for r in ROWS))
+    return function(name, [k], lyapunov(product(T(turned), Phi, 2) if exchanged else product(Phi, turned, 2), mu)[1, 1])
+
+
+Va, Vb = symbols("Va Vb")
+FALL = forall(k, 0, 5, (Va(k + 1) < Va(k)) & (Vb(k + 1) < Vb(k))) & (Va(0) > Vb(0))
+
+claim("D71-F3.6b", "the function falls along two solutions",
+      FALL, where=[*BOTH_RUNS, value_along(Va, XA, False), value_along(Vb, XB, False)], by=[evaluation()],
+      repair=repair("order of factors", "(3.219) is to have the F that moves the stacked columns of U, the product of [(DP - C) + DU]^{-1} transposed and B "
+                                        "- PD, which "
+                                        "(3.215) has in another order; with it the function falls",
+                    FALL, where=[*BOTH_RUNS, value_along(Va, XA, True), value_along(Vb, XB, True)], by=[evaluation()]),
+      note="For the first six steps from X_0 = diag(0, a), a = 0.01 for Va and 0.1 for Vb. With F as printed in (3.215), Vb grows from the second step on, "
+           "from 4850 to "
+           "6342, and Va from the sixth on. The initial value grows as a decreases for both.")
+
+STARTS = [*DATA, run(XA, rational("1/1000")), run(XB, rational("1/100")), run(X, rational("1/10"))]
+Vc = sym("Vc")
+claim("D71-E3.230", "the function does not tend to zero with U",
+      (Va(0) > 10*Vb(0)) & (Vb(0) > 10*Vc(0)) & (Vc(0) > 10000),
+      where=[*STARTS, value_along(Va, XA, True), value_along(Vb, XB, True), value_along(Vc, X, True)],
+      by=[evaluation()],
+      note="For U_0 = T diag(0, a)T', which tends to zero with a, and a = 0.001, 0.01, 0.1; see D71-F3.6b for the F. The function grows instead of falling; "
+           "that it does "
+           "so for every a is not shown.")
+
+nn, pp = symbols("n p")
+claim("D71-E3.231", "the covariance equation as a sum of nonnegative terms",
+      (step() == Phi*((Identity(nn) - K*M)*P*T(Identity(nn) - K*M) + K*V*T(K))*T(Phi) + H)
+      & psd(left*P*T(left)) & psd(Phi*K*V*T(K)*T(Phi)) & psd(H),
+      sizes=["n", "p"], over={Phi: matrix(nn, nn), H: positive_semidefinite(nn), M: matrix(pp, nn), V: positive_definite(pp), P: positive_semidefinite(nn)},
+      where=[let(K, gain()), let(left, Phi*(Identity(nn) - K*M))],
+      by=[order([], [left*P*T(left)], [Phi*K*V*T(K)*T(Phi)], [H]), instances(6, n=(1, 2), p=(1, 2))])

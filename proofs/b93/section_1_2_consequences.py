@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""What follows from the contraction (sections 1.2, 2.1 to 2.3), and the flow behind it.
+
+A family N_t of Hamiltonian matrices with dN/dt = [[A, S], [R, -A*]]N acts on P_0 through
+U = N_11P_0 + N_12 and V = N_21P_0 + N_22: then P = U inv(V) solves dP/dt = AP + PA* - PRP + S.
+
+For constant controllable and observable (A, F, C) the power M^d is in H0 by Proposition 1.3.
+If P is a fixed point of the action of a member of H0, the distance from P falls by a fixed
+factor at every step.
+
+The last inequalities bound the product of the matrices of the filter by a function V that
+falls along the backward recursion.
+"""
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    always,
+    diagonal,
+    forall,
+    given,
+    integer,
+    inv,
+    invertible,
+    let,
+    loewner,
+    matrix,
+    nonneg,
+    nonsingular,
+    pd,
+    positive,
+    positive_semidefinite,
+    rec,
+    sequence,
+    signal_of,
+    standing,
+    sum_of,
+    symbols,
+    symmetric_matrix,
+    vector,
+)
+from proofs.b93.notation import d, hamiltonian, k, p, part, q
+from proofs.b93.section_1_2 import A, C, F, P, R, S
+from proofs.b93.section_1_2_distance import LARGER, Max, eps, m, u, zeta
+
+I, Zd = Identity(d), Zero(d, d)
+(t,) = symbols("t")
+STATISTICAL = "a statement about almost every sequence of a stationary ergodic process, beyond exact instances"
+
+not_checked("B93-S3", "the main result, as announced", STATISTICAL)
+not_checked("B93-S4", "continuous time", "a remark that results carry over, without a statement")
+
+# --- the flow --------------------------------------------------------------------------------------------------------------
+
+N11, N12, N21, N22, P0, U, V, dU, dV = symbols("N11 N12 N21 N22 P0 U V dU dV")
+claim("B93-S29", "the continuous Riccati equation as an action",
+      dU*inv(V) - U*inv(V)*dV*inv(V) == A*P + P*T(A) - P*R*P + S, sizes=["d"],
+      over={A: matrix(d, d), R: symmetric_matrix(d), S: symmetric_matrix(d), N11: matrix(d, d), N12: matrix(d, d), N21: matrix(d, d), N22: matrix(d, d),
+            P0: symmetric_matrix(d)},
+      where=[let(U, N11*P0 + N12), let(V, N21*P0 + N22), let(P, U*inv(V)), let(dU, (A*N11 + S*N21)*P0 + A*N12 + S*N22),
+             let(dV, (R*N11 - T(A)*N21)*P0 + R*N12 - T(A)*N22)],
+      given=[standing("P is symmetric", T(U)*V == T(V)*U)],
+      by=[order(), instances(6, d=(1, 2), made_by={N11: I, N12: Zd, N21: Zd, N22: I}), instances(6, d=(1,))],
+      note="The left side is the derivative of P_t = U inv(V), where dN/dt = [[A, S], [R, -A*]]N; N_0 = I gives P_0. That N_t stays in H is a theorem on "
+           "differential equations and not stated here.")
+
+# --- the derivation of (iii) -----------------------------------------------------------------------------------------------
+
+y1, y2, g1, g2, t1, t2, Goal, Known = symbols("y1 y2 g1 g2 t1 t2 Goal Known")
+
+
+def apart(one, other):
+    """The exponential of the distance of two positive numbers."""
+    return Max(one/other, other/one)
+
+
+ONE_STATE = {name: positive() for name in (y1, y2, g1, g2, t1, t2, q)} | {zeta: integer(1, 3), eps: integer(1, 3)}
+STEP = [LARGER, let(Goal, apart(y1, y2)**(zeta + eps)), let(Known, apart(t1, t2)**zeta)]
+SHOWN = given("the inequality before", apart(g1 + q, g2 + q)**(zeta + eps) <= Known)
+claim("B93-S42", "what part (iii) is deduced from",
+      Goal <= Known, over=ONE_STATE, where=STEP, given=[SHOWN],
+      by=[example(y1=2, y2=1, g1=1, g2=1, t1=1, t2=1, q=1, zeta=1, eps=1), instances()],
+      repair=repair("cross-reference", "it is (17), the decomposition of the action, that is needed besides, not (16)",
+                    Goal <= Known, over=ONE_STATE, where=STEP,
+                    given=[SHOWN, given("(17)", (y1 == 1/(g1 + q)) & (y2 == 1/(g2 + q)))],
+                    by=[example(y1=2, y2=1, g1=1, g2=1, t1=1, t2=1, q=1, zeta=1, eps=1),
+                        example(y1="1/2", y2="1/5", g1=1, g2=4, t1=1, t2=1, q=1, zeta=1, eps=1),
+                        example(y1="1/2", y2="1/5", g1=1, g2=4, t1=25, t2=1, q=1, zeta=1, eps=3),
+                        example(y1="1/3", y2="1/6", g1=2, g2=5, t1=4, t2=1, q=1, zeta=1, eps=1),
+                        example(y1="1/6", y2="1/3", g1=5, g2=2, t1=1, t2=4, q=1, zeta=1, eps=1),
+                        example(y1="1/3", y2="1/6", g1=2, g2=5, t1=5, t2=1, q=1, zeta=1, eps=1),
+                        instances(made_by={y1: 1/(g1 + q), y2: 1/(g2 + q), t1: t2*apart(g1 + q, g2 + q)**4})]),
+      note="For d = 1, where the distance of two numbers is the logarithm of Max(a/b, b/a); y_i is the image of T_i under the action of M and g_i that "
+           "under the first maps of the chain, so that the inequality before is about g_i + q. (16) says nothing of the y_i: it is about shifts of two "
+           "numbers, and holds for all of them. In the counterexample T_1 = T_2 and g_1 = g_2.")
+
+# --- constant parameters ---------------------------------------------------------------------------------------------------
+
+M, Pw, Om, Xi, Au, UL, UR, LL = symbols("M Pw Om Xi Au UL UR LL")
+claim("B93-S44", "a power of the Hamiltonian matrix is in H0",
+      invertible(UL) & pd(T(UL)*LL) & pd(UR*T(UL)), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d)},
+      where=[let(M, hamiltonian(A, F*T(F), T(C)*C)), rec(Pw, k, Identity(2*d), M*Pw[k]), rec(Au, k, I, A*Au[k]),
+             rec(Om, k, Zd, Om[k] + T(Au[k + 1])*T(C)*C*Au[k + 1]), rec(Xi, k, Zd, A*Xi[k]*T(A) + F*T(F)),
+             let(UL, part(Pw[d], 0, 0)), let(UR, part(Pw[d], 0, 1)), let(LL, part(Pw[d], 1, 0))],
+      given=[given("observable", invertible(Om[d])), given("controllable", invertible(Xi[d]))],
+      by=[example(d=1, p=1, q=1, A=[[1]], F=[[0]], C=[[1]]), example(d=1, p=1, q=1, A=[[1]], F=[[1]], C=[[0]]),
+          example(d=2, p=1, q=1, A=[[1, 1], [0, 1]], F=[[0], [1]], C=[[1, 0]]), example(d=2, p=1, q=1, A=[[1, 1], [1, 0]], F=[[1], [0]], C=[[0, 1]]),
+          instances(8, d=(1, 2, 3), p=(1, 2), q=(1, 2))],
+      note="The power d serves. Observable and controllable are read as the Gramians of d instants being nonsingular.")
+
+not_checked("B93-S45", "solutions of a constant system converge",
+            "a limit in a complete metric space, by the fixed point theorem, from B93-S44 and B93-T1.7.3; an instance is no more than what these say")
+
+# --- the sampled system ----------------------------------------------------------------------------------------------------
+
+Cov, Sum, Au_ = symbols("Cov Sum Au_")
+claim("B93-E19", "the sampled system",
+      always(t, Cov[t] == Au[t]*P0*T(Au[t]) + Sum[t]), sizes=["d", "p"], over={A: matrix(d, d), F: matrix(d, p), P0: positive_semidefinite(d)},
+      where=[rec(Au, t, I, A*Au[t]), rec(Sum, t, Zd, Sum[t] + Au[t]*F*T(F)*T(Au[t])), rec(Cov, t, P0, A*Cov[t]*T(A) + F*T(F))],
+      by=[induction(also=[A*Au[t] == Au[t]*A, A*Sum[t]*T(A) + F*T(F) == Sum[t] + Au[t]*F*T(F)*T(Au[t])]), instances(6, d=(1, 2), p=(1, 2), horizon=3)],
+      note="Over a gap of t instants the covariance of the state of (18) changes as by one step of (19), with A^t and with the sum that F_n^2 is. How F_n "
+           "alpha_n is made is B93-S51, the rest B93-S50.")
+
+# --- the stability of the filter -------------------------------------------------------------------------------------------
+
+K, Dg, Pb, al, tau, si, x0, xp, Pp, Bs, x, Pi = symbols("K Dg Pb al tau si x0 xp Pp Bs x Pi")
+claim("B93-S69", "two positive matrices in common coordinates",
+      P*inv(Pb) == T(K)*Dg*inv(T(K)), sizes=["d"], over={K: nonsingular(d), Dg: diagonal(d)}, where=[let(Pb, T(K)*K), let(P, T(K)*Dg*K)],
+      by=[order(), instances(6, d=(1, 2, 3))],
+      note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms "
+           "of the entries of D.")
+
+claim("B93-S79", "the norm at the beginning by that at the end",
+      (T(x0)*x0 <= al*(T(x0)*P0*x0)) & (al*(T(x0)*P0*x0) <= al*(tau*(T(xp)*Pp*xp))) & (al*(tau*(T(xp)*Pp*xp)) <= al*(tau*(si*(T(xp)*xp)))), sizes=["d"],
+      over={P0: positive_semidefinite(d), Pp: positive_semidefinite(d), x0: vector(d), xp: vector(d), al: nonneg(), tau: nonneg(), si: nonneg(), m: nonneg()},
+      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 + m == tau*(T(xp)*Pp*xp)),
+             given("|P_p| <= sigma", loewner(si*I, Pp))],
+      by=[order([T(x0)*(al*P0 - I)*x0], [al*m], [al*(tau*(T(xp)*(si*I - Pp)*xp))]),
+          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}), instances(8, d=(1,))],
+      note="tau stands for the product of the tau_n, and m is what tau V_p exceeds V_0 by; B93-S78 says that V falls so.")
+
+claim("B93-S80", "the product of the matrices of the filter",
+      always(t, (x[t] == T(Pi[t])*xp) & (T(x[t])*x[t] == T(xp)*(Pi[t]*T(Pi[t]))*xp)), sizes=["d"], over={Bs: signal_of(matrix(d, d), 0), xp: vector(d)},
+      where=[rec(x, t, xp, T(Bs[t])*x[t]), rec(Pi, t, I, Pi[t]*Bs[t])],
+      by=[induction(), instances(6, d=(1, 2), horizon=3)],
+      note="Counted from the end: Bs_t is B_{p-t}, so that x_t here is x_{p-t} and Pi_p = B_p ... B_1. With S79, |Pi*x|^2 <= alpha tau_1 ... tau_p sigma_p "
+           "|x|^2 for every x, which is the bound of the norm.")
+
+l, larger, total, ends = symbols("l larger total ends")
+claim("B93-E21", "the distance of the image of the identity",
+      total <= d*larger, sizes=["d"], over={l: sequence(1, d)},
+      where=[LARGER, let(total, sum_of(k, 1, d, l[k]**2)), let(larger, Max(l[1]**2, l[d]**2))],
+      given=[given("ascending", forall(k, 1, d - 1, l[k] <= l[k + 1]))],
+      by=[example(d=3, l=[0, 5, 0]), example(d=3, l=[-1, 0, 1]),
+          instances(12, d=(1, 2, 3, 4), using={m: sequence(1, d)}, made_by={l: (k, m[1] + sum_of(t, 2, k, m[t]**2))}),
+          instances(8, d=(2, 3))],
+      note="The upper bound of Lemma 2.3 for Phi_1(I): l_1, ..., l_d are the logarithms of its eigenvalues in ascending order, so that l_d is that of the "
+           "norm and -l_1 that of the norm of the inverse.")
