@@ -570,14 +570,16 @@ JN = inv(N_GRAM) * T(N) * J * N
 (er, ei), (lr, li) = EIGENVECTOR, EIGENVALUE
 XR, XI, OUTSIDE = N * er, N * ei, lr * lr + li * li - 1
 #: by (5.28) to (5.30) Y N = 0; by (5.31) the null space is invariant; JN is stable, as its eigenvectors are those of J; X N = (LK)(X N)JN by (5.33) is zero
-INVERTIBLE_PROOF = order(
+INVERTIBLE_NEEDS = [
     [T(Y) * G * Y], [T(N) * T(Y) * G * Y * N, T(N) * T(J) * YFX * J * N], [], [], [N_GRAM], [],
-    [], [], [T(x) * x for x in (XR, XI)] + [OUTSIDE * T(x) * BOUND * x for x in (XR, XI)], [], [],
-    lemmas=[NONNEGATIVE, G * (Y * N) == 0 * (Y * N), Y * N == 0 * (Y * N), T(F) * Y * J * N == 0 * N, invertible(N_GRAM), J * N == N * JN, schur(JN),
-            X * N == 0 * (X * N)],
-    inside=[within(0, stein=T(J)), within(6, J * XR == lr * XR - li * XI, J * XI == li * XR + lr * XI, hstack(XR, XI) == Zero(n, 2), vector="right",
-                                          solutions={BOUND: (T(J), Identity(n))}, on=2),
-            within(7, unique=(L * K, JN))])
+    [], [], [T(x) * x for x in (XR, XI)] + [OUTSIDE * T(x) * BOUND * x for x in (XR, XI)], [], []]
+INVERTIBLE_LEMMAS = [NONNEGATIVE, G * (Y * N) == 0 * (Y * N), Y * N == 0 * (Y * N), T(F) * Y * J * N == 0 * N, invertible(N_GRAM), J * N == N * JN, schur(JN),
+                     X * N == 0 * (X * N)]
+INVERTIBLE_INSIDE = [
+    within(0, stein=T(J)), within(6, J * XR == lr * XR - li * XI, J * XI == li * XR + lr * XI, hstack(XR, XI) == Zero(n, 2), vector="right",
+                                  solutions={BOUND: (T(J), Identity(n))}, on=2),
+    within(7, unique=(L * K, JN))]
+INVERTIBLE_PROOF = order(*INVERTIBLE_NEEDS, lemmas=INVERTIBLE_LEMMAS, inside=INVERTIBLE_INSIDE)
 claim("NWL92-S49", "F'Y is invertible",
       invertible(T(F) * Y), sizes=["k", "n"], over={**EIGENSPACE, **CERTIFICATES},
       given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS,

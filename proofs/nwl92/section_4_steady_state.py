@@ -381,11 +381,11 @@ def stable_gains(*solved_by, unique=None):
 BOUND = sym("Bound")
 Closed = sym("Closed")
 ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
+STABLE_FOILS = [example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]})]
 claim("NWL92-S37", "LA is stable for every nonnegative solution",
       schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
       given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[stable_gains((P, INVERSE, L, K)),
-          example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]}),
+      by=[stable_gains((P, INVERSE, L, K)), *STABLE_FOILS,
           solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
       note=CERTIFICATES)
 

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""Section III, beginning: when x(j) is estimable, and the filter as one measurement at a time.
+
+The prior is a measurement of x(0). x(j) is estimable from it and from dynamics
+and measurements up to j if no other choice of the states satisfies the
+noise-free equations with the same data, that is if in every sequence with
+
+    x_0 = 0,    E_k x_k = A_(k-1) x_(k-1),    C_k x_k = 0,    k = 1, ..., j,
+
+x_j is zero. If (E_k; C_k) has full column rank for k < j, then x_k = 0 for
+these k, and x_j is any null vector of (E_j; C_j). Without the earlier ranks full
+column rank of (E_j; C_j) is necessary and not sufficient.
+
+The estimate of x(j) is a measurement xh = x(j) + nu, and with the dynamics and
+the measurement at j + 1 this is one measurement of x(j+1) (Lemmas 2.3, 2.4).
+"""
+
+from __future__ import annotations
+
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, induction, instances, order
+from exactkf.language import (
+    Identity,
+    T,
+    Zero,
+    block,
+    forall,
+    given,
+    hstack,
+    iff,
+    inv,
+    invertible,
+    matrix,
+    positive_semidefinite,
+    rank,
+    sequence_of,
+    symbols,
+    vector,
+    vstack,
+)
+from proofs.nwl92.notation_system import (
+    F_BLOCK,
+    NOISE,
+    NOISE_G,
+    RANDOM_NOISE,
+    RANDOM_NOISE_FREE,
+    RANK,
+    VARYING,
+    A,
+    C,
+    E,
+    P,
+    Q,
+    R,
+    S,
+    filter_identities,
+    l,
+    m,
+    n,
+    noise,
+    p,
+)
+from proofs.nwl92.section_3_three_blocks import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
+
+DEFINITION = "a definition: it fixes notation and asserts nothing"
+k, N_STEPS = symbols("k J")
+x, x0, nu, xh, u, y = symbols("x x0 nu xh u y")
+
+claim("NWL92-E3.1", "the prior makes x(0) estimable, with the prior mean as estimate and the prior covariance as that of its error",
+      (xh - x0 == nu) & (block([[P, Identity(n)], [Identity(n), Zero(n, n)]]) * vstack(Zero(n, 1), xh) == vstack(xh, Zero(n, 1)))
+      & (block([[P, Identity(n)], [Identity(n), Zero(n, n)]]) * block([[Zero(n, n), Identity(n)], [Identity(n), -P]]) == Identity(n + n)), sizes=["n"],
+      over={P: positive_semidefinite(n), x0: vector(n), nu: vector(n), xh: vector(n)}, given=[given("(3.1)", xh == x0 + nu)],
+      by=[order(), example({"n": 1, P: [[1]], x0: [0], nu: [0], xh: [1]}), instances(made_by={xh: x0 + nu}, n=(1, 2))],
+      note="xh is the prior mean. The second and third part are (2.9) and the inverse of the matrix of NWL92-E2.10 for H = I and R = P: the estimate is xh.")
+
+# ------------------------------------------------------------------ estimability
+Es, Cs, As, xs = symbols("Es Cs As xs")
+E1, E2, C1, C2, A0, A1 = symbols("E1 E2 C1 C2 A0 A1")
+#: prior and two steps, in x(0) and x(1), and the columns of x(2)
+KNOWN = block([[Identity(n), Zero(n, n)], [-A0, E1], [Zero(p, n), C1], [Zero(l, n), -A1], [Zero(p, n), Zero(p, n)]])
+NEW = vstack(Zero(n, n), Zero(l, n), Zero(p, n), E2, C2)
+NULL = [given("null sequence", forall(k, 1, N_STEPS + 1, Es[k] * xs[k] == As[k] * xs[k - 1])), given("no measurement", forall(k, 1, N_STEPS, Cs[k] * xs[k] == Zero(p, 1))),
+        given("prior", xs[0] == Zero(n, 1))]
+FULL = given("(E_k; C_k) has full column rank for k <= J", forall(k, 1, N_STEPS, invertible(T(Es[k]) * Es[k] + T(Cs[k]) * Cs[k])))
+SEQUENCES = {Es: sequence_of(matrix(l, n), 1, N_STEPS + 1), Cs: sequence_of(matrix(p, n), 1, N_STEPS + 1), As: sequence_of(matrix(l, n), 1, N_STEPS + 1),
+             xs: sequence_of(matrix(n, 1), 0, N_STEPS + 1)}
+claim("NWL92-S19", "full column rank of (E_j; C_j) is necessary and sufficient for x(j) to be estimable, as printed",
+      iff(rank(hstack(KNOWN, NEW)) == rank(KNOWN) + n, rank(vstack(E2, C2)) == n), sizes=["n", "l", "p"],
+      over={E1: matrix(l, n), E2: matrix(l, n), C1: matrix(p, n), C2: matrix(p, n), A0: matrix(l, n), A1: matrix(l, n)},
+      by=[example({"n": 1, "l": 1, "p": 1, E1: [[0]], C1: [[0]], A0: [[0]], E2: [[1]], C2: [[0]], A1: [[1]]}), instances(n=(1, 2), l=(1, 2), p=1)],
+      repair=repair("missing hypothesis", ("the matrices (E_i; C_i) for i < j must have full column rank too: an earlier state that is not estimable leaves x(j) unknown where the "
+                                           "dynamics lead from it to x(j)"),
+                    forall(k, 0, N_STEPS, (xs[k] == Zero(n, 1)) & (Es[k + 1] * xs[k + 1] == Zero(l, 1))), sizes=["n", "l", "p", "J"],
+                    over=SEQUENCES, given=[*NULL, FULL],
+                    by=[induction(step=order([inv(T(Es[k + 1]) * Es[k + 1] + T(Cs[k + 1]) * Cs[k + 1])])), example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[0]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
+                        example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[1]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[1]], [[1]], [[1]]]}),
+                        example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[0]], [[1]]], Cs: [[[1]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
+                        example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[1]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
+                        example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[1]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[0]], [[1]]]}),
+                        instances(8, made_by={xs: (k, Zero(n, 1))}, n=(1, 2), l=(1, 2), p=(1, 2), J=(1, 2))]),
+      note=("In the print j = 2, all sizes constant: x(2) is estimable if its columns of the measurement matrix raise the rank by n. In the corrected statement j = J + 1, x_k is a "
+            "sequence that satisfies the equations with zero data: all but the last are zero, and the last is a null vector of (E_j; C_j) and any of them; A_k stands for the "
+            "paper's A_(k-1)."))
+
+# ------------------------------------------------------------------ one measurement at a time
+not_checked("NWL92-E3.2", "the measurement at j + 1", DEFINITION)
+
+claim("NWL92-E3.3", "the estimate of x(j) and the dynamics as a measurement of x(j+1)",
+      A * xh == E * x + A * nu - u, sizes=["l", "m", "n"],
+      over={A: matrix(l, m), E: matrix(l, n), x0: vector(m), x: vector(n), xh: vector(m), nu: vector(m), u: vector(l)},
+      given=[given("(1.1)", E * x == A * x0 + u), given("estimate", xh == x0 + nu)],
+      by=[order(), *[example({"l": 1, "m": 1, "n": 1, A: [[1]], E: [[1]], x0: [0], x: [0], nu: [0], u: [0], xh: [0], **change}) for change in ({xh: [1]}, {x: [1]})],
+          instances(made_by={u: E * x - A * x0, xh: x0 + nu}, l=(1, 2), m=(1, 2), n=(1, 2))],
+      note="x0, x are x(j), x(j+1).")
+
+l1, la, lb = symbols("l1 la lb")
+LAM = vstack(la, lb)
+claim("NWL92-L3.1", "the estimate of x(j+1) is that from (3.2) and (3.3)",
+      noise(P) * LAM + F_BLOCK * x == vstack(A * xh, y), sizes=["l", "m", "n", "p"],
+      over={**VARYING, P: positive_semidefinite(m), l1: vector(m), la: vector(l), lb: vector(p), x0: vector(m), x: vector(n), xh: vector(m), y: vector(p)},
+      given=[given("estimate of x(j)", P * l1 + x0 == xh), given("(1.1) and (1.2)", NOISE_G * LAM + vstack(E * x - A * x0, C * x) == vstack(Zero(l, 1), y)),
+             given("gradient in x(j)", l1 == T(A) * la)],
+      by=[order(), *[example({"l": 1, "m": 1, "n": 1, "p": 1, A: [[1]], P: [[1]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[1]], l1: [0], la: [0], lb: [0], x0: [0], x: [0],
+                              xh: [0], y: [0], **change}) for change in ({xh: [1]}, {y: [1]}, {l1: [1], xh: [1]})],
+          instances(made_by={l1: T(A) * la, xh: P * l1 + x0, E: (A * x0 - Q * la + S * lb) * T(x) * (1 / (T(x) * x)), y: C * x - T(S) * la + R * lb},
+                    l=(1, 2), m=(1, 2), n=(1, 2), p=(1, 2))],
+      note=("By NWL92-S18 the estimates of x0 = x(j) and x = x(j+1) from all data up to j + 1 are those from xh = x(j) + nu, 0 = E x(j+1) - A x(j) - u and y = C x(j+1) + r. These "
+            "satisfy the conditions (2.9) on the left, with multipliers l1, la, lb; without l1 and x(j) they are the conditions for (3.2) and (3.3), as the gradient in x(j+1), "
+            "E'la + C'lb = 0, is the same. The noise of (3.3) is A nu - u and has with r the covariance of (3.5)."))
+
+claim("NWL92-S20", "the 3-block filter follows from Lemma 2.1, as printed",
+      rank(hstack(noise(P), F_BLOCK)) == l + p, sizes=["l", "m", "n", "p"], over={**VARYING, P: positive_semidefinite(m)}, given=[NOISE, RANK],
+      by=[example({"l": 1, "m": 1, "n": 1, "p": 1, A: [[0]], P: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[1]], C: [[1]]}),
+          instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=(1, 2), m=(1, 2), n=(1, 2), p=(1, 2))],
+      repair=repair("cross-reference", ("it is Lemma 2.2: Lemma 2.1 says when the 3-block matrix is invertible, and needs [N, (E; C)] of full row rank, which need not hold; its matrix has a "
+                                        "(1)-inverse in any case"),
+                    is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
+                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+      note="The left side is the hypothesis of Lemma 2.1 for the measurement (3.2), (3.3) that the theorem does not make. The corrected statement is Theorem 3.1 with its sign put right.")
+
+not_checked("NWL92-Q1", "a connection of two Riccati equations of other papers", "a conjecture about equations of other papers, which are not written down here")
