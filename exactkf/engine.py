@@ -117,9 +117,11 @@ def _by_id(id: str) -> Claim:
 def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> dict[str, Any]:
     """Verdict on the print, then on the repair where the print fails; then the mutants."""
     found = _find(claim.id, statement, claim.by, seed)
+    _bound(claim.by, found)
     repaired, report = None, MutantReport()
     if found.verdict == "fails" and claim.repair is not None:
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
+        _bound(claim.repair.by, repaired)
         if repaired.verdict == "holds":
             report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler, claim.repair.statement.tex)
             _count_survivors(repaired, report)
@@ -388,8 +390,6 @@ _PHRASES = {
 @cache
 def _standing_of(id: str) -> tuple[str | None, Mapping[str, Sequence[int]]]:
     """Strength of another claim, its mutants left aside, and the sizes; None if it does not hold."""
-    from exactkf.claims import load
-
     other = load().get(id)
     if other is None or other.statement is None:
         return None, {}
@@ -399,7 +399,7 @@ def _standing_of(id: str) -> tuple[str | None, Mapping[str, Sequence[int]]]:
 
 def _steps(e: Evidence, found: Findings) -> None:
     standings = {id: _standing_of(id)[0] for id in e.hints["ids"]}
-    weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes")]
+    weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes") or any(e.kind == "part" for e in load()[id].by)]
     if weak:
         found.evidence.append(f"steps not proved: {', '.join(weak)}")
     elif found.strength == "instances":
@@ -408,6 +408,22 @@ def _steps(e: Evidence, found: Findings) -> None:
         found.evidence.append(f"{shown}classical facts: {'; '.join(e.hints['facts']) or 'none'}")
         if e.hints["prose"]:
             found.evidence.append(f"between the steps: {e.hints['prose']}")
+
+
+def _bound(by: Sequence[Evidence], found: Findings) -> None:
+    """What is shown of a formula counts for the print as far as the formula says what is printed."""
+    for e in by if found.verdict == "holds" else ():
+        if e.kind == "restated":
+            found.evidence.append(f"the formula says what is printed by classical facts: {'; '.join(e.hints['facts'])}")
+            _at_most(found, "steps")
+        elif e.kind == "part":
+            found.evidence.append(f"the formula is a part of what is printed: {e.hints['covers']}")
+            _at_most(found, "instances")
+
+
+def _at_most(found: Findings, strength: str) -> None:
+    if STRENGTHS.index(found.strength or strength) < STRENGTHS.index(strength):
+        found.strength, found.sizes = strength, None
 
 
 # ---------------------------------------------------------------------- the result as plain data

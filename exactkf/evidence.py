@@ -18,6 +18,8 @@ evidence            what it shows                                              b
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
 `example`           one instance given by hand, tried before all others        instances
+`restated`          the formula says what is printed by classical facts        bounds it: steps
+`part`              the formula is less than what is printed                   bounds it: instances
 ==================  =========================================================  ==========================
 """
 
@@ -32,7 +34,7 @@ from exactkf.language import Expr, to_expr
 
 __all__ = [
     "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
-    "lemma", "null_vector", "order", "positivity", "steps", "use", "within",
+    "lemma", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
 ]
 
 
@@ -185,7 +187,7 @@ def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: 
 
 
 def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
-    """A lemma that turns a determinant, an inverse, a characteristic polynomial or coefficients at infinity into terms that can be opened.
+    """A lemma that turns a determinant, an inverse, a characteristic polynomial, coefficients at infinity or a product into terms that can be opened.
 
     ======================================  ========================================================  ================================
     kind                                    says                                                      by
@@ -194,6 +196,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``solve``                               inv(M) * v == x, or inv(M) == x
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
     ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
+    ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -349,6 +352,35 @@ def example(values: Mapping[Expr | str, Any] | None = None, /, *, horizon: int =
 def steps(*ids: str, facts: Sequence[str] = (), prose: str = "") -> Evidence:
     """The paper's proof: claims of its displayed steps, classical facts it leans on, the glue in a sentence or two."""
     return Evidence("steps", {"ids": tuple(ids), "facts": tuple(facts), "prose": prose})
+
+
+def restated(*facts: str) -> Evidence:
+    """Beside other evidence: the formula says what is printed only by the classical facts named, so that a proof of it counts as `steps`.
+
+    Raises
+    ------
+    BadInput
+        If no fact is named.
+    """
+    _sentences("restated", facts)
+    return Evidence("restated", {"facts": facts})
+
+
+def part(covers: str) -> Evidence:
+    """Beside other evidence: the formula covers only that part of what is printed (one state, some samples), so that a proof of it counts as `instances`.
+
+    Raises
+    ------
+    BadInput
+        If it is not said which part.
+    """
+    _sentences("part", (covers,))
+    return Evidence("part", {"covers": covers})
+
+
+def _sentences(kind: str, texts: Sequence[str]) -> None:
+    if not texts or not all(isinstance(x, str) and x.strip() for x in texts):
+        raise BadInput(f"argument of {kind} = {texts!r} is no text; say it in words")
 
 
 def _name(key: Expr | str) -> str:

@@ -33,8 +33,8 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    the last one that is not zero, a part of an invariant isotropic subspace, which 1 forbids;
    so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.  The states before the reduced
    pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
-6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N,
-   which is finite, 1 - g^2 is never zero.  Other congruences are in `exactkf.kernel.orbit_sieve`.
+6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N from some step on, where N divides no denominator,
+   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`.
 
 References
 ----------
@@ -275,9 +275,9 @@ def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
 
 def coprime(Q: list, S: list) -> tuple[list, list]:
     q, s = ([Fraction(x) if isinstance(x, int) else x for x in p] for p in (Q, S))
-    common = gcd_poly(q, s)
-    q = divmod_poly(q, common)[0]
-    return q, _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))
+    common, zero = gcd_poly(q, s), q[-1] - q[-1]
+    q = [zero + x for x in divmod_poly(q, common)[0]]
+    return q, [zero + x for x in _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))]
 
 
 def is_positive_real(Q: list, S: list) -> bool:
@@ -384,10 +384,17 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
     if "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
+        if "after" in evidence:
+            Q, S = _at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
+            Q, S = ([Fraction(x) / Q[-1] for x in p] for p in (Q, S))
         check_never_escapes(Q, S, evidence["modulus"])
     elif "order" in evidence:
         _need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
+    elif "signs" in evidence:
+        read: dict[Any, set[int]] = {}
+        for sign, places in zip((1, -1), evidence["signs"], strict=True):
+            check_never_singular(reduced.Q, reduced.S, places, evidence["before"], sign, read)
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
