@@ -227,7 +227,8 @@ claim("B93-S40", "the images lie in an interval",
       over={A: nonsingular(d), P: positive_definite(d), TT: positive_semidefinite(d)},
       by=[order([TT], [A*TT*T(A)],
                 [inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A)), inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A))]),
-          instances(8, d=(1, 2))],
+          instances(8, d=(1, 2)),
+          restated("S39: P and Q are positive for M in H_0")],
       note="P is invertible, as B93-S39 says. Only that T is nonnegative is used.")
 
 Gone, Half, Shrunk = symbols("Gone Half Shrunk")

@@ -30,12 +30,12 @@ from exactkf.language import (
     block,
     column,
     diagonal,
-    eq,
     forall,
     function,
     given,
     hstack,
     inv,
+    invertible,
     let,
     loewner,
     matrix,
@@ -273,15 +273,21 @@ claim("B93-S65", "a bound for the inverse of the image of the identity",
           restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
       note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
 
-M_, N_ = symbols("M N")
-BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), P: matrix(d, d), Q: matrix(d, d), R: matrix(d, d), S: matrix(d, d), X: matrix(d, d)}
-COMPOSED = (eq(((A * P + B * R) * X + A * Q + B * S) * inv((C * P + D * R) * X + C * Q + D * S),
-               (A * ((P * X + Q) * inv(R * X + S)) + B) * inv(C * ((P * X + Q) * inv(R * X + S)) + D)))
-claim("B93-S68", "the composition of two maps is the map of the product",
-      COMPOSED, sizes=["d"], over=BLOCKS, by=[order(), instances(d=(1, 2)),
-                                              restated("induction on the number of factors")],
-      note="Two factors are stated, in blocks; for more it is repeated. The display that says so is (13); (12), which the text names, defines the "
-           "action from which it follows.")
+#: the blocks of the matrix of each time and of the product of the first t, the image of X0 under the maps, and the inverses of the denominators
+At, Bt, Ct, Dt, Wt, X0, at, bt, ct, et, Xt = symbols("A B C D W X0 a b c e X")
+TIMES = {name: sequence_of(matrix(d, d), 0, n) for name in (At, Bt, Ct, Dt, Wt)}
+claim("B93-S68", "the composition of the maps is the map of the product",
+      forall(t, 0, n, invertible(ct[t] * X0 + et[t]) & (Xt[t] == (at[t] * X0 + bt[t]) * inv(ct[t] * X0 + et[t]))), sizes=["d", "n"],
+      over={**TIMES, X0: matrix(d, d)},
+      where=[rec(at, t, I, At[t] * at[t] + Bt[t] * ct[t]), rec(bt, t, Zero(d, d), At[t] * bt[t] + Bt[t] * et[t]),
+             rec(ct, t, Zero(d, d), Ct[t] * at[t] + Dt[t] * ct[t]), rec(et, t, I, Ct[t] * bt[t] + Dt[t] * et[t]),
+             rec(Xt, t, X0, (At[t] * Xt[t] + Bt[t]) * Wt[t])],
+      given=[given("W_k is the inverse of C_kX_k + D_k", forall(k, 0, n - 1, Wt[k] * (Ct[k] * Xt[k] + Dt[k]) == I))],
+      by=[induction(also=[Xt[t] * (ct[t] * X0 + et[t]) == at[t] * X0 + bt[t]], step=order([], [inv(ct[t] * X0 + et[t]) * Wt[t]])),
+          instances(d=(1, 2), n=(1, 2, 3), using={U: nonsingular(d)}, made_by={Wt: (k, inv(U)), Dt: (k, U - Ct[k] * Xt[k])})],
+      note="The matrix of time t, counted from 0, has the blocks A_t, B_t, C_t, D_t, and the product of the first t the blocks a_t, b_t, c_t, e_t; X_t is what "
+           "the maps, one after the other, make of X_0. The display that says so is (13); (12), which the text names, defines the action from which it "
+           "follows.")
 
 claim("B93-S70", "the norm of K_n x",
       (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
