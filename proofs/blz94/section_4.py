@@ -134,8 +134,7 @@ claim("BLZ94-S22", "V_c is the complement of the zero set of a polynomial that i
       forall(k, 1, n, substitute(c[k], 1) == laurent(monic_of(b) / (2 * monic_of(a)), k))
       & forall(i, 1, n - 1, coeff(det(Toeplitz[i]), 0) == 1), sizes=["n"], over={a: vector(n), b: vector(n)},
       where=[function(c, [k], HALF * (Z * b[k] - Z * a[k]) - sum_of(j, 1, k - 1, c[j] * (Z * a[k - j]))), *TOEPLITZ],
-      by=[identity(n=range(1, 7), fact="the zero set of a polynomial in one variable that is not zero is finite"), instances(n=(2, 3)),
-          restated("the complement of the zero set of a polynomial that is not zero is open and dense")],
+      by=[identity(n=range(1, 7), fact="the zero set of a polynomial in one variable that is not zero is finite"), instances(n=(2, 3))],
       note="c_k and det T_i are polynomials in (a, b); here they are followed along the line from (0, 0), at z = 0, "
            "to (a, b), at z = 1. They are polynomials in z, det T_i is one at z = 0, hence not zero at points "
            "arbitrarily near to z = 1.")
