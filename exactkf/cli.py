@@ -177,14 +177,15 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
 
 @main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
-def check(paths: Sequence[Path]) -> int:
+@click.option("--time-limit", type=_Seconds(), default=600, show_default=True, metavar="S", help="Seconds for one certificate; past them it is refused.")
+def check(paths: Sequence[Path], time_limit: float) -> int:
     """Replay certificates: files, or all .json files of folders.
 
     Exit status: 0 if every one replays, 1 if one does not, 2 if one is no certificate.
     """
     from exactkf.check import check_paths
 
-    return check_paths(paths)
+    return check_paths(paths, time_limit)
 
 
 @main.command(short_help="Show a claim: statement, verdict, what was checked.")

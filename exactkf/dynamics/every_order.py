@@ -323,7 +323,7 @@ def _enters(Q: list, S: list, common: list, late: bool) -> bool:
         Q, S = _quotient(Q, common), _quotient(S, common)
     elif not late:
         Q, S = coprime(Q, S)
-    if isinstance(Q[0], RealNumber):
+    if any(isinstance(x, RealNumber) for x in Q):  # a zero of a quotient is none
         return is_positive_real(Q, S)
     return len(Q) == 1 or count_roots(fmpq_poly(Q).numer()).inside == len(Q) - 1 and _sign(spectral_polynomial(Q, S)) in ("+", "0+")
 

@@ -43,14 +43,16 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from itertools import islice
+from math import comb, gcd, isqrt, lcm
 from operator import mul
 from struct import iter_unpack
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.limits import MINORS, STEPS, WORK, within
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
@@ -58,7 +60,7 @@ from exactkf.kernel.orbit_wandering import modular
 __all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "reading", "step_matrix",
            "zeros_modulo"]
 
-_LONGEST, _MOST = 10**6, 10**5
+_MOST = 10**5  # times that several primes leave
 
 
 def check_never_singular(Q: list, S: list, places: Any, before: Any, sign: int = 0, read: dict[Any, set[int]] | None = None) -> None:
@@ -78,16 +80,18 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any, sign: int =
     """
     read = {} if read is None else read
     _need(bool(places), "no prime is named")
-    m, period, left = len(Q) - 1, 1, [0]
+    m, period, left, work = len(Q) - 1, 1, [0], 0
     depths: dict[int, int] = {}
     for i, (p, L, root) in enumerate(map(_place, places)):
-        _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
-        _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
+        _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        _need(type(L) is int and 0 < L < STEPS, "a period is not a positive integer")
         values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
         if (p, L, root) not in read:
+            work += comb(2 * m, m) * L
+            within(work, 5 * WORK, "minors")
             read[p, L, root] = zeros_modulo(values[:m], values[m:], p, L)
         found = read[p, L, root]
-        period, left = intersected(period, left, L, _deeper(Q, S, found, p, L, root, 0, sign) if sign else found)
+        period, left = intersected(period, left, L, _deeper(Q, S, found, p, L, root, 0, sign) if sign else found, _MOST)
         _need(len(left) < _MOST, "too many times are left")
         for j, (r, K, residue) in enumerate(map(_place, places[:i + 1])):
             a = exponent(period // K, r)
@@ -104,14 +108,15 @@ def _place(data: Any) -> tuple[Any, Any, Any]:
     return data[0], data[1], data[2] if len(data) == 3 else None
 
 
-def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
-    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues."""
+def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int], most: int | None = None) -> tuple[int, list[int]]:
+    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues, at most so many."""
     common = gcd(M, L)
     by_rest: dict[int, list[int]] = {}
     for t in second:
         by_rest.setdefault(t % common, []).append(t)
     u = pow(M // common, -1, L // common) if L > common else 0
-    return M // common * L, [s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ())]
+    left = (s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ()))
+    return M // common * L, list(islice(left, most))
 
 
 def exponent(n: int, p: int) -> int:
@@ -122,12 +127,13 @@ def exponent(n: int, p: int) -> int:
     return a
 
 
-def _deeper(Q: list, S: list, left: Iterable[int], p: int, L: int, root: int | None, a: int, sign: int) -> list[int]:
+def _deeper(Q: list, S: list, left: Collection[int], p: int, L: int, root: int | None, a: int, sign: int) -> list[int]:
     """The times with det X_t = 0, or with X_t u = 0 and Y_t u = sign Ku, also modulo p^{a+1}, where S_m^L = I modulo p; see statements 5 and 6.
 
     S^t is a product of powers S^{d 32^i}, 0 <= d < 32, from a table.
     """
     N, m, period = p ** (a + 1), len(Q) - 1, L * p**a
+    within(len(left) * 4 * m**3 * (1 + period.bit_length() // 5), 5 * WORK, "products of matrices")
     values = reading([*Q[-2::-1], *S[-2::-1]], p, root, a + 1)
     base, table = step_matrix(values[:m], values[m:], N), []
     for _ in range(0, period.bit_length(), 5):
@@ -253,6 +259,8 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     """
     S, size = step_matrix(q, g, p), isqrt(L) + 1
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
+    within(comb(2 * m, m) * size, MINORS, "minors")
+    _need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
     top, rows = [_minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
     power = eye[:m]
     for _ in range(size - 1):
@@ -260,7 +268,6 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
         top.append(_minors(power, p))
     leap = _power(S, size, p)
     _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
-    _need(len(top[0]) * p * p < 1 << 64, "the minors are too many")
     packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):
