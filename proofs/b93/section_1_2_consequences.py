@@ -144,7 +144,8 @@ claim("B93-S79", "the norm at the beginning by that at the end",
       given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 + m == tau*(T(xp)*Pp*xp)),
              given("|P_p| <= sigma", loewner(si*I, Pp))],
       by=[order([T(x0)*(al*P0 - I)*x0], [al*m], [al*(tau*(T(xp)*(si*I - Pp)*xp))]),
-          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}), instances(8, d=(1,)),
+          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}),
+          instances(8, d=(1,)),
           restated("the norm of a nonnegative matrix X is the least c with X <= cI", "(S78) for one time after the other")],
       note="tau stands for the product of the tau_n, and m is what tau V_p exceeds V_0 by; B93-S78 says that V falls so.")
 

@@ -74,16 +74,16 @@ K, Dg, lam, V1, V2 = symbols("K Dg lam V1 V2")
 ASCENDING = given("ascending", forall(i, 1, d - 1, Dg[i, i] <= Dg[i + 1, i + 1]))
 
 claim("B93-D1.4", "the distance does not depend on the order of the two matrices",
-      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)}, by=[order(), instances(6, d=(1, 2, 3)),
-                                                                                                           restated("the eigenvalues of the inverse are the reciprocals")],
+      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)},
+      by=[order(), instances(6, d=(1, 2, 3)), restated("the eigenvalues of the inverse are the reciprocals")],
       note="A definition. That the distance is symmetric is checked: exchanging P and Q replaces the eigenvalues by their reciprocals, and their logarithms "
            "change the sign.")
 
 dP, NEW = symbols("dP NEW")
 claim("B93-S30", "the arc length is invariant",
       (inv(A*P*T(A))*(A*dP*T(A))*inv(A*P*T(A))*(A*dP*T(A)) == inv(T(A))*(inv(P)*dP*inv(P)*dP)*T(A)), sizes=["d"],
-      over={A: nonsingular(d), P: positive_definite(d), dP: symmetric_matrix(d)}, by=[order(), instances(6, d=(1, 2, 3)),
-                                                                                      part("that the arc length is invariant")],
+      over={A: nonsingular(d), P: positive_definite(d), dP: symmetric_matrix(d)},
+      by=[order(), instances(6, d=(1, 2, 3)), part("that the arc length is invariant")],
       note="The trace of (P^{-1}dP)^2 is that of a similar matrix after the congruence with A. That the distance belongs to this arc length, that the space "
            "is complete, and its topology, are quoted and not stated here.")
 

@@ -78,7 +78,7 @@ not_checked("B93-S46", "the conditionally Gaussian set-up", "a definition: it fi
 claim("B93-S47", "the recursions under Hypothesis H",
       (P1 == Phi(P0)) & (K1 * V + K2 * Y1 == (A - P1 * R * A) * (K0 * V) + P1 * T(C) * Y1), sizes=STEP_SIZES, over=STEP_OVER, where=[*ONE_TIME, ONE_PHI],
       given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE,
-                            restated("Gaussian vectors: given the parameters, which are observed or independent of the noises, the conditional mean is the projection")],
+                            restated("Gaussian vectors: given the parameters, the conditional mean is the projection")],
       note="Conditionally on the past the parameters are constants, by H (i), everything is Gaussian, and the noises of time n have the independence that "
            "H (ii) states: U, V, E, N are the coefficients of X_(n-1), of the past observations and of the noises in a standard Gaussian vector, as in (5) "
            "and (6). The section 1 set-up does not state that independence, this one does.")

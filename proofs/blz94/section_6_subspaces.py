@@ -191,8 +191,9 @@ claim("BLZ94-E6.34", "what invariance of Im(U; 0) means",
 _CONTROL = matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])
 claim("BLZ94-S53", "(F, g) is reachable if and only if a and b are coprime",
       det(_CONTROL) == det(substitute(strict_of(g0), F)) * prod(k, 1, n, rational(-1) ** (k - 1)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=OBSERVER, by=[identity(n=range(1, 5)), instances(n=(1, 2, 3)),
-                                                               restated("det g(F) is the product of the values of g at the zeros of the characteristic polynomial of F")],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
+      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3)),
+          restated("det g(F) is the product of the values of g at the zeros of the characteristic polynomial of F")],
       note="The left side vanishes exactly if (F, g) is not reachable. The eigenvalues of F are the roots of a(z), so the right side vanishes "
            "exactly if a root of a(z) is one of g(z) = (b(z) - a(z))/2, that is of b(z).")
 

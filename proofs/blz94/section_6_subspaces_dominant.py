@@ -85,8 +85,8 @@ claim("BLZ94-E6.26", "convergence of the subspaces as convergence of the matrice
       note="A consequence: if Im(I; 0) is the dominant subspace the subspaces do not move, and a limit of the matrices S^t(I; 0) of rank n is "
            "fixed by S. In the example S^t(1; 0) is (2^t; 0).",
       repair=repair("other", "The matrices converge only after multiplication from the right by R^(-t), R the matrix of S on the dominant subspace; Y_tX_t^(-1) does not "
-                             "notice that factor.", _MOVED, **_POWERS, by=[induction(), _SPLIT,
-                                                                           restated("Q^t K R^(-t) tends to zero if the eigenvalues of Q are smaller in modulus than those of R")]))
+                             "notice that factor.", _MOVED, **_POWERS,
+                    by=[induction(), _SPLIT, restated("Q^t K R^(-t) tends to zero if the eigenvalues of Q are smaller in modulus than those of R")]))
 
 _CYCLE = (given("A^4 = I, one real eigenvalue", (M**4 == Identity(3)) & (real_roots(charpoly(M), -2, 2) == 1) & (M * u == u)),
           standing("u is not zero", T(u) * u != 0))
@@ -117,8 +117,9 @@ claim("BLZ94-S47", "intersection of the equimodular parts", 3 - rank(hstack(u, W
       note="The matrix of Lemma 6.9, with q = 1 and r = 2: the unique dominant line and the unique codominant plane meet in zero.",
       repair=repair("missing hypothesis", "It is right where one Jordan block belongs to the modulus: its invariant subspaces of dimension q and r are null spaces of powers.",
                     q + r - rank(hstack(kernel_basis(N**q), kernel_basis(N**r))) == when(q <= r, q, r), sizes=["q", "r"],
-                    where=[let(N, matrix_of(i, j, q + r, q + r, when(j == i + 1, 1, 0)))], by=[evaluation(q=range(1, 6), r=range(1, 6)), instances(q=(1, 2, 3), r=(1, 2, 3)),
-                                                                                               restated("in one Jordan block the invariant subspaces are the null spaces of powers")]))
+                    where=[let(N, matrix_of(i, j, q + r, q + r, when(j == i + 1, 1, 0)))],
+                    by=[evaluation(q=range(1, 6), r=range(1, 6)), instances(q=(1, 2, 3), r=(1, 2, 3)),
+                        restated("in one Jordan block the invariant subspaces are the null spaces of powers")]))
 
 # ---------------------------------------------------------------------- sign definite D, exponents
 _COUNT = sum_of(j, 1, n, when(x[j] == x[i], 1, 0))

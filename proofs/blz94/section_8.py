@@ -115,9 +115,11 @@ _AXIS = (rec(v, t, 0, v[t] / (1 - w[t] ** 2)), rec(w, t, ga, -w[t] * v[t] / (1 -
 claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
       always(t, (al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (v[t] == 0) & (w[t + 1] == 0)
              & (coeff(D, 0) == 1 + al**2 - ga**2) & (coeff(D, 1) == al)), over=POINT, where=[*ONE, *_AXIS, *D_ONE],
-      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)], [(1, 3, 1)], [(1, 4, 1)]]),
+      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)],
+                               [(1, 3, 1)], [(1, 4, 1)]]),
           instances(20)],
-      note="The level set is d_0 = (2/kappa) d_1. The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
+      note="The level set is d_0 = (2/kappa) d_1. The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite "
+           "too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
 
 claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
       ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2)),

@@ -145,7 +145,8 @@ claim("BLZ94-S65", "the invariant manifold of an interior point has no singular 
 
 claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
       by=[identity(), instances(),
-          restated("a level set is singular where the derivatives of D, with D itself, are dependent; those by gamma vanish at gamma = 0")], note="The determinant vanishes exactly on the three lines that bound the triangle.")
+          restated("a level set is singular where the derivatives of D, with D itself, are dependent; those by gamma vanish at gamma = 0")],
+      note="The determinant vanishes exactly on the three lines that bound the triangle.")
 
 _VALUES = let(w, rows([[1], [x + 1 / x], [x**2 + x**-2]]))
 #: points with a common root 1, with a common root -1, and the equilibria with a pair of reciprocal roots
