@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, null_vector, order, within
+from exactkf.evidence import example, identity, induction, instances, null_vector, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -267,7 +267,8 @@ claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
       by=[order([], [], [T(U) * (T(L) * Q * L) * U]),
           instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
                     made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
-                             Q: inv(T(L)) * U * D * T(U) * inv(L)})],
+                             Q: inv(T(L)) * U * D * T(U) * inv(L)}),
+          restated("spectral theorem")],
       note="The matrix M asked for is M = U*inv(L). That P = LL* and L*QL = UDU* can be written so, with U orthogonal "
            "and D diagonal, is the spectral theorem.")
 
@@ -282,7 +283,9 @@ claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
                             == block([[Identity(d), H], [ZERO, Identity(d)]]) * block([[Identity(d), ZERO], [H * Q, Identity(d) + H * Q * H]])),
           sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d), H: symmetric_matrix(d)},
           given=[given("H is a root of P", P == H * H)],
-          by=[order([H * Q * H]), instances(d=(1, 2, 3), made_by={P: H * H})]),
+          by=[order([H * Q * H]), instances(d=(1, 2, 3), made_by={P: H * H}),
+              restated("spectral theorem: a nonnegative matrix has a symmetric root, and eigenvalues that are not negative",
+                       "the eigenvalues of a block triangular matrix are those of its diagonal blocks")]),
       note="The eigenvalues are real, so greater than one means outside the unit circle. The correction is a similarity of block triangular "
            "matrices: beside d eigenvalues one on both sides, those of I + PQ are those of the symmetric I + HQH, where HQH is nonnegative.")
 
@@ -470,7 +473,8 @@ claim("B93-P1.3.1", "a product is in H, and in H1 if and only if the sum is inve
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_O, NEXT.lower, NEXT.lower, SUM_O, SUM_O,
                                [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_lower(t + 1)], roots=NEXT.roots,
                                inside=_both_positive(c[t + 1], _lower(t + 1), O[t + 1], 13))),
-          _many(*BOTH_LOWER)],
+          _many(*BOTH_LOWER),
+          restated("every matrix has a generalized inverse")],
       note=SERVING)
 
 claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is invertible",
@@ -482,7 +486,8 @@ claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is inve
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,
                                [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_upper(t + 1)], roots=NEXT.roots,
                                inside=_both_positive(T(b[t + 1]), _upper(t + 1), K_[t + 1], 11))),
-          _many(*BOTH_UPPER)],
+          _many(*BOTH_UPPER),
+          restated("every matrix has a generalized inverse")],
       note=SERVING)
 
 claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
@@ -494,7 +499,8 @@ claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
                     base=order([], [inv(As[1])], [Bs[1] * T(As[1])], [T(As[1]) * Cs[1]]),
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower, roots=NEXT.roots)),
           _many(BOTH_LOWER[0], **{"x": _null_at(_lower(n))}), _many(BOTH_LOWER[0], **{"x": _null_at(_lower(1))}),
-          _many(BOTH_LOWER[0], **{"x": _null_at(T(As[n]) * Cs[n] * alpha[n - 1])}), _many(BOTH_LOWER[0])],
+          _many(BOTH_LOWER[0], **{"x": _null_at(T(As[n]) * Cs[n] * alpha[n - 1])}), _many(BOTH_LOWER[0]),
+          restated("every matrix has a generalized inverse", "induction on the number of factors")],
       note="Going down from t = n it is the second equivalence; the first is S23 for M_1 and the product of the others, which is in H by "
            "Proposition 1.1.")
 
@@ -504,6 +510,7 @@ claim("B93-S27", "one symmetric matrix for all the conditions",
       where=[let(O, S + T(A) * P * A)],
       by=[order([S, T(A) * P * A], [S, T(A) * P * A], [S, T(A) * P * A]),
           instances(d=(1, 2, 3), made_by={x: _null_at(S + T(A) * P * A)}), instances(8, d=(1, 2, 3), made_by={x: _null_at(S)}),
-          instances(8, d=(1, 2, 3))],
+          instances(8, d=(1, 2, 3)),
+          restated("induction on the number of factors")],
       note="S is the sum of the first terms, P is xi(M_k) and A the product of the earlier alpha. By induction every partial sum is nonnegative "
            "and has as null vectors those x that satisfy all the conditions.")

@@ -18,7 +18,7 @@ congruence leaves them alone and inversion inverts them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order
+from exactkf.evidence import example, identity, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -130,7 +130,8 @@ claim("B93-E14", "the discrete Riccati equation",
 claim("B93-S31", "the distance is invariant under congruence and under inversion",
       (A * P * T(A) * inv(A * Q * T(A)) == A * (P * inv(Q)) * inv(A)) & (inv(P) * inv(inv(Q)) == inv(P) * inv(P * inv(Q)) * P),
       sizes=["d"], over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d)},
-      by=[order(), instances(d=UP_TO_6)],
+      by=[order(), instances(d=UP_TO_6),
+          restated("similar matrices have the same eigenvalues", "those of the inverse are the reciprocals")],
       note="The distance is a function of the squared logarithms of the eigenvalues of P inv(Q): the first relation "
            "says that congruence leaves these eigenvalues alone, the second that inversion replaces them by their "
            "reciprocals. The similarities are those by A and by inv(P), written out.")
@@ -174,7 +175,8 @@ claim("B93-S37", "exchanging the two matrices inverts the eigenvalues",
       given=[given("S + P = LL*", S0 + P == L0 * T(L0))],
       by=[order([], [], [inv(L0) * (TT + P) * inv(T(L0))]),
           instances(d=(1, 2, 3), using={R0: positive_definite(d)}, made_by={S0: L0 * T(L0), P: Zero(d, d)}),
-          instances(d=(1, 2, 3), made_by={P: L0 * T(L0) - S0})],
+          instances(d=(1, 2, 3), made_by={P: L0 * T(L0) - S0}),
+          restated("similar matrices have the same eigenvalues", "those of the inverse are the reciprocals", "a positive matrix is LL*")],
       note="The first line says that the eigenvalues of the one matrix are the reciprocals of those of the other, the second that they are those of a "
            "positive symmetric matrix. Taking reciprocals of positive numbers reverses their order. S0 stands for the S of the text; L is any "
            "factor of the positive matrix S + P, such as its Cholesky factor.")

@@ -13,7 +13,8 @@ falls along the backward recursion.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated
+from exactkf.evidence import part as only
 from exactkf.language import (
     Identity,
     T,
@@ -63,7 +64,8 @@ claim("B93-S29", "the continuous Riccati equation as an action",
       where=[let(U, N11*P0 + N12), let(V, N21*P0 + N22), let(P, U*inv(V)), let(dU, (A*N11 + S*N21)*P0 + A*N12 + S*N22),
              let(dV, (R*N11 - T(A)*N21)*P0 + R*N12 - T(A)*N22)],
       given=[standing("P is symmetric", T(U)*V == T(V)*U)],
-      by=[order(), instances(6, d=(1, 2), made_by={N11: I, N12: Zd, N21: Zd, N22: I}), instances(6, d=(1,))],
+      by=[order(), instances(6, d=(1, 2), made_by={N11: I, N12: Zd, N21: Zd, N22: I}), instances(6, d=(1,)),
+          only("what equation P_t solves, not that N_t stays in H")],
       note="The left side is the derivative of P_t = U inv(V), where dN/dt = [[A, S], [R, -A*]]N; N_0 = I gives P_0. That N_t stays in H is a theorem on "
            "differential equations and not stated here.")
 
@@ -121,7 +123,8 @@ Cov, Sum, Au_ = symbols("Cov Sum Au_")
 claim("B93-E19", "the sampled system",
       always(t, Cov[t] == Au[t]*P0*T(Au[t]) + Sum[t]), sizes=["d", "p"], over={A: matrix(d, d), F: matrix(d, p), P0: positive_semidefinite(d)},
       where=[rec(Au, t, I, A*Au[t]), rec(Sum, t, Zd, Sum[t] + Au[t]*F*T(F)*T(Au[t])), rec(Cov, t, P0, A*Cov[t]*T(A) + F*T(F))],
-      by=[induction(also=[A*Au[t] == Au[t]*A, A*Sum[t]*T(A) + F*T(F) == Sum[t] + Au[t]*F*T(F)*T(Au[t])]), instances(6, d=(1, 2), p=(1, 2), horizon=3)],
+      by=[induction(also=[A*Au[t] == Au[t]*A, A*Sum[t]*T(A) + F*T(F) == Sum[t] + Au[t]*F*T(F)*T(Au[t])]), instances(6, d=(1, 2), p=(1, 2), horizon=3),
+          only("the covariance of the state")],
       note="Over a gap of t instants the covariance of the state of (18) changes as by one step of (19), with A^t and with the sum that F_n^2 is. How F_n "
            "alpha_n is made is B93-S51, the rest B93-S50.")
 
@@ -130,7 +133,8 @@ claim("B93-E19", "the sampled system",
 K, Dg, Pb, al, tau, si, x0, xp, Pp, Bs, x, Pi = symbols("K Dg Pb al tau si x0 xp Pp Bs x Pi")
 claim("B93-S69", "two positive matrices in common coordinates",
       P*inv(Pb) == T(K)*Dg*inv(T(K)), sizes=["d"], over={K: nonsingular(d), Dg: diagonal(d)}, where=[let(Pb, T(K)*K), let(P, T(K)*Dg*K)],
-      by=[order(), instances(6, d=(1, 2, 3))],
+      by=[order(), instances(6, d=(1, 2, 3)),
+          restated("spectral theorem: two positive matrices are diagonal in one basis", "similar matrices have the same eigenvalues")],
       note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms "
            "of the entries of D.")
 
@@ -140,13 +144,16 @@ claim("B93-S79", "the norm at the beginning by that at the end",
       given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 + m == tau*(T(xp)*Pp*xp)),
              given("|P_p| <= sigma", loewner(si*I, Pp))],
       by=[order([T(x0)*(al*P0 - I)*x0], [al*m], [al*(tau*(T(xp)*(si*I - Pp)*xp))]),
-          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}), instances(8, d=(1,))],
+          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}),
+          instances(8, d=(1,)),
+          restated("the norm of a nonnegative matrix X is the least c with X <= cI", "(S78) for one time after the other")],
       note="tau stands for the product of the tau_n, and m is what tau V_p exceeds V_0 by; B93-S78 says that V falls so.")
 
 claim("B93-S80", "the product of the matrices of the filter",
       always(t, (x[t] == T(Pi[t])*xp) & (T(x[t])*x[t] == T(xp)*(Pi[t]*T(Pi[t]))*xp)), sizes=["d"], over={Bs: signal_of(matrix(d, d), 0), xp: vector(d)},
       where=[rec(x, t, xp, T(Bs[t])*x[t]), rec(Pi, t, I, Pi[t]*Bs[t])],
-      by=[induction(), instances(6, d=(1, 2), horizon=3)],
+      by=[induction(), instances(6, d=(1, 2), horizon=3),
+          restated("S79 for every vector x_p", "the norm of M is the largest of |M*x| for |x| = 1", "the logarithm is increasing")],
       note="Counted from the end: Bs_t is B_{p-t}, so that x_t here is x_{p-t} and Pi_p = B_p ... B_1. With S79, |Pi*x|^2 <= alpha tau_1 ... tau_p sigma_p "
            "|x|^2 for every x, which is the bound of the norm.")
 

@@ -19,7 +19,7 @@ action of a member of H contracts through its two shifts.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, instances, order
+from exactkf.evidence import example, instances, order, part, restated
 from exactkf.language import (
     Identity,
     T,
@@ -74,14 +74,16 @@ K, Dg, lam, V1, V2 = symbols("K Dg lam V1 V2")
 ASCENDING = given("ascending", forall(i, 1, d - 1, Dg[i, i] <= Dg[i + 1, i + 1]))
 
 claim("B93-D1.4", "the distance does not depend on the order of the two matrices",
-      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)}, by=[order(), instances(6, d=(1, 2, 3))],
+      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)},
+      by=[order(), instances(6, d=(1, 2, 3)), restated("the eigenvalues of the inverse are the reciprocals")],
       note="A definition. That the distance is symmetric is checked: exchanging P and Q replaces the eigenvalues by their reciprocals, and their logarithms "
            "change the sign.")
 
 dP, NEW = symbols("dP NEW")
 claim("B93-S30", "the arc length is invariant",
       (inv(A*P*T(A))*(A*dP*T(A))*inv(A*P*T(A))*(A*dP*T(A)) == inv(T(A))*(inv(P)*dP*inv(P)*dP)*T(A)), sizes=["d"],
-      over={A: nonsingular(d), P: positive_definite(d), dP: symmetric_matrix(d)}, by=[order(), instances(6, d=(1, 2, 3))],
+      over={A: nonsingular(d), P: positive_definite(d), dP: symmetric_matrix(d)},
+      by=[order(), instances(6, d=(1, 2, 3)), part("that the arc length is invariant")],
       note="The trace of (P^{-1}dP)^2 is that of a similar matrix after the congruence with A. That the distance belongs to this arc length, that the space "
            "is complete, and its topology, are quoted and not stated here.")
 
@@ -185,7 +187,8 @@ claim("B93-S39", "what the subsets of H say of the two shifts",
       pd(C*inv(A)) & pd(inv(A)*B), sizes=["d"], over=OVER, where=[BLOCKS],
       given=[given("M in Sp", symplectic(M)), given("M in H1: A*C > 0", pd(T(A)*C)), given("M in H2: BA* > 0", pd(B*T(A)))],
       by=[order([Factor(A, B, C).Q], [Factor(A, B, C).P]), *(example(numbers("A B C D", *entries)) for entries in ((1, 1, -1, 0), (1, -1, 1, 0), (1, 1, 1, 2))),
-          instances(6, d=(1, 2), using={U: positive_definite(d), W: positive_definite(d)}, made_by=member(A, B, C, D, U, W))],
+          instances(6, d=(1, 2), using={U: positive_definite(d), W: positive_definite(d)}, made_by=member(A, B, C, D, U, W)),
+          part("that P and Q are positive")],
       note="Q is positive for M in H1, which asks A*C > 0 alone, and P for M in H2, which asks BA* > 0 alone. That congruence and inversion leave the "
            "distance alone is B93-S31, and that shifts contract is B93-P1.6.")
 
@@ -224,7 +227,8 @@ claim("B93-S40", "the images lie in an interval",
       over={A: nonsingular(d), P: positive_definite(d), TT: positive_semidefinite(d)},
       by=[order([TT], [A*TT*T(A)],
                 [inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A)), inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A))]),
-          instances(8, d=(1, 2))],
+          instances(8, d=(1, 2)),
+          restated("S39: P and Q are positive for M in H_0")],
       note="P is invertible, as B93-S39 says. Only that T is nonnegative is used.")
 
 Gone, Half, Shrunk = symbols("Gone Half Shrunk")

@@ -32,7 +32,7 @@ of the printed inequality.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -88,7 +88,9 @@ claim("B93-L2.3", "the distance to the identity between two multiples of a logar
           instances(24, d=range(1, 7), using={m: sequence(1, d)},
                     made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2)), larger: when(ENDS >= 0, l[d] ** 2, l[1] ** 2)}),
           example(d=2, l=[1, 0], larger=0), example(d=3, l=[1, 2, 1], larger=1), example(d=2, l=[0, 2], larger=0),
-          instances(8, d=(2, 3))],
+          instances(8, d=(2, 3)),
+          restated("spectral theorem: the norms of Q and of its inverse are the largest eigenvalue and the reciprocal of the smallest",
+                   "the logarithm is increasing")],
       note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1, and the squared distance is "
            "the sum of their squares, total_d. As l_1 <= l_d, the larger of their squares is that of l_d exactly if l_1 + l_d >= 0. The count is t, and the "
            "rest is what is missing to t times that. At t = d the first two inequalities put the larger square below the sum, whichever of the two it is, "
@@ -131,7 +133,8 @@ claim("B93-S74", "the wide matrices of the closed and the open loop, one step of
                                           [Zero(m, q), Zero(m, p), Um]])),
       sizes=["d", "p", "q", "m"],
       over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P: symmetric_matrix(d), Wm: matrix(d, m), Um: matrix(m, m)}, where=LOOP,
-      by=[instances(**SMALL, m=(1, 2, 3))],
+      by=[instances(**SMALL, m=(1, 2, 3)),
+          restated("induction on n")],
       note="Stated as the two halves of an induction on n, with U_n given: the first line is n = 1; in the second V_{n-1} = W_{n-1} U_{n-1} "
            "with m columns, and (K_n, H_n F_n, B_n V_{n-1}) is V_n. U_n is upper triangular with unit diagonal if U_{n-1} is.")
 
@@ -165,7 +168,8 @@ claim("B93-S75", "the Gramian of W lies above the controllability sum",
       where=[*PIECES[1:3], rec(Ww, t, K(0) * T(K(0)) + S(0), K(t + 1) * T(K(t + 1)) + S(t + 1) + A[t + 1] * Ww[t] * T(A[t + 1])),
              rec(Ss, t, S(0), S(t + 1) + A[t + 1] * Ss[t] * T(A[t + 1]))],
       by=[induction(base=[order([K(0) * T(K(0))]), order()], step=order([K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])])),
-          instances(12, **SMALL, m=(1, 2), horizon=3)],
+          instances(12, **SMALL, m=(1, 2), horizon=3),
+          restated("a matrix M has full row rank if MM* is positive")],
       note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}), see the last equation. So W_n has rank d wherever the sum on the right is "
            "invertible, and so has V_n = W_n U_n.")
 
@@ -180,6 +184,7 @@ claim("B93-L2.8", "where the controllability sum is invertible, so is G",
                 lemmas=[T(Vn) * x == Zero(m, 1), Wm * T(Wm) * x == Zero(d, 1), Sn * x == Zero(d, 1)]),
           example(d=1, m=1, Wm=[[0]], Um=[[1]], Sn=[[0]], x=[1]), example(d=1, m=1, Wm=[[1]], Um=[[1]], Sn=[["1/2"]], x=[1]),
           example(d=2, m=1, Wm=[[1], [0]], Um=[[2]], Sn=[[1, 0], [0, 1]], x=[0, 1]),
-          instances(d=(1, 2, 3), m=(1, 2, 3, 4), made_by={Sn: Wm * T(Wm) / 2, x: Zero(d, 1)})],
+          instances(d=(1, 2, 3), m=(1, 2, 3, 4), made_by={Sn: Wm * T(Wm) / 2, x: Zero(d, 1)}),
+          restated("weak controllability: the sum is invertible with positive probability for some n", "S74, S75 and S76: what G, V and W are")],
       note="The event that the controllability sum S_n is invertible has positive probability for some n, by weak controllability; on it "
            "G_n = V_n V_n* (S76) with V_n = W_n U_n (S74) and W_n W_n* >= S_n (S75) is shown to have no null vector.")

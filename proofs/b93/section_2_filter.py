@@ -21,7 +21,7 @@ where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, first, identity, induction, instances, order
+from exactkf.evidence import combination, example, first, identity, induction, instances, order, part, restated
 from exactkf.language import (
     Identity,
     T,
@@ -30,12 +30,12 @@ from exactkf.language import (
     block,
     column,
     diagonal,
-    eq,
     forall,
     function,
     given,
     hstack,
     inv,
+    invertible,
     let,
     loewner,
     matrix,
@@ -77,7 +77,8 @@ MEASURE = "a statement about sigma-algebras and conditional laws; its covariance
 not_checked("B93-S46", "the conditionally Gaussian set-up", "a definition: it fixes notation and asserts nothing")
 claim("B93-S47", "the recursions under Hypothesis H",
       (P1 == Phi(P0)) & (K1 * V + K2 * Y1 == (A - P1 * R * A) * (K0 * V) + P1 * T(C) * Y1), sizes=STEP_SIZES, over=STEP_OVER, where=[*ONE_TIME, ONE_PHI],
-      given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE],
+      given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE,
+                            restated("Gaussian vectors: given the parameters, the conditional mean is the projection")],
       note="Conditionally on the past the parameters are constants, by H (i), everything is Gaussian, and the noises of time n have the independence that "
            "H (ii) states: U, V, E, N are the coefficients of X_(n-1), of the past observations and of the noises in a standard Gaussian vector, as in (5) "
            "and (6). The section 1 set-up does not state that independence, this one does.")
@@ -92,7 +93,8 @@ claim("B93-X2.1.1", "periodic parameters",
       given=[given("f is a function on the residues", f_[p] == f_[0]), given("g is one, and invariant", forall(k, 0, p - 1, g_[k + 1] == g_[k]))],
       by=[induction(before=[first(forall(t, 0, p, shifted[t] == here[t] + f_[t] - f_[0]))]),
           example(p=1, f=[1, 2], g=[0, 0]), example(p=2, f=[0, 0, 0], g=[0, 1, 0]),
-          instances(p=(1, 2, 3, 4), made_by={f_: (k, when(k == p, y[0], y[k])), g_: (k, m)}, using={m: scalar(), y: sequence(0, p)})],
+          instances(p=(1, 2, 3, 4), made_by={f_: (k, when(k == p, y[0], y[k])), g_: (k, m)}, using={m: scalar(), y: sequence(0, p)}),
+          restated("a law is invariant if the means of all functions are, and ergodic if invariant functions are constant")],
       note="That the parameters are stationary and ergodic: the sum of a function over the residues is that of its shift, so that the uniform law is "
            "invariant, and an invariant function is constant, so that the shift is ergodic. The noises live on the other factor of the product space and "
            "are independent of the parameters. The display writes B_n for the F_n of (1).")
@@ -128,7 +130,9 @@ claim("B93-S51", "the sampled noise is F_n times a Gaussian vector of the size o
                             F: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)),
                             K: hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p)) * T(hstack(Identity(d), Zero(d, p)) * vstack(Identity(p), Zero(d, p))),
                             G: K, U: hstack(Identity(p), Zero(p, 4 - p)), W: hstack(Zero(d, 4 - d), Identity(d)),
-                            E: G * F * U + (I - G * K) * W})]),
+                            E: G * F * U + (I - G * K) * W}),
+                        restated("a symmetric matrix has a symmetric generalized inverse that commutes with it",
+                                 "Gaussian vectors without correlation are independent")]),
       note="F stands for the coefficients of the noise over the gap. In the correction the rows of U, W, E are coefficients of standard Gaussian "
            "vectors: alpha_n = G F u + (I - GK) w with the generalized inverse G of the text and a vector w independent of the noise.")
 
@@ -144,7 +148,8 @@ claim("B93-S53", "controllability and observability of the system suffice for th
                     pd(T(A) * T(C) * C * A + T(A * A) * T(C) * C * (A * A)), sizes=["d", "q"],
                     over={A: nonsingular(d), C: matrix(q, d)}, where=[let(O, vstack(C, C * A))],
                     given=[given("(C, A) is observable in two steps", rank(O) == d)],
-                    by=[order([T(A) * T(O) * O * A]), example(d=2, q=1, A=[[-1, 0], [0, -1]], C=[[1, 0]]), instances(d=(1, 2), q=(1, 2))]),
+                    by=[order([T(A) * T(O) * O * A]), example(d=2, q=1, A=[[-1, 0], [0, -1]], C=[[1, 0]]), instances(d=(1, 2), q=(1, 2)),
+                        part("two steps, equal gaps, observability")]),
       note="For d = 2, q = 1 and all gaps equal to n, where weak observability is that of the pair (C, A^n) and two terms of the sum decide. "
            "The matrix A may be a rotation by a right angle and n = 2. In the repair A is the matrix of the sampled system, A^n here; d and q are any.")
 not_checked("B93-S54", "no uniform controllability", "what can be expected is not a mathematical assertion")
@@ -160,7 +165,8 @@ claim("B93-S56", "a stationary sequence of two states is ergodic", g1 == g2, ove
                     g1 == g2, over=FAILING, given=[*FAILING_SETTING, given("the state changes", q12 > 0)],
                     by=[combination([(-1 / q12, "g is invariant", 1)]), FOREVER, example(q11=0, q12="1/2", q22=0, g1=1, g2=0),
                         instances(using={be: nonneg(), ga: nonneg()},
-                                  made_by={q11: be / (be + ga + 2), q22: ga / (be + ga + 2), q12: 1 / (be + ga + 2), g2: g1})]),
+                                  made_by={q11: be / (be + ga + 2), q22: ga / (be + ga + 2), q12: 1 / (be + ga + 2), g2: g1}),
+                        part("Markov sequences, and functions of the state")]),
       note="For Markov sequences: q11, q12, q22 are the probabilities that the states at two times in a row are MM, MN and NN; in a stationary sequence NM is as "
            "probable as MN. A function of the state, g1 at M and g2 at N, is invariant if its mean one time later, given the state M, is g1 again; in an "
            "ergodic sequence only constants are. In section 2.1.2 the paper asks for an ergodic sequence, here for a stationary one. That the noises are "
@@ -187,7 +193,8 @@ claim("B93-X2.1.4.2", "the autoregressive parameters are stationary", T(now) * M
                     (aa**2 * rr + 1 == rr) & (T(now) * Mo * now == zz + 1 + aa**2 * Mo[1, 1]), over={**MOMENTS, rr: nonneg()}, where=[LATER],
                     given=[NOISE_MOMENTS, INSIDE, given("rho_(n-1) has the variance", rr == 1 / (1 - aa**2))],
                     by=[combination([[(aa**2 - 1, "rho_(n-1) has the variance", 1)], [(T(now), NOISE_MOMENTS[0], now)]]),
-                        instances(using={be: scalar(), c: scalar()}, made_by={**MOMENTS_MADE, rr: 1 / (1 - aa**2)})]),
+                        instances(using={be: scalar(), c: scalar()}, made_by={**MOMENTS_MADE, rr: 1 / (1 - aa**2)}),
+                        part("second moments")]),
       note="zz is the mean of Z_(n-1)^2 and Mo the second moments of rho_(n-1) Z_(n-1), eps_n Z_(n-1) and eta_n, of which Z_n is the combination with the "
            "coefficients a, 1, 1; rr is the mean of rho_(n-1)^2. The parameter sequence is (a, 1, Z_(n-1)). A stationary law of Z, with infinite variance, "
            "exists only if the mean of log|rho_n| is negative; for a near one, as in the counterexample, the variance 1/(1 - a^2) of rho_n makes it positive, "
@@ -228,7 +235,8 @@ claim("B93-S60", "the smallest and the largest eigenvalue as norms",
           example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[1, 1], y=[1, 0]),
           example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": "1/2", "mu": 1}, x=[0], y=[1]),
           instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu}),
-          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)})],
+          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)}),
+          restated("spectral theorem", "the norm of a nonnegative matrix is its largest eigenvalue")],
       note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
 for _id, _title in (
         ("S61", "what the theorem says of the error"), ("T2.4", "the stationary error covariance and convergence to it"),
@@ -251,7 +259,8 @@ claim("B93-S64", "a bound for the image of the identity",
       given=[given("||A||^2 <= a2", loewner(a2 * I, A * T(A))), given("||F||^2 <= f2", loewner(f2 * I, F * T(F)))],
       by=[order([T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0], [a2 * I - A * T(A), f2 * I - F * T(F)]),
           instances(**SMALL, using={c: positive()}, made_by={A: c * I, a2: c**2, F: Zero(d, p), f2: 0}),
-          instances(d=1, p=1, q=(1, 2), made_by={a2: A[1, 1]**2, f2: F[1, 1]**2}), instances(**SMALL)],
+          instances(d=1, p=1, q=(1, 2), made_by={a2: A[1, 1]**2, f2: F[1, 1]**2}), instances(**SMALL),
+          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
       note="The squared norm of A is the least a2 with AA* <= a2 I, and a larger nonnegative matrix has a larger norm.")
 
 claim("B93-S65", "a bound for the inverse of the image of the identity",
@@ -260,17 +269,25 @@ claim("B93-S65", "a bound for the inverse of the image of the identity",
       given=[given("||inv(A)||^2 <= b2", loewner(b2 * I, inv(A * T(A)))), given("||C||^2 <= c2", loewner(c2 * I, T(C) * C))],
       by=[order([inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))], [b2 * I - inv(A * T(A)), c2 * I - T(C) * C]),
           instances(**SMALL, using={c: positive()}, made_by={A: c * I, b2: 1 / c**2, C: Zero(q, d), c2: 0}),
-          instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL)],
+          instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL),
+          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
       note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
 
-M_, N_ = symbols("M N")
-BLOCKS = {A: matrix(d, d), B: matrix(d, d), C: matrix(d, d), D: matrix(d, d), P: matrix(d, d), Q: matrix(d, d), R: matrix(d, d), S: matrix(d, d), X: matrix(d, d)}
-COMPOSED = (eq(((A * P + B * R) * X + A * Q + B * S) * inv((C * P + D * R) * X + C * Q + D * S),
-               (A * ((P * X + Q) * inv(R * X + S)) + B) * inv(C * ((P * X + Q) * inv(R * X + S)) + D)))
-claim("B93-S68", "the composition of two maps is the map of the product",
-      COMPOSED, sizes=["d"], over=BLOCKS, by=[order(), instances(d=(1, 2))],
-      note="Two factors are stated, in blocks; for more it is repeated. The display that says so is (13); (12), which the text names, defines the "
-           "action from which it follows.")
+#: the blocks of the matrix of each time and of the product of the first t, the image of X0 under the maps, and the inverses of the denominators
+At, Bt, Ct, Dt, Wt, X0, at, bt, ct, et, Xt = symbols("A B C D W X0 a b c e X")
+TIMES = {name: sequence_of(matrix(d, d), 0, n) for name in (At, Bt, Ct, Dt, Wt)}
+claim("B93-S68", "the composition of the maps is the map of the product",
+      forall(t, 0, n, invertible(ct[t] * X0 + et[t]) & (Xt[t] == (at[t] * X0 + bt[t]) * inv(ct[t] * X0 + et[t]))), sizes=["d", "n"],
+      over={**TIMES, X0: matrix(d, d)},
+      where=[rec(at, t, I, At[t] * at[t] + Bt[t] * ct[t]), rec(bt, t, Zero(d, d), At[t] * bt[t] + Bt[t] * et[t]),
+             rec(ct, t, Zero(d, d), Ct[t] * at[t] + Dt[t] * ct[t]), rec(et, t, I, Ct[t] * bt[t] + Dt[t] * et[t]),
+             rec(Xt, t, X0, (At[t] * Xt[t] + Bt[t]) * Wt[t])],
+      given=[given("W_k is the inverse of C_kX_k + D_k", forall(k, 0, n - 1, Wt[k] * (Ct[k] * Xt[k] + Dt[k]) == I))],
+      by=[induction(also=[Xt[t] * (ct[t] * X0 + et[t]) == at[t] * X0 + bt[t]], step=order([], [inv(ct[t] * X0 + et[t]) * Wt[t]])),
+          instances(d=(1, 2), n=(1, 2, 3), using={U: nonsingular(d)}, made_by={Wt: (k, inv(U)), Dt: (k, U - Ct[k] * Xt[k])})],
+      note="The matrix of time t, counted from 0, has the blocks A_t, B_t, C_t, D_t, and the product of the first t the blocks a_t, b_t, c_t, e_t; X_t is what "
+           "the maps, one after the other, make of X_0. The display that says so is (13); (12), which the text names, defines the action from which it "
+           "follows.")
 
 claim("B93-S70", "the norm of K_n x",
       (T(x) * T(K) * K * x == T(x) * Pbar * x) & ((T(K * x) * (K * x))**2 <= T(Pbar * x) * (Pbar * x)), sizes=["d"],
@@ -302,7 +319,8 @@ claim("B93-S72", "the difference of two solutions",
                            given("above", loewner(mu * I, D - Identity(d))), given("below", loewner(D - Identity(d), -mu * I))],
                     by=[order([mu * (si * I - T(K) * K), T(K) * (mu * I - (D - I)) * K], [mu * (si * I - T(K) * K), T(K) * (D - I - -mu * I) * K]),
                         instances(d=1, made_by={si: K[1, 1]**2, D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, D: (1 - mu) * I}),
-                        instances(d=(1, 2))]))
+                        instances(d=(1, 2)),
+                        restated("the norm of a symmetric matrix X is the least c with -cI <= X <= cI")]))
 
 # ---------------------------------------------------------------- Theorem 2.6
 tau_ = symbols("tau")[0]
@@ -314,7 +332,8 @@ claim("B93-S78", "the Lyapunov function along the backward recursion",
       given=[given("T >= lambda I", loewner(X, la * I)), given("P <= sigma I", loewner(si * I, P))],
       by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [T(x1) * (X - la * I) * x1, la / si * (T(x1) * (si * I - P) * x1)]),
           instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
-          instances(d=(1, 2))],
+          instances(d=(1, 2)),
+          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
       note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
            "V_n <= tau V_(n+1).")
 
@@ -324,7 +343,8 @@ claim("B93-S77", "n steps have the form of one",
       over={Bs_: signal_of(matrix(d, d), 0), Ts_: signal_of(positive_semidefinite(d), 0), P0: positive_semidefinite(d)},
       where=[rec(P, t, P0, Bs_[t] * P[t] * T(Bs_[t]) + Ts_[t]), rec(Pi_, t, I, Bs_[t] * Pi_[t]),
              rec(G_, t, Zero(d, d), Ts_[t] + Bs_[t] * G_[t] * T(Bs_[t]))],
-      by=[induction(), instances(12, d=(1, 2), horizon=3)],
+      by=[induction(), instances(12, d=(1, 2), horizon=3),
+          part("the recursion over n steps")],
       note="So the sequence P_(nk) follows the recursion of Lemma 2.7 with the product of n matrices B for B and with the G_n of Lemma 2.8 for T, which may be "
            "invertible where T is not. Times are counted from 0. What the text does not say is that blocks of n times need not be an ergodic sequence: for "
            "parameters of period two there are two ways to cut the times into blocks of two, and n has to serve both.")
@@ -352,7 +372,8 @@ claim("B93-S82", "the ergodic theorem for the rates",
                         example(d=1, B=[["1/2"]], Pbar=[[4]], X=[[3]], **{"lambda": 3, "sigma": 3}),
                         instances(d=(1, 2), made_by={B: c * I, Pbar: I, X: (1 - c**2) * I, si: 1, la: 1 - c**2}, using={c: scalar()}, horizon=3),
                         instances(d=(2,), using={E: nonsingular(2)}, horizon=3,
-                                  made_by={Pbar: E * T(E), B: E * QUARTER * inv(E), X: Pbar - B * Pbar * T(B), la: 0, si: Pbar[1, 1] + Pbar[2, 2]})]),
+                                  made_by={Pbar: E * T(E), B: E * QUARTER * inv(E), X: Pbar - B * Pbar * T(B), la: 0, si: Pbar[1, 1] + Pbar[2, 2]}),
+                        part("constant parameters")]),
       note="For constant parameters in one dimension, where P_n tends to the fixed point pbar, so that the left side is the logarithm of the square of a - "
            "pbar c^2 a, and tau_1 is a number. The stationary solution is the constant one. In the repair P_n is that solution, constant parameters of any "
            "size: B^t Pbar B*^t is at most tau^t Pbar, so that the rate is at most log tau.")
@@ -367,7 +388,9 @@ claim("B93-S83", "a negative mean rate",
           example(d=1, T=[[2]], P0=[[0]], B=[[0]], x=[1], **{"lambda": 2, "mu": 0, "sigma": 1}),
           instances(d=(1, 2), using={y: vector(d), E: matrix(d, d), c: positive()},
                     made_by={x: column(i, d, when(i == 1, 1, 0)) - 2 * y[1] / (T(y) * y) * y, Ts_: la * I + E * T(E), P0: I, B: c * I,
-                             si: la + c**2 + sum_of(i, 1, d, sum_of(j, 1, d, E[i, j]**2))})],
+                             si: la + c**2 + sum_of(i, 1, d, sum_of(j, 1, d, E[i, j]**2))}),
+          restated("a variable that is not positive, and negative with positive probability, has a negative mean",
+                   "the norm of a nonnegative matrix X is the least c with X <= cI")],
       note="lambda > 0 is the smallest eigenvalue of an invertible T, sigma the norm of P; mu is the smallest eigenvalue of any other T, or 0. So tau is at "
            "most 1 always, and where T is invertible it is less than 1, so that log tau is never positive, and negative with positive probability: then its "
            "mean is negative (it may be minus infinity, as tau may be 0).")

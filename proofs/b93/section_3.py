@@ -14,7 +14,7 @@ each other.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, order, positivity, steps
+from exactkf.evidence import example, induction, instances, order, positivity, restated, steps
 from exactkf.language import (
     Zero,
     always,
@@ -46,7 +46,8 @@ not_checked("B93-S84", "Lipschitz maps and contractions", DEFINITION)
 claim("B93-E25", "the constant of a composition",
       d1 <= r*s*d3, over={d1: nonneg(), d2: nonneg(), d3: nonneg(), r: nonneg(), s: nonneg()},
       given=[given("the outer map", d1 <= r*d2), given("the inner map", d2 <= s*d3)],
-      by=[positivity([(1, 1, ["the outer map"]), (1, 1, ["r", "the inner map"])]), instances(made_by={d2: s*d3, d1: r*s*d3}), instances()],
+      by=[positivity([(1, 1, ["the outer map"]), (1, 1, ["r", "the inner map"])]), instances(made_by={d2: s*d3, d1: r*s*d3}), instances(),
+          restated("the constant of a map is the least r with d(f(x), f(y)) <= r d(x, y)")],
       note="Two points have the distance d3, their images d2, and the images of these d1. As it holds for all pairs of points, rho of the composition, the "
            "least constant, is at most the product.")
 
@@ -66,7 +67,8 @@ AS_MATRICES = "Numbers are 1 x 1 matrices here, and nothing changes for matrices
 claim("B93-S88", "the composition in blocks of p maps",
       always(k, psd(Sum[k] + rest - (t[k] + rest))), sizes=["d"], over={b: ANY, s: LEFT, rest: matrix(d, d)},
       where=[rec(Sum, k, NONE, Sum[k] + b[k]), rec(t, k, NONE, t[k] + b[k] - s[k])],
-      by=[induction(base=order([NONE]), step=order([Sum[k] + rest - (t[k] + rest), s[k]])), instances(8, d=(1, 2))],
+      by=[induction(base=order([NONE]), step=order([Sum[k] + rest - (t[k] + rest), s[k]])), instances(8, d=(1, 2)),
+          restated("(25), and the logarithm of a product")],
       note=AS_MATRICES + "b_i is the logarithm of the constant of the block i of p maps and t_k that of the first k blocks together, which by (25) grows by "
                          "at most b_k with one block more: s_k is what is left over. The maps after the last whole block add at most their own, the rest.")
 
@@ -143,7 +145,8 @@ claim("B93-R3.1", "the integrability condition does not depend on the point",
 
 claim("B93-R3.1.2", "how far a map moves another point",
       D <= D0 + (r + 1)*dd, over=DISTANCES, given=LIPSCHITZ,
-      by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances()],
+      by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={D1: r*dd, D: r*dd + D0 + dd}), instances(),
+          restated("the triangle inequality and what a Lipschitz constant is")],
       note="D is d(phi(x), x), D0 the same at x_0, D1 the distance of the two images and dd that of the points. The first of the two printed inequalities "
            "is the triangle inequality.")
 
@@ -157,7 +160,8 @@ not_checked("B93-P3.4", "solutions grow slower than any line", STATISTICAL)
 claim("B93-S92", "one map more at the end of the composition",
       dxu <= dxv + r*dxw, over={dxu: nonneg(), dxv: nonneg(), dvu: nonneg(), dxw: nonneg(), r: nonneg()},
       given=[given("triangle", dxu <= dxv + dvu), given("Lipschitz", dvu <= r*dxw)],
-      by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={dvu: r*dxw, dxu: dxv + r*dxw}), instances()],
+      by=[positivity([(1, 1, ["triangle"]), (1, 1, ["Lipschitz"])]), instances(made_by={dvu: r*dxw, dxu: dxv + r*dxw}), instances(),
+          restated("the triangle inequality and what a Lipschitz constant is")],
       note="u, v and w are the images of x under phi_n o ... o phi_1, phi_n o ... o phi_2 and phi_1, and r is rho(phi_n o ... o phi_2), which maps x to v "
            "and w to u. The first of the two printed inequalities is the triangle inequality.")
 

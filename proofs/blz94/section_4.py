@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, restated, steps, use
 from exactkf.language import (
     T,
     Z,
@@ -189,7 +189,8 @@ claim("BLZ94-P4.1", "the map is polynomial, given by (4.1), and a bijection from
              standing("(u, v) lies in V", prod(k, 1, n - 1, det(matrix_of(
                  i, j, k + 1, k + 1, when(i == j, 1, laurent(v / (2 * u), abs(i - j)))))) != 0)],
       by=[identity(using={y: sequence(0, n - 1)}, where=_correlations(y, _f, _fs, _q, _c), given_by={v: _from_coefficients(u, _c)}, covered_by="BLZ94-X.10",
-                   n=range(1, 7)), instances(n=(1, 2, 3))],
+                   n=range(1, 7)), instances(n=(1, 2, 3)),
+          restated("Proposition 3.1: det T_k = r_0 ... r_k, so that U_gamma goes to V_c and V_c to U_gamma")],
       note="(alpha, gamma) is recovered as (xi, eta) from its image (a, b); and a pair (u, v) of V_c is the image of "
            "the (tau, theta) found from it. That the first lies in V_c and the second in U_gamma is said where these "
            "sets are defined. gamma_{n-1} = 1 and -1 are allowed.")
@@ -230,7 +231,8 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
       always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
              & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
       sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST],
-      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3)],
+      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3),
+          restated("(3.9) determines its parameters, as Proposition 4.1 says", "Lemma 4.2: the first Schur parameter of v_t is gamma_t")],
       note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 

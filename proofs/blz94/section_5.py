@@ -9,7 +9,7 @@ equilibrium is hyperbolic in the usual sense.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, part, steps
 from exactkf.language import (
     Identity,
     Z,
@@ -149,4 +149,5 @@ claim("BLZ94-S31", "alpha_t is at most a constant times mu^t",
                     always(t, alpha[t] - w == s[t] * (x - w)), over={w: nonzero(), u: scalar()},
                     where=[let(x, (u**2 * w**2 - 1) / (w * (u**2 - 1))), let(y, u * (x - w)), *_ORDER_ONE, rec(s, t, 1, w * alpha[t + 1] * s[t])],
                     by=[induction(also=[gamma[t] ** 2 * w == (alpha[t] - w) * (w * alpha[t] - 1)],
-                                  cofactors=[[(w * alpha[t + 1], 0, 1), (1 / (1 - gamma[t] ** 2), 1, 1)], [(1 / (1 - gamma[t] ** 2), 1, 1)]]), instances(16)]))
+                                  cofactors=[[(w * alpha[t + 1], 0, 1), (1 / (1 - gamma[t] ** 2), 1, 1)], [(1 / (1 - gamma[t] ** 2), 1, 1)]]), instances(16),
+                        part("n = 1")]))

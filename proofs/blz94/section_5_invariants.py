@@ -7,7 +7,7 @@ zero, and r is not zero as D is not. The h_i and d_n = alpha_n, or the last d_k 
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, generic_index, identity, instances, steps, use
+from exactkf.evidence import example, generic_index, identity, instances, restated, steps, use
 from exactkf.language import (
     Z,
     always,
@@ -76,7 +76,8 @@ claim("BLZ94-E5.4", "in the limit D is a spectral factorization",
       2 * D == c * (2 * w * recip(w) + s * (w * recip(u + v) + recip(w) * (u + v)) + s**2 * (u * recip(v) + recip(u) * v)), sizes=["n"],
       over={w: monic(n), u: polynomial(n), v: polynomial(n), c: scalar(), s: scalar()},
       where=[let(a, w + s * u), let(b, w + s * v), let(D, c * symmetric_part(a, b))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3)),
+          restated("(5.14): r_t S(a_t)b_t = 2D for every t", "sums and products are continuous")],
       note="w is the limit polynomial, to which a_t = w + su and b_t = w + sv tend if (alpha_t, gamma_t) tends to (w, 0); c is r_t, and c S(a_t)b_t = 2D for "
            "every t by (2.18). For s to zero the equation becomes (5.4).")
 
@@ -143,7 +144,8 @@ claim("BLZ94-T5.4.4", "every point with given h_i keeps them, and its D is the g
 claim("BLZ94-E5.10", "d_0 along a convergent orbit", always(t, coeff(D[t], 0) == r[t + m] / r[t] * coeff(D[t + m], 0)), sizes=["n", "m"], over=_VECTOR_POINT,
       where=_IN_GENERAL, given=[standing("n >= 1", n >= 1)],
       by=[generic_index(*ONE_STEP, NEXT, INVARIANT, **_GENERIC, uses=[use(9, t=t, z=0, times=1 / r[t]), use(9, t=t + m, z=0, times=-1 / r[t])]),
-          instances(20, n=(1, 2, 3), m=(0, 1, 2), horizon=2)],
+          instances(20, n=(1, 2, 3), m=(0, 1, 2), horizon=2),
+          restated("limits: r_m tends to r_infinity, and d_0 is continuous")],
       note="For any two times t and t + m; (5.10) is the limit for m to infinity: r_m goes to r_infinity, and d_0 is continuous. (A-16), which the text names, has "
            "nothing to do with time: it is (4.13) that gives this.")
 

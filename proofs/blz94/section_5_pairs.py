@@ -11,7 +11,7 @@ the pairs (p, q) = (u, v + e b), of degrees n - 1 and n, with S(a)q + S(b)p = 0.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, generic_index, identity, instances, steps, use
+from exactkf.evidence import combination, example, generic_index, identity, instances, restated, steps, use
 from exactkf.language import (
     Z,
     always,
@@ -150,7 +150,9 @@ claim("BLZ94-S35", "the tangent space of the level set is the kernel of the deri
       repair=repair("other", "It is the Jacobian of (h_1, ..., h_n), not that of f, which has the tangent space as its kernel; f takes the level set to "
                              "itself.",
                     forall(i, 1, n, laurent(2 * d(1, i) / d(1, 0), 1) == 2 * (coeff(d(1, i), -1) * d(0, 0) - d(0, i) * coeff(d(1, 0), -1)) / d(0, 0) ** 2),
-                    **_ALONG, where=_LINE, given=[_ON_LEVEL], by=[identity(n=(1, 2, 3)), instances(10, n=(1, 2))]))
+                    **_ALONG, where=_LINE, given=[_ON_LEVEL],
+                    by=[identity(n=(1, 2, 3)), instances(10, n=(1, 2)),
+                        restated("the tangent space of a level set is the kernel of the derivative of the functions that define it")]))
 
 claim("BLZ94-E5.14", "the invariance of D, written with S", always(t, r[t] * S_of(apoly[t], bpoly[t]) == 2 * D[0]), sizes=["n"], over=_POINT,
       where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])),

@@ -20,7 +20,7 @@ the roots of the limit polynomial are the inverses of the eigenvalues of S on U.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.evidence import example, identity, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -189,7 +189,8 @@ claim("BLZ94-L6.2.1", "Lemma 6.1 with J - bh' in place of F = J - ah' and nothin
                             "and so is the limit.",
                     (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0), sizes=["n"],
                     over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
-                    where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES]))
+                    where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES,
+                                                                                                   restated("Lemma 6.1, applied to the same recursion")]))
 
 # ---------------------------------------------------------------------- the closed loop, (6.27)-(6.33)
 claim("BLZ94-E6.27", "(6.2) written with J in place of F",
@@ -225,7 +226,8 @@ claim("BLZ94-E6.33", "the closed loop on the invariant subspace",
       over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), X: nonsingular(n), Lambda: matrix(n, n), P: symmetric_matrix(n)},
       where=[let(F, J - a0 * T(h)), *BLOCKS, let(Gamma, J - ((g - F * P * h) / (1 - T(h) * P * h) + a0) * T(h))],
       given=[given("(6.29)", S11 + S12 * P == X * Lambda * inv(X))],
-      by=[order(), instances(n=(1, 2, 3), made_by={Lambda: inv(X) * (S11 + S12 * P) * X})],
+      by=[order(), instances(n=(1, 2, 3), made_by={Lambda: inv(X) * (S11 + S12 * P) * X}),
+          restated("the characteristic polynomial of a companion matrix")],
       note="(6.29) follows from (6.28). That the characteristic polynomial of J - vh' has the coefficients v is BLZ94-X.5.")
 
 claim("BLZ94-X.5", "the characteristic polynomial of J - vh'", charpoly(J - alpha * T(h)) == monic_of(alpha), sizes=["n"], over={alpha: vector(n)}, where=SHIFT,
@@ -255,7 +257,8 @@ claim("BLZ94-E8.8", "a solution of (6.1) factors D",
                     made_by={**_ORDER_ONE, q: 1 / (1 - P[1, 1]), J: 0 * P, h: column(i, n, 1), x: column(i, n, c / z), y: column(i, n, z / c), **_AT_1_Z}),
           instances(n=(2,), using=PAIR_USING,
                     made_by={h: PAIR_H, g0: PAIR_G, P: PAIR_P, q: 1 / (1 - T(h) * P * h), J: PAIR_A + (g0 + a0) * T(h), **_AT_1_Z,
-                             x: -c * T(inv(J - z * Identity(n))) * h, y: -l * T(inv(J - w * Identity(n))) * h})],
+                             x: -c * T(inv(J - z * Identity(n))) * h, y: -l * T(inv(J - w * Identity(n))) * h}),
+          restated("limits: the limit of P_t solves (6.1), and 1 - h'P_th tends to r_infinity", "Proposition 6.6: the eigenvalues of S are the zeros of D")],
       note="x' is the row (z^(n-1), ..., 1), y' the same at w = 1/z, c = z^n and l = w^n; with J of (2.10) they are as the hypotheses say. c + x'v is v(z) for "
            "v = a, b, alpha, and the right side is D(z, 1/z). r = 1 - h'Ph is the limit of r_t. That the roots are the eigenvalues of S is (6.18).")
 

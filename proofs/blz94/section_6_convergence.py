@@ -11,7 +11,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, order, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, order, restated, steps
 from exactkf.language import (
     Identity,
     T,
@@ -151,14 +151,16 @@ claim("BLZ94-L6.1.1", "the orbit of the fast algorithm and that of the Riccati r
            "these equations.")
 
 claim("BLZ94-L6.1.2", "the limit polynomial from the limit of P", always(t, a[t] + g[t] == _GAIN + a0), **_WORDS,
-      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS],
+      by=[induction(also=[_SYMMETRIC, _SCALED, _INCREMENT]), _IN_WORDS,
+          restated("limits: a(t) tends to the limit polynomial, g(t) to zero, and quotients are continuous")],
       note="At every t. If (alpha(t), gamma(t)) tends to (w, 0), a(t) tends to w and g(t) to zero, and (6.2) is the limit, for the right side is continuous where 1 - h'Ph is "
            "not zero (BLZ94-S42).")
 
 claim("BLZ94-S42", "if g = FPh, then alpha_n is a_n(1 - h'Ph)",
       (a0[n] + v[n] == a0[n] * (1 - (T(h) * P * h)[1, 1])) & (v[n] == -(a0[n] * (T(h) * P * h)[1, 1])), sizes=["n"],
       over={a0: vector(n), P: symmetric_matrix(n)}, where=[*OBSERVER, let(v, F * P * h)], given=[standing("n >= 1", n >= 1)],
-      by=[generic_index(), instances(n=(1, 2, 3))],
+      by=[generic_index(), instances(n=(1, 2, 3)),
+          restated("limits: if P_t converges, its increments tend to zero, and (2.8) tends to the gain of the limit")],
       note="v is the g of the case r_infinity = 1 - h'Ph = 0, where alpha_n = a_n + v_n is zero. The formula for the gain is (2.8) in the limit, and alpha_n "
            "= a_n + g_n is (A-3).")
 

@@ -11,7 +11,7 @@ then under R too, since the dimensions are finite.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, steps
+from exactkf.evidence import example, identity, induction, instances, order, restated, steps
 from exactkf.language import (
     Identity,
     T,
@@ -160,7 +160,8 @@ claim("BLZ94-E6.21", "what invariance of Im(0; V) means",
           instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero()},
                     made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), Q[i, j]), when(j == n, c + 1, 0))) * inv(E),
                              h: inv(T(E)) * column(i, n, when(i == n, 1, 0)), T_: c * Identity(k), q: 1 / (T(h) * h),
-                             V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,), made_by={q: 1 / (T(h) * h)})],
+                             V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,), made_by={q: 1 / (T(h) * h)}),
+          restated("an invariant subspace on which h' vanishes is zero if (h, A) is observable")],
       note="h'V = 0 and AV = VT make h'A^iV = 0 for all i, hence V = 0 if (h, A) is observable; an observable pair has h != 0.")
 
 claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian invariant subspace Im(X; Y)",
@@ -190,7 +191,9 @@ claim("BLZ94-E6.34", "what invariance of Im(U; 0) means",
 _CONTROL = matrix_of(i, j, n, n, (F ** (j - 1) * g0)[i])
 claim("BLZ94-S53", "(F, g) is reachable if and only if a and b are coprime",
       det(_CONTROL) == det(substitute(strict_of(g0), F)) * prod(k, 1, n, rational(-1) ** (k - 1)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=OBSERVER, by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
+      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
+      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3)),
+          restated("det g(F) is the product of the values of g at the zeros of the characteristic polynomial of F")],
       note="The left side vanishes exactly if (F, g) is not reachable. The eigenvalues of F are the roots of a(z), so the right side vanishes "
            "exactly if a root of a(z) is one of g(z) = (b(z) - a(z))/2, that is of b(z).")
 

@@ -11,7 +11,7 @@ equation with the same closed loop G; then E = P - Q has Eh = 0 and E = GEG', so
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import evaluation, example, identity, induction, instances, part, restated, steps
 from exactkf.language import (
     Identity,
     T,
@@ -85,7 +85,8 @@ claim("BLZ94-E6.26", "convergence of the subspaces as convergence of the matrice
       note="A consequence: if Im(I; 0) is the dominant subspace the subspaces do not move, and a limit of the matrices S^t(I; 0) of rank n is "
            "fixed by S. In the example S^t(1; 0) is (2^t; 0).",
       repair=repair("other", "The matrices converge only after multiplication from the right by R^(-t), R the matrix of S on the dominant subspace; Y_tX_t^(-1) does not "
-                             "notice that factor.", _MOVED, **_POWERS, by=[induction(), _SPLIT]))
+                             "notice that factor.", _MOVED, **_POWERS,
+                    by=[induction(), _SPLIT, restated("Q^t K R^(-t) tends to zero if the eigenvalues of Q are smaller in modulus than those of R")]))
 
 _CYCLE = (given("A^4 = I, one real eigenvalue", (M**4 == Identity(3)) & (real_roots(charpoly(M), -2, 2) == 1) & (M * u == u)),
           standing("u is not zero", T(u) * u != 0))
@@ -116,7 +117,9 @@ claim("BLZ94-S47", "intersection of the equimodular parts", 3 - rank(hstack(u, W
       note="The matrix of Lemma 6.9, with q = 1 and r = 2: the unique dominant line and the unique codominant plane meet in zero.",
       repair=repair("missing hypothesis", "It is right where one Jordan block belongs to the modulus: its invariant subspaces of dimension q and r are null spaces of powers.",
                     q + r - rank(hstack(kernel_basis(N**q), kernel_basis(N**r))) == when(q <= r, q, r), sizes=["q", "r"],
-                    where=[let(N, matrix_of(i, j, q + r, q + r, when(j == i + 1, 1, 0)))], by=[evaluation(q=range(1, 6), r=range(1, 6)), instances(q=(1, 2, 3), r=(1, 2, 3))]))
+                    where=[let(N, matrix_of(i, j, q + r, q + r, when(j == i + 1, 1, 0)))],
+                    by=[evaluation(q=range(1, 6), r=range(1, 6)), instances(q=(1, 2, 3), r=(1, 2, 3)),
+                        restated("in one Jordan block the invariant subspaces are the null spaces of powers")]))
 
 # ---------------------------------------------------------------------- sign definite D, exponents
 _COUNT = sum_of(j, 1, n, when(x[j] == x[i], 1, 0))
@@ -143,7 +146,8 @@ claim("BLZ94-E6.22", "the exponents of the vectors of a Jordan block", forall(m,
       note="In one Jordan block of size p the smallest invariant subspace that contains the m-th vector has dimension u(m), the largest cyclic one dimension p. The proof of "
            "Lemma 6.10 uses the exponents p - 2m + 1.",
       repair=repair("other", "m and g are exchanged: m is the dimension of the largest cyclic subspace, g that of the smallest invariant subspace that contains the vector.",
-                    forall(m, 1, p, p - 2 * u(m) + 1 == p - 2 * m + 1), sizes=["p"], where=_GRADE, by=[evaluation(p=range(1, 9)), instances(p=(1, 2, 3, 4))]))
+                    forall(m, 1, p, p - 2 * u(m) + 1 == p - 2 * m + 1), sizes=["p"], where=_GRADE, by=[evaluation(p=range(1, 9)), instances(p=(1, 2, 3, 4)),
+                                                                                                       part("the basis of one Jordan block")]))
 
 _BLOCKS = let(M, matrix_of(i, j, p + q, p + q, when(i == j, when(i <= p, u, v), when((j == i + 1) & (i != p), 1, 0))))
 #: exponents of the vectors of two blocks, and the projection onto those that come before a place in the list
@@ -161,7 +165,8 @@ claim("BLZ94-S49", "the first vectors span invariant subspaces",
 _CHI = charpoly(S)
 claim("BLZ94-S50", "eigenvalues of S in pairs; exponents for an eigenvalue of even multiplicity",
       (rev(_CHI, 2 * n) == _CHI) & forall(j, 1, 2 * m, when(j <= m, 2 * m - 2 * j + 1 > 0, 2 * m - 2 * j + 1 < 0)), sizes=["n", "m"], over=LOOP, where=[S_OF_LOOP],
-      by=[identity(n=(1, 2), m=range(0, 5)), instances(n=(1, 2, 3), m=(1, 2))],
+      by=[identity(n=(1, 2), m=range(0, 5)), instances(n=(1, 2, 3), m=(1, 2)),
+          restated("in one Jordan block the exponents are those of (6.22) as corrected")],
       note="The characteristic polynomial is its own reversed polynomial, so that eigenvalues come in pairs and their number on the circle is even. 2m is the multiplicity. "
            "The exponents 2m - 2j + 1 are those of E6.22, repaired.")
 
@@ -174,7 +179,8 @@ _ORDERED = (let(L, matrix_of(i, j, 2 * q, 2 * q, when(i == j, x, when(j == i + 1
             let(p, prod(i, 1, k, Z - y[i])))
 claim("BLZ94-S51", "a basis of the codominant subspace", (M * E == E * R) & (T(E) * E == Identity(k + q)) & (charpoly(M) == charpoly(R) * p * (Z - x) ** q),
       sizes=["k", "q"], over={y: vector(k), x: nonzero()}, where=_ORDERED, given=[standing("y_i is not zero", prod(i, 1, k, y[i]) != 0)],
-      by=[identity(k=(0, 1, 2), q=(0, 1, 2)), instances(k=(0, 1, 2), q=(1, 2), made_by={x: 1, y: column(i, k, 2 + i)})],
+      by=[identity(k=(0, 1, 2), q=(0, 1, 2)), instances(k=(0, 1, 2), q=(1, 2), made_by={x: 1, y: column(i, k, 2 + i)}),
+          part("S in Jordan form, with one real eigenvalue on the circle and simple ones off it")],
       note="n = k + q. The columns of E are v_{n-q+1}, ..., v_n and v_{n+q+1}, ..., v_2n. They span an invariant subspace whose eigenvalues are the 1/y_i and q times x, of "
            "modulus one; those left are the y_i and x, not smaller.")
 

@@ -110,7 +110,7 @@ _GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v
          "half negative: the dominant and the codominant subspace are determined, and Lagrangian as limits of Lagrangian subspaces under powers of S and S^(-1). Im(I; 0) does not "
          "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the "
          "difference of two P_t. A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
-claim("BLZ94-X.14", "D_t as a difference of squares, which bounds g(t) away from zero where D is not sign definite",
+claim("BLZ94-X.14", "D_t as a difference of squares, and its mean on the circle",
       always(t, (r[t] * (monic_of(a[t] + g[t]) * recip(monic_of(a[t] + g[t])) - strict_of(g[t]) * recip(strict_of(g[t]))) == D)
              & (r[t] * (1 + (T(a[t] + g[t]) * (a[t] + g[t]))[1, 1] - (T(g[t]) * g[t])[1, 1]) == coeff(D, 0))), sizes=["n"], over={a0: vector(n), g0: vector(n)},
       where=[*FAST, *SCALE, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))], by=[induction(n=range(1, 5)), instances(n=(1, 2, 3), horizon=3)],

@@ -13,7 +13,7 @@ discriminant of D. They are not zero: a - b is constant for alpha = 0, gamma = (
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, identity, instances, restated, steps
 from exactkf.language import (
     Expr,
     Identity,
@@ -114,7 +114,8 @@ claim("BLZ94-X.12", "a and b without common factor, D with simple zeros, and D t
              let(d, phi[n]), let(e, psi[n]), rec(f, t, 1, Z * f[t]), let(p, f[n] + sum_of(i, 1, n, v[i] * f[n - i])), let(c, symmetric_part(p, p)),
              let(q, symmetric_part(phi[n] + x * phi[n - 1], psi[n] + x * psi[n - 1]))],
       given=[standing("n >= 1", n >= 1)],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3)),
+          restated("polynomials that differ by a constant that is not zero are coprime", "z^n + x has simple zeros if x is not zero")],
       note="Not printed. First a and b for alpha = 0, gamma = (0, ..., 0, x): their difference is 2x, so they are coprime if x is not zero. Then D for alpha "
            "= (0, ..., 0, x) and gamma = 0, where all Szego polynomials are powers of z: its zeros are those of z^n + x and of z^n + 1/x, all simple if x is "
            "not 0, 1 or -1. So F_1 and F_2 do not contain all points, and the polynomials that define them are not zero. Last D for alpha = (x, 0, ..., 0), "

@@ -10,7 +10,7 @@ and after n - k steps nothing is left of the other n - k entries.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, restated, steps, use
 from exactkf.language import (
     Expr,
     Identity,
@@ -145,7 +145,8 @@ claim("BLZ94-R7.3", "the stable manifold in the large contains points at which t
       sizes=["n"],
       over={u: monic(n), v: monic(n), s: nonzero(), p: polynomial(n + 1), q: polynomial(n + 2)},
       where=[let(x, (Z - s) * (Z - 1 / s)), let(a, u * x), let(b, v * x)],
-      by=[identity(n=range(4)), instances(n=(0, 1, 2))],
+      by=[identity(n=range(4)), instances(n=(0, 1, 2)),
+          restated("Theorem 7.1 (iii): where the orbits tend to", "pseudo-polynomials that vanish at one point are not all")],
       note="For |s| < 1, coprime u and v, and uv(1/z) + u(1/z)v = 2r y(z)y(1/z) with stable y, the orbit tends to yx by Theorem 7.1 (iii), if it does not "
            "escape: it lies on the stable manifold of the equilibrium with stable factor y(z)(z - s) and theta = z - 1/s. The variations (5.17) of D all "
            "vanish at s there, for the pair s, 1/s that a and b have in common (Theorem 5.11), so they do not reach all of the n + 1 dimensions and X_D is "

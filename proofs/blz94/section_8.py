@@ -8,7 +8,7 @@ the fractional linear map alpha -> kappa/(2 - kappa alpha). If lambda + 1/lambda
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import example, identity, induction, instances, part, restated, steps
 from exactkf.language import (
     Z,
     always,
@@ -113,9 +113,13 @@ claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", i
 #: the orbit of (0, ga)
 _AXIS = (rec(v, t, 0, v[t] / (1 - w[t] ** 2)), rec(w, t, ga, -w[t] * v[t] / (1 - w[t] ** 2)))
 claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
-      always(t, (al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (v[t] == 0) & (w[t + 1] == 0)), over=POINT, where=[*ONE, *_AXIS],
-      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)]]), instances(20)],
-      note="The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
+      always(t, (al * (1 + alpha[t] ** 2 - gamma[t] ** 2) == (1 + al**2 - ga**2) * alpha[t]) & (v[t] == 0) & (w[t + 1] == 0)
+             & (coeff(D, 0) == 1 + al**2 - ga**2) & (coeff(D, 1) == al)), over=POINT, where=[*ONE, *_AXIS, *D_ONE],
+      by=[induction(cofactors=[[(1 / (1 - gamma[t] ** 2), 0, 1)], [(1 / (1 - w[t] ** 2), 1, 1)], [(-v[t + 1] / (1 - w[t + 1] ** 2), 2, 1)],
+                               [(1, 3, 1)], [(1, 4, 1)]]),
+          instances(20)],
+      note="The level set is d_0 = (2/kappa) d_1. The quotient of 1 + alpha^2 - gamma^2 and alpha stays, which covers kappa infinite "
+           "too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
 
 claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
       ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2)),
@@ -138,7 +142,8 @@ claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point o
                     where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, let(e, HALF * (lam + 1 / lam)), rec(p, t, 1, lam**2 * p[t])],
                     by=[induction(also=[1 + alpha[t] ** 2 - gamma[t] ** 2 == 2 * e * alpha[t]],
                                   cofactors=[[(alpha[t] * lam / _RHO, 0, 1), ((p[t] * lam * (al - lam) - lam * al + 1) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]),
-                        instances(20, horizon=3)]))
+                        instances(20, horizon=3),
+                        restated("a sequence tends to lambda if its cross ratio with lambda and 1/lambda is multiplied by lambda^2 < 1 in each step")]))
 
 _ROWS = [[coeff(x_, i_) for i_ in (0, 1)] for x_ in (D, symmetric_part(1, b), symmetric_part(a, 1))]
 claim("BLZ94-X.11", "n = 1: the minors that vanish where the invariant curve is singular",
@@ -236,7 +241,8 @@ claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
       always(t, (alpha[t] - c) * w[t] == x - c), sizes=["p"], over={x: scalar()},
       where=[let(c, when(p == 1, 1, -1)), let(al, x), let(ga, x - c), *ONE, rec(w, t, 1, w[t] - c * (x - c))],
       by=[induction(p=(1, 2), also=[gamma[t] ** 2 == (alpha[t] - c) ** 2],
-                    cofactors=[[((1 + c * (alpha[t] - c)) / _RHO, 0, 1), ((c * w[t + 1] + x - c) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]), instances(p=(1, 2))],
+                    cofactors=[[((1 + c * (alpha[t] - c)) / _RHO, 0, 1), ((c * w[t + 1] + x - c) / _RHO, 1, 1)], [(1 / _RHO, 1, 1)]]), instances(p=(1, 2)),
+          part("the orbits on the two curves")],
       note="c = kappa, and w_t = 1 - ct(x - c). Hence alpha tends to c; gamma is alpha - c or c - alpha. Escape is w_t = 0 for some t, or x = 0: a countable set. At (c, 0) the "
            "Jacobian is diag(1, -c): both eigenvalues have modulus one. Near (c, 0), (alpha - c)^2 - gamma^2 takes both signs, so curves of all "
            "types come near.")
@@ -246,7 +252,8 @@ claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order
       & (coeff(D, 1) * (1 + x**2 - gamma0[n] ** 2) == coeff(D, 0) * x) & forall(i, 2, n, coeff(D, i) == 0),
       sizes=["n"], over={x: scalar(), gamma0: vector(n)},
       where=[let(alpha0, column(i, n, when(i == 1, x, 0))), *ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0])))],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3)),
+          restated("Lemma 4.4: alpha_2 = ... = alpha_n = 0 where d_2 = ... = d_n = 0")],
       note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1), on the curve with kappa = 2 d_1/d_0 = kappa_1; the other entries of gamma "
            "are earlier values of gamma_{n-1} after n - 1 steps.")
 

@@ -7,7 +7,7 @@ have a common root 1 or -1 or a common pair of reciprocal roots.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, instances, steps
+from exactkf.evidence import example, identity, instances, restated, steps
 from exactkf.language import (
       Identity,
       Z,
@@ -144,7 +144,9 @@ claim("BLZ94-S65", "the invariant manifold of an interior point has no singular 
                         instances(8, using={x: nonzero(), y: nonzero()}, made_by={u: -x / 7 - y / 7, v: x * y / 49, al1: -7 / x - y / 7, al2: y / x, ga0: al1 + 0, ga1: al2 + 0})]))
 
 claim("BLZ94-S68", "the points on the boundary of the triangle are singular", det(_ROWS) == (1 - al2) * ((1 + al2) ** 2 - al1**2), over=_AL,
-      by=[identity(), instances()], note="The determinant vanishes exactly on the three lines that bound the triangle.")
+      by=[identity(), instances(),
+          restated("a level set is singular where the derivatives of D, with D itself, are dependent; those by gamma vanish at gamma = 0")],
+      note="The determinant vanishes exactly on the three lines that bound the triangle.")
 
 _VALUES = let(w, rows([[1], [x + 1 / x], [x**2 + x**-2]]))
 #: points with a common root 1, with a common root -1, and the equilibria with a pair of reciprocal roots
