@@ -113,6 +113,7 @@ g1, g2, a, b, t = symbols("g1 g2 a b t")
 #: Re and Im of gamma psi
 H1, H2 = a*g1 - b*g2, b*g1 + a*g2
 LOSS = [r*T(g1)*P*g1, r*T(g2)*P*g2, T(g1)*P*gram()*P*g1, T(g2)*P*gram()*P*g2, t*T(g1)*H*g1, t*T(g2)*H*g2]
+FORMS = [T(x)*half*x for half in (P, H) for x in (g1, g2)]
 NONE = Zero(n, 1)
 REAL = {"n": 1, "p": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "g1": [1], "g2": [0], "a": "1/2", "b": 0, "r": "3/4", "t": "1/4"}
 PLANE = {**REAL, "n": 2, "Phi": [[2, 0], [0, 3]], "H": [[0, 0], [0, 0]], "M": [[1, 1]], "P": [[0, 0], [0, 0]], "g1": [1, 0], "g2": [0, 0]}
@@ -120,10 +121,11 @@ claim("D71-S44", "other nonnegative equilibria need undriven unstable modes",
       (P*g1 == NONE) & (P*g2 == NONE) & (H*g1 == NONE) & (H*g2 == NONE) & (T(Phi)*H1 == g1) & (T(Phi)*H2 == g2), sizes=["n", "p"],
       over={**MODEL, P: positive_semidefinite(n), g1: vector(n), g2: vector(n), a: scalar(), b: scalar(), r: positive(), t: positive()}, where=[let(S, gram())],
       given=[EQUILIBRIUM, given("gamma at psi", (g1 + S*P*g1 == T(Phi)*H1) & (g2 + S*P*g2 == T(Phi)*H2)),
-             standing("psi is not zero", a**2 + b**2 == t), given("inside the circle", t == 1 - r)],
-      by=[order([], [], [], LOSS, LOSS, LOSS, LOSS, [], [],
+             standing("psi is not zero", a**2 + b**2 == t), given("inside the circle", a**2 + b**2 == 1 - r)],
+      by=[order([], [], [], LOSS, LOSS, LOSS, LOSS, *([form] for form in FORMS), [FORMS[0]], [FORMS[1]],
                 lemmas=[T(H1)*P*H1 == T(g1)*(I + P*gram())*P*g1 + T(H1)*H*H1, T(H2)*P*H2 == T(g2)*(I + P*gram())*P*g2 + T(H2)*H*H2,
-                        LOSS[0] + LOSS[1] + LOSS[2] + LOSS[3] + LOSS[4] + LOSS[5] == Zero(1, 1)]),
+                        LOSS[0] + LOSS[1] + LOSS[2] + LOSS[3] + LOSS[4] + LOSS[5] == Zero(1, 1),
+                        *(form == Zero(1, 1) for form in FORMS)]),
           instances(4, n=(1, 2), p=(1,), made_by={Phi: 2*I, H: Zero(n, n), P: Zero(n, n), a: rational("1/2"), b: 0, r: rational("3/4"), t: rational("1/4")}),
           *(example({**REAL, **change}) for change in (
               {}, {"P": [[3]], "a": 2, "t": 4}, {"Phi": [["1/2"]], "H": [[1]], "M": [[0]], "P": [[1]]}, {"H": [[3]], "M": [[0]], "P": [[-1]]})),

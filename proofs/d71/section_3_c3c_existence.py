@@ -57,8 +57,6 @@ claim("D71-E3.119", "the lower half",
 
 #: one state that is measured, at the eigenvalue 2; and one that is not
 ONE = {"n": 1, "p": 1, "q": 1, "Phi": [[1]], "H": [["1/2"]], "M": [[1]], "V": [[1]], "F": [[1]], "Gam": [[1]], "J": [[2]]}
-#: measured, unstable and driven
-WATCHED = {"n": 1, "p": 1, "q": 1, "s": 1, "Phi": [[2]], "H": [[3]], "M": [[1]], "V": [[1]], "F": [[3]], "Gam": [[1]], "J": [[2]]}
 HIDDEN = {"n": 1, "p": 1, "q": 1, "Phi": [[2]], "H": [[0]], "M": [[0]], "V": [[1]], "F": [[1]], "Gam": [[0]], "J": [[2]]}
 
 claim("D71-E3.118", "an unobservable vector and Gamma",
@@ -116,7 +114,7 @@ claim("D71-T3.18", "when the stable equilibrium exists",
       by=[order(*[terms for _, terms in ON_THE_WAY], [], [], [], [], lemmas=[lemma for lemma, _ in ON_THE_WAY],
                 inside=[within(0, unique=(T(inv(J)), inv(J))), within(1, stein=T(inv(J))), within(len(ON_THE_WAY), unique=(T(inv(Lam)), inv(J)))]),
           restated("a space other than zero that a matrix keeps has an eigenvector of it"),
-          example({**WATCHED, "r": 1, "N": [[0]], "v": [[1]], "Lam": [[2]]}), example({**ONE, "r": 1, "s": 1, "N": [[1]], "v": [[0]], "Lam": [[2]]}),
+          example({**ONE, "r": 1, "s": 1, "N": [[0]], "v": [[1]], "Lam": [[2]]}), example({**ONE, "r": 1, "s": 1, "N": [[1]], "v": [[0]], "Lam": [[2]]}),
           example({**ONE, "r": 1, "s": 1, "F": [["-1/2"]], "J": [["1/2"]], "N": [[0]], "v": [[0]], "Lam": [[2]]}),
           example(n=2, p=1, q=2, r=2, s=2, Phi=[[1, 2], [-2, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[1, 0], [0, 1]], Gam=[[0, 0], [0, 0]],
                   J=[[1, 2], [-2, 1]], N=[[1, 0], [0, 1]], v=[[1, 0], [0, 1]], Lam=[[1, 2], [-2, 1]]),
