@@ -46,7 +46,6 @@ from exactkf.language import (
     rec,
     rows,
     scalar,
-    standing,
     sym,
     symbols,
     top,

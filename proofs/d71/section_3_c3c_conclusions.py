@@ -6,7 +6,7 @@ equilibrium P >= 0
 
     (1 - |psi|^2)gamma*P gamma + gamma*PSP gamma + |psi|^2 gamma*H gamma = 0,
 
-so inside the circle P gamma, H gamma are zero and Phi'gamma = gamma/psi: an undriven unstable mode, and P
+so inside the circle P gamma, H gamma psi are zero and Phi'gamma = gamma/psi: an undriven unstable mode, and P
 is singular.
 
 The random walk modes are shown for one state: R_p is then [[1 + hs, h], [s, 1]], up to the sign of
@@ -41,7 +41,6 @@ from exactkf.language import (
     rows,
     scalar,
     schur,
-    standing,
     symbols,
     symmetric,
     symmetric_matrix,
@@ -109,34 +108,36 @@ claim("D71-S43", "a stable undriven mode makes the equilibrium singular",
       note="As D71-T3.20: the vector of the mode, which is not zero, is a null vector of every nonnegative equilibrium.")
 
 EQUILIBRIUM = given("P is an equilibrium", P == Phi*P*inv(I + gram()*P)*T(Phi) + H)
-g1, g2, a, b, t = symbols("g1 g2 a b t")
+g1, g2, a, b = symbols("g1 g2 a b")
 #: Re and Im of gamma psi
 H1, H2 = a*g1 - b*g2, b*g1 + a*g2
-LOSS = [r*T(g1)*P*g1, r*T(g2)*P*g2, T(g1)*P*gram()*P*g1, T(g2)*P*gram()*P*g2, t*T(g1)*H*g1, t*T(g2)*H*g2]
-FORMS = [T(x)*half*x for half in (P, H) for x in (g1, g2)]
+LOSS = [r*T(g1)*P*g1, r*T(g2)*P*g2, T(g1)*P*gram()*P*g1, T(g2)*P*gram()*P*g2, T(H1)*H*H1, T(H2)*H*H2]
+#: the form that vanishes for each part of the conclusion
+IN_TURN = [T(x)*half*x for half, pair in ((P, (g1, g2)), (H, (H1, H2)), (P, (g1, g2))) for x in pair]
 NONE = Zero(n, 1)
-REAL = {"n": 1, "p": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "g1": [1], "g2": [0], "a": "1/2", "b": 0, "r": "3/4", "t": "1/4"}
+REAL = {"n": 1, "p": 1, "Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "g1": [1], "g2": [0], "a": "1/2", "b": 0, "r": "3/4"}
 PLANE = {**REAL, "n": 2, "Phi": [[2, 0], [0, 3]], "H": [[0, 0], [0, 0]], "M": [[1, 1]], "P": [[0, 0], [0, 0]], "g1": [1, 0], "g2": [0, 0]}
 claim("D71-S44", "other nonnegative equilibria need undriven unstable modes",
-      (P*g1 == NONE) & (P*g2 == NONE) & (H*g1 == NONE) & (H*g2 == NONE) & (T(Phi)*H1 == g1) & (T(Phi)*H2 == g2), sizes=["n", "p"],
-      over={**MODEL, P: positive_semidefinite(n), g1: vector(n), g2: vector(n), a: scalar(), b: scalar(), r: positive(), t: positive()}, where=[let(S, gram())],
+      (P*g1 == NONE) & (P*g2 == NONE) & (H*H1 == NONE) & (H*H2 == NONE) & (T(Phi)*H1 == g1) & (T(Phi)*H2 == g2), sizes=["n", "p"],
+      over={**MODEL, P: positive_semidefinite(n), g1: vector(n), g2: vector(n), a: scalar(), b: scalar(), r: positive()}, where=[let(S, gram())],
       given=[EQUILIBRIUM, given("gamma at psi", (g1 + S*P*g1 == T(Phi)*H1) & (g2 + S*P*g2 == T(Phi)*H2)),
-             standing("psi is not zero", a**2 + b**2 == t), given("inside the circle", a**2 + b**2 == 1 - r)],
-      by=[order([], [], [], LOSS, LOSS, LOSS, LOSS, *([form] for form in FORMS), [FORMS[0]], [FORMS[1]],
+             given("inside the circle", a**2 + b**2 == 1 - r)],
+      by=[order([], [], [], *(terms for form in IN_TURN for terms in (LOSS, [form])),
                 lemmas=[T(H1)*P*H1 == T(g1)*(I + P*gram())*P*g1 + T(H1)*H*H1, T(H2)*P*H2 == T(g2)*(I + P*gram())*P*g2 + T(H2)*H*H2,
-                        LOSS[0] + LOSS[1] + LOSS[2] + LOSS[3] + LOSS[4] + LOSS[5] == Zero(1, 1),
-                        *(form == Zero(1, 1) for form in FORMS)]),
-          instances(4, n=(1, 2), p=(1,), made_by={Phi: 2*I, H: Zero(n, n), P: Zero(n, n), a: rational("1/2"), b: 0, r: rational("3/4"), t: rational("1/4")}),
+                        LOSS[0] + LOSS[1] + LOSS[2] + LOSS[3] + LOSS[4] + LOSS[5] == Zero(1, 1)],
+                inside=[within(3 + number, form == Zero(1, 1)) for number, form in enumerate(IN_TURN)]),
+          restated("another equilibrium has such a psi: by D71-S42 not all are outside the circle, and by D71-T3.12 none is on it"),
+          instances(4, n=(1, 2), p=(1,), made_by={Phi: 2*I, H: Zero(n, n), P: Zero(n, n), a: rational("1/2"), b: 0, r: rational("3/4")}),
           *(example({**REAL, **change}) for change in (
-              {}, {"P": [[3]], "a": 2, "t": 4}, {"Phi": [["1/2"]], "H": [[1]], "M": [[0]], "P": [[1]]}, {"H": [[3]], "M": [[0]], "P": [[-1]]})),
+              {}, {"P": [[3]], "a": 2}, {"Phi": [["1/2"]], "H": [[1]], "M": [[0]], "P": [[1]]}, {"H": [[3]], "M": [[0]], "P": [[-1]]})),
           *(example({**PLANE, **change}) for change in (
               {}, {"M": [[0, 1]], "P": [[0, 0], [0, 8]]},
               {"p": 2, "Phi": [[2, 1], [0, 3]], "M": [[1, 0], [0, 1]], "V": [[1, 0], [0, 1]], "g1": [1, -1]},
-              {"Phi": [[1, 2], [-2, 1]], "g2": [0, 1], "a": "1/5", "b": "2/5", "t": "1/5", "r": "4/5"},
-              {"Phi": [[1, 2], [-2, 1]], "g2": [0, -1], "a": "1/5", "b": "-2/5", "t": "1/5", "r": "4/5"}))],
-      note="gamma = g1 + i g2 is an eigenvector of DP - C at an eigenvalue psi = a + ib of J inside the circle: then Phi' gamma = gamma/psi and H gamma = 0, so "
-           "that psi is the conjugate reciprocal of the eigenvalue of an undriven mode, which is unstable, and P gamma = 0, so that P is singular. Without such "
-           "eigenvalues the equilibrium is that of D71-S42.")
+              {"Phi": [[1, 2], [-2, 1]], "g2": [0, 1], "a": "1/5", "b": "2/5", "r": "4/5"},
+              {"Phi": [[1, 2], [-2, 1]], "g2": [0, -1], "a": "1/5", "b": "-2/5", "r": "4/5"}))],
+      note="gamma = g1 + i g2 is an eigenvector of DP - C at an eigenvalue psi = a + ib of J inside the circle, not zero as J is nonsingular. Then "
+           "H gamma psi = 0 and Phi' gamma psi = gamma: psi is the conjugate reciprocal of the eigenvalue of an undriven mode, which is unstable, and P gamma = 0, so that P "
+           "is singular. Without such eigenvalues the equilibrium is that of D71-S42.")
 
 # --- one random walk mode --------------------------------------------------------------------------------------------------
 
