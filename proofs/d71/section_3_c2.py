@@ -222,7 +222,8 @@ CHAINED = {"using": {E: nonsingular(q), G: nonsingular(m), U: matrix(q, q), w: s
 
 claim("D71-T3.7", "the blocks of J fit into those of R",
       (TT*X == Rt[r]*(TT*Y)) & ((R - Wq)*(TT*X) == Zero(q, s)) & (rank(TT*X) == s),
-      sizes=["q", "m", "s", "r"], over={Wq: matrix(q, q), Wm: matrix(m, m), TT: matrix(q, m), J: matrix(m, m), R: matrix(q, q), X: matrix(m, s), Y: matrix(m, s)},
+      sizes=["q", "m", "s", "r"],
+      over={Wq: matrix(q, q), Wm: matrix(m, m), TT: matrix(q, m), J: matrix(m, m), R: matrix(q, q), X: matrix(m, s), Y: matrix(m, s)},
       where=[rec(Rt, k, Iq, (R - Wq)*Rt[k]), rec(Jt, k, Im, (J - Wm)*Jt[k])],
       given=[given("RT = TJ", R*TT == TT*J), A_NUMBER, given("T has independent columns", rank(TT) == m), given("JX = wX", J*X == Wm*X),
              given("X has independent columns", rank(X) == s), given("X = (J - w)^r Y", X == Jt[r]*Y)],

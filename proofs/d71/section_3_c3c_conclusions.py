@@ -136,8 +136,8 @@ claim("D71-S44", "other nonnegative equilibria need undriven unstable modes",
               {"Phi": [[1, 2], [-2, 1]], "g2": [0, 1], "a": "1/5", "b": "2/5", "r": "4/5"},
               {"Phi": [[1, 2], [-2, 1]], "g2": [0, -1], "a": "1/5", "b": "-2/5", "r": "4/5"}))],
       note="gamma = g1 + i g2 is an eigenvector of DP - C at an eigenvalue psi = a + ib of J inside the circle, not zero as J is nonsingular. Then "
-           "H gamma psi = 0 and Phi' gamma psi = gamma: psi is the conjugate reciprocal of the eigenvalue of an undriven mode, which is unstable, and P gamma = 0, so that P "
-           "is singular. Without such eigenvalues the equilibrium is that of D71-S42.")
+           "H gamma psi = 0 and Phi' gamma psi = gamma: psi is the conjugate reciprocal of the eigenvalue of an undriven mode, which is unstable, and "
+           "P gamma = 0, so that P is singular. Without such eigenvalues the equilibrium is that of D71-S42.")
 
 # --- one random walk mode --------------------------------------------------------------------------------------------------
 

@@ -216,9 +216,10 @@ claim("D71-Q3.1", "Theorem 3.19 without undriven modes, if MPM' + V > 0",
               instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
                         made_by={**PSI, Phi: Identity(1), H: rows([[(psi[1, 1] - 1)*(1 - 1/psi[1, 1])/(p*l**2)]]), V: Identity(p), M: matrix_of(i, j, p, 1, l),
                                  Pb: rows([[(1/psi[1, 1] - 1)/(p*l**2)]]),
-                                 Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)})]),
-      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium. The counterexample is that of D71-T3.19, where MPM' + V is positive "
-           "definite for every Hermitian equilibrium. In the repair P_b need not be nonnegative, and the mode may be driven.")
+                                 Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga),
+                                 k2: Zero(0, 1)})]),
+      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium. The counterexample is that of D71-T3.19, where MPM' + V is "
+           "positive definite for every Hermitian equilibrium. In the repair P_b need not be nonnegative, and the mode may be driven.")
 
 # --- an undriven stable mode ------------------------------------------------------------------------------------------------
 
