@@ -12,12 +12,14 @@ that they solve what they should.
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import instances, order
+from exactkf.evidence import instances, order, restated
 from exactkf.language import T, inv, let, matrix, nonsingular, positive_definite, symbols, symmetric_matrix, vector
 from proofs.d71.notation import H, K, M, P, V, n, p
 
 A, L, F, C, R, c, h, x, dF, dc, dC = symbols("A L F C R c h x dF dc dC")
 DEFINITION = "a definition: it fixes notation and asserts nothing"
+OF_COVARIANCES = restated("the covariance X of dx/dt = Ax + w with a white w of intensity W changes by dX/dt = AX + XA' + W")
+BY_DERIVATIVE = "a function is determined by its derivative and its value at one instant"
 
 not_checked("D71-E1.1", "the process in continuous time", DEFINITION)
 not_checked("D71-E1.2", "white noise in continuous time", DEFINITION)
@@ -34,11 +36,12 @@ def rate(gain):
 OPTIMAL = [let(K, P*T(M)*inv(V))]
 claim("D71-E1.10", "the gain makes the covariance grow least",
       rate(L) == rate(K) + (L - K)*V*T(L - K), sizes=["n", "p"], over={**FILTER["over"], L: matrix(n, p)}, where=OPTIMAL,
-      by=[order(), instances(6, n=(1, 2), p=(1, 2))],
+      by=[order(), OF_COVARIANCES, instances(6, n=(1, 2), p=(1, 2))],
       note="The gain is a definition; the content checked is that any other gain L adds a nonnegative term to dP/dt.")
 
 claim("D71-E1.12", "the Riccati equation",
-      rate(K) == A*P + P*T(A) + H - P*T(M)*inv(V)*M*P, **FILTER, where=OPTIMAL, by=[order(), instances(6, n=(1, 2), p=(1, 2))],
+      rate(K) == A*P + P*T(A) + H - P*T(M)*inv(V)*M*P, **FILTER, where=OPTIMAL,
+      by=[order(), OF_COVARIANCES, instances(6, n=(1, 2), p=(1, 2))],
       note="The left side is the rate at which the covariance of de/dt = (A - KM)e + K dy - h changes.")
 
 not_checked("D71-E1.13", "the process in discrete time", DEFINITION)
@@ -46,7 +49,7 @@ not_checked("D71-E1.13", "the process in discrete time", DEFINITION)
 MOVING = {A: matrix(n, n), F: nonsingular(n)}
 claim("D71-E1.30", "the state by its transition matrix",
       dF*c + F*dc == A*x + h, sizes=["n"], over={**MOVING, c: vector(n), h: vector(n)}, where=[let(x, F*c), let(dF, A*F), let(dc, inv(F)*h)],
-      by=[order(), instances(6, n=(1, 2, 3))],
+      by=[order(), restated(BY_DERIVATIVE, "a linear differential equation has one solution through a state"), instances(6, n=(1, 2, 3))],
       note="c is F(t_k)^{-1}x(t_k) plus the integral of F^{-1}h, so that x = Fc is the printed right side, and the left side is its derivative. At t_k the "
            "integral is zero and x = x(t_k).")
 
@@ -56,6 +59,7 @@ not_checked("D71-S1", "transition matrices are nonsingular", "that a solution of
 
 claim("D71-E1.33", "the covariance of the sampled noise",
       dF*C*T(F) + F*dC*T(F) + F*C*T(dF) == A*R + R*T(A) + H, sizes=["n"], over={**MOVING, C: symmetric_matrix(n), H: symmetric_matrix(n)},
-      where=[let(R, F*C*T(F)), let(dF, A*F), let(dC, inv(F)*H*inv(T(F)))], by=[order(), instances(6, n=(1, 2, 3))],
+      where=[let(R, F*C*T(F)), let(dF, A*F), let(dC, inv(F)*H*inv(T(F)))],
+      by=[order(), OF_COVARIANCES, restated(BY_DERIVATIVE), instances(6, n=(1, 2, 3))],
       note="R = FCF' is the printed integral up to t, if C is the integral of F^{-1}H(F')^{-1}. It solves the equation of the covariance of a process that "
            "starts from zero at t_k; the step from the double integral, by the delta function, is not stated here.")

@@ -8,7 +8,7 @@ A T_iS_i' = T_i Lambda_i S_i'.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -44,7 +44,8 @@ claim("D71-E1.56", "the parts of the inverse of T",
 
 claim("D71-E1.60", "the state as the sum of its modes",
       eq(x, T1*(T(S1)*x) + T2*(T(S2)*x), T1*T(S1)*x + T2*T(S2)*x),
-      sizes=["q", "r"], over={**BLOCKS, x: matrix(N, 1)}, where=PARTS, by=[order(), instances(**SIZES)],
+      sizes=["q", "r"], over={**BLOCKS, x: matrix(N, 1)}, where=PARTS,
+      by=[order(), restated("a matrix cut into more blocks is one cut into two, again and again"), instances(**SIZES)],
       note="zeta_i = S_i'x and xi_i = T_i zeta_i, for two blocks.")
 
 claim("D71-E1.62", "a mode gives its coordinates back",

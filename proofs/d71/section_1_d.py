@@ -14,7 +14,7 @@ continuous.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, instances, order, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -63,6 +63,7 @@ STEIN = given("S - Phi'S Phi = I", S - T(Phi)*S*Phi == I)
 claim("D71-T1.6", "asymptotic stability in discrete time",
       iff(schur(Phi), psd(S)), sizes=["n"], over={Phi: matrix(n, n), S: symmetric_matrix(n)}, given=[STEIN],
       by=[order([I], [T(xr)*xr, T(xi)*xi, FALL], [T(xr)*xr, T(xi)*xi, FALL], inside=[within(0, stein=T(Phi)), within(1, vector="right")]),
+          restated("x_{k+1} = Phi x_k is asymptotically stable exactly if S - Phi'S Phi = I has a solution S >= 0"),
           example(n=1, Phi=[[2]], S=[["-1/3"]]), example(n=1, Phi=[["1/2"]], S=[["4/3"]]), example(n=1, Phi=[[2]], S=[[1]]),
           example(n=1, Phi=[["1/2"]], S=[[-1]]), example(n=2, Phi=[[2, 0], [0, 0]], S=[["-1/3", 0], [0, 1]]),
           instances(6, n=(1, 2), using={r: scalar()}, made_by={Phi: r*I, S: inv((1 - r**2)*I)})],
@@ -76,6 +77,8 @@ claim("D71-T1.3", "asymptotic stability in continuous time",
       iff(schur(C), psd(S)), sizes=["n"], over={A: matrix(n, n), S: symmetric_matrix(n)}, where=[let(C, (I + A)*W)], given=[LYAPUNOV],
       by=[order([2*T(W)*W], *[[2*T(xr)*T(W)*W*xr, 2*T(xi)*T(W)*W*xi, FALL]]*2, [inv(W)],
                 inside=[within(0, stein=T(C)), within(1, W*xr == Zero(n, 1), W*xi == Zero(n, 1), vector="right")]),
+          restated("dx/dt = Ax is asymptotically stable exactly if A'S + SA = -I has a solution S >= 0",
+                   "A has its eigenvalues left of the imaginary axis exactly if (I + A)(I - A)^{-1} has them inside the unit circle"),
           example(n=1, A=[[2]], S=[["-1/4"]]), example(n=1, A=[[-2]], S=[["1/4"]]), example(n=1, A=[[2]], S=[[1]]), example(n=1, A=[[-2]], S=[[-1]]),
           instances(6, n=(1, 2), using={E: nonsingular(n)}, made_by={A: -inv(E*T(E)), S: E*T(E)/2})],
       note="The eigenvalues of A are left of the imaginary axis exactly if those of C = (I + A)(I - A)^{-1} are inside the circle. The state falls like an "
@@ -107,6 +110,7 @@ def by_energy(loss, growth, last):
 
 
 DISCRETE = S - T(Phi)*S*Phi
+SIMILAR = "a matrix with no such eigenvalue and no such chain is similar to a Lambda with {}"
 ONE = {"n": 1, "S": [[1]], **{name: [[0]] for name in "u w x v y z".split()}, "a": 2, "b": 0, "q": 3, "s": 1, "r": 0, "E": [[1]], "Lam": [[1]]}
 TWO = {"n": 2, "S": [[1, 0], [0, 1]], **{name: [[0], [0]] for name in "u w x v y z".split()}, "a": 2, "b": 0, "q": 3, "s": 1, "r": 0,
        "E": [[1, 1], [0, 1]], "Lam": [[0, 1], [-1, 0]]}
@@ -119,6 +123,7 @@ claim("D71-T1.5", "stability in discrete time",
              given("y + iz above it", (Phi*y == s*y - r*z + x) & (Phi*z == r*y + s*z + v)), given("on the circle", s**2 + r**2 == 1),
              given("Lam'Lam <= I", loewner(I, T(Lam)*Lam))],
       by=[by_energy(DISCRETE, q*energy(u, w, S), T(inv(E))*(I - T(Lam)*Lam)*inv(E)),
+          restated("x_{k+1} = Phi x_k is stable exactly if x'Sx never grows for some S > 0", SIMILAR.format("Lambda'Lambda <= I")),
           example({**ONE, "Phi": [[2]], "u": [[1]], "S": [[-1]]}), example({**ONE, "Phi": [[2]], "u": [[1]]}), example({**ONE, "Phi": [[1]], "u": [[1]]}),
           example({**ONE, "Phi": [[1]], "u": [[1]], "a": 1}), example({**ONE, "Phi": [[1]], "Lam": [[2]]}),
           example({**ONE, "Phi": [[0]], "x": [[1]], "y": [[-1]]}), example({**ONE, "Phi": [[1]], "x": [[1]], "y": [[1]]}),
@@ -138,6 +143,7 @@ claim("D71-T1.2", "stability in continuous time",
              given("x + iv at ir", (A*x == -r*v) & (A*v == r*x)), given("y + iz above it", (A*y == x - r*z) & (A*z == r*y + v)),
              given("Lam + Lam' <= 0", psd(-(Lam + T(Lam))))],
       by=[by_energy(CONTINUOUS, 2*q*energy(u, w, S), T(inv(E))*(-(Lam + T(Lam)))*inv(E)),
+          restated("dx/dt = Ax is stable exactly if x'Sx never grows for some S > 0", SIMILAR.format("Lambda + Lambda' <= 0")),
           *(example({**{key: value for key, value in ONE.items() if key not in "as"}, "q": 1, "Lam": [[0]], **more}) for more in (
               {"A": [[1]], "u": [[1]], "S": [[-1]]}, {"A": [[1]], "u": [[1]]}, {"A": [[0]], "u": [[1]]}, {"A": [[0]], "x": [[1]], "y": [[1]]},
               {"A": [[-1]], "x": [[1]], "y": [[-1]]}, {"A": [[0]], "Lam": [[1]]})),

@@ -316,13 +316,15 @@ claim("D71-T3.4", "the order of two solutions is kept",
            "D = P_a - P_b, and the bracket is the update of D for a measurement error of covariance MP_bM' + V.")
 
 X = sym("X")
+CLOSED = Phi*(I - gain()*M)
+SHIFTED = CLOSED*inv(inv(X) + T(M)*inv(M*P*T(M) + V)*M)*T(I - gain()*M)*T(Phi)
 
 claim("D71-E3.4", "one step from a shifted covariance",
-      (step(P + X) == Phi*inv(inv(P + X) + gram())*T(Phi) + H)
-      & (step(P + X) - step(P) == Phi*inv(I + (P + X)*gram())*X*inv(I + gram()*P)*T(Phi)),
+      (Pa == Phi*inv(inv(P + X) + gram())*T(Phi) + H) & (Pa - Pb == Phi*inv(I + (P + X)*gram())*X*inv(I + gram()*P)*T(Phi))
+      & loewner(Pa, Pb) & loewner(Pb + CLOSED*X*T(CLOSED), Pa),
       sizes=["n", "p"],
       over={X: positive_definite(n), P: positive_semidefinite(n), Phi: matrix(n, n), M: matrix(p, n), V: positive_definite(p),
-            H: positive_semidefinite(n)},
-      by=[instances(8, n=(1, 2), p=(1, 2))],
-      note="X is the shift e I of the print, or any positive definite matrix. The second equation is the limit: the shifted step differs from the "
-           "unshifted one by e times a matrix that stays bounded as e goes to 0.")
+            H: positive_semidefinite(n)}, where=[let(Pa, step(P + X)), let(Pb, step(P))],
+      by=[order([], [], [SHIFTED], [Phi*(gain() - gain(P + X))*(M*(P + X)*T(M) + V)*T(gain() - gain(P + X))*T(Phi)]), instances(8, n=(1, 2), p=(1, 2))],
+      note="X is the shift e I of the print, or any positive definite matrix. The inequalities are the limit: the shifted step is above the unshifted one "
+           "by no more than e times a matrix that does not depend on e.")

@@ -23,7 +23,7 @@ theorem's (over the complex numbers); the equations here hold for every Gamma an
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import combination, example, first, generic_index, identity, induction, instances, lemma, order, steps, use
+from exactkf.evidence import combination, example, first, generic_index, identity, induction, instances, lemma, order, restated, steps, use
 from exactkf.language import (
     Identity,
     Zero,
@@ -46,7 +46,6 @@ from exactkf.language import (
     rec,
     rows,
     scalar,
-    standing,
     sym,
     symbols,
     top,
@@ -74,6 +73,7 @@ BLOCKS = let(R, r_matrix(A, B, C, D))
 RIGHT = [let(F, P*Gam), let(TT, vstack(F, Gam)), let(J, inv(Gam)*(D*P - C)*Gam)]
 LEFT = [let(Zm, -Y*P), let(SS, hstack(Y, Zm)), let(K, Y*(B - P*D)*inv(Y))]
 SOLUTION = {**COEFFICIENTS, P: matrix(n, m)}
+JORDAN = restated("Jordan's theorem: every square matrix is similar to a Jordan matrix over the complex numbers")
 
 claim("D71-E3.10", "the quadratic equation in block form",
       hstack(In, -P)*R*vstack(P, Im) == QUADRATIC,
@@ -84,14 +84,14 @@ claim("D71-E3.10", "the quadratic equation in block form",
 claim("D71-T3.5.a", "a solution gives an invariant subspace",
       (P == F*inv(Gam)) & (R*TT == TT*J),
       sizes=["n", "m"], over={**SOLUTION, Gam: nonsingular(m)}, where=[BLOCKS, *RIGHT], given=[SOLVES],
-      by=[combination([[], [(vstack(In, Zero(m, n)), "(3.10)", Gam)]], **NM), instances(**MORE, made_by=SOLVED)],
+      by=[combination([[], [(vstack(In, Zero(m, n)), "(3.10)", Gam)]], **NM), JORDAN, instances(**MORE, made_by=SOLVED)],
       note="J = Gamma^{-1}(DP - C)Gamma for any nonsingular Gamma; by Jordan's theorem some Gamma makes it a Jordan "
            "matrix.")
 
 claim("D71-T3.5.b", "a solution gives a left invariant subspace",
       (P == -inv(Y)*Zm) & (SS*R == K*SS),
       sizes=["n", "m"], over={**SOLUTION, Y: nonsingular(n)}, where=[BLOCKS, *LEFT], given=[SOLVES],
-      by=[combination([[], [(Y, "(3.10)", hstack(Zero(m, n), Im))]], **NM), instances(**MORE, made_by=SOLVED)],
+      by=[combination([[], [(Y, "(3.10)", hstack(Zero(m, n), Im))]], **NM), JORDAN, instances(**MORE, made_by=SOLVED)],
       note="K = Y(B - PD)Y^{-1} for any nonsingular Y; by Jordan's theorem some Y makes it a Jordan matrix.")
 
 PAIR = {P: matrix(n, m), F: matrix(n, m), Gam: nonsingular(m), Y: nonsingular(n), Zm: matrix(n, m)}
@@ -211,42 +211,49 @@ Rt, Jt, r = symbols("Rt Jt r")
 Iq = Identity(q)
 FIRST = matrix_of(i, j, q, m, E[i, j])
 NILPOTENT = superdiagonal(m)
+#: w times the columns of T is W_q T, and w times their coordinates is W_m: for a complex w and matrices of twice the size these are not w I
+Wq, Wm = symbols("Wq Wm")
+A_NUMBER = given("w is a number", Wq*TT == TT*Wm)
 #: w is an eigenvalue of a Jordan block J, in another basis, and of R with more; the eigenvector ends a chain of length r + 1
-CHAINED = {"using": {E: nonsingular(q), G: nonsingular(m), U: matrix(q, q)},
-           "made_by": {J: G*(w*Im + NILPOTENT)*inv(G), TT: FIRST*inv(G),
+CHAINED = {"using": {E: nonsingular(q), G: nonsingular(m), U: matrix(q, q), w: scalar()},
+           "made_by": {Wq: w*Iq, Wm: w*Im, J: G*(w*Im + NILPOTENT)*inv(G), TT: FIRST*inv(G),
                        R: E*matrix_of(i, j, q, q, when(j <= m, when(i == j, w, when((j == i + 1) & (i <= m), 1, 0)), when(i <= j, U[i, j], 0)))*inv(E),
                        Y: G*matrix_of(i, j, m, s, when(i == r + j, 1, 0)), X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))}}
 
 claim("D71-T3.7", "the blocks of J fit into those of R",
-      (TT*X == Rt[r]*(TT*Y)) & ((R - w*Iq)*(TT*X) == Zero(q, s)) & (rank(TT*X) == s),
-      sizes=["q", "m", "s", "r"], over={w: scalar(), TT: matrix(q, m), J: matrix(m, m), R: matrix(q, q), X: matrix(m, s), Y: matrix(m, s)},
-      where=[rec(Rt, k, Iq, (R - w*Iq)*Rt[k]), rec(Jt, k, Im, (J - w*Im)*Jt[k])],
-      given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m), given("JX = wX", J*X == w*X),
+      (TT*X == Rt[r]*(TT*Y)) & ((R - Wq)*(TT*X) == Zero(q, s)) & (rank(TT*X) == s),
+      sizes=["q", "m", "s", "r"],
+      over={Wq: matrix(q, q), Wm: matrix(m, m), TT: matrix(q, m), J: matrix(m, m), R: matrix(q, q), X: matrix(m, s), Y: matrix(m, s)},
+      where=[rec(Rt, k, Iq, (R - Wq)*Rt[k]), rec(Jt, k, Im, (J - Wm)*Jt[k])],
+      given=[given("RT = TJ", R*TT == TT*J), A_NUMBER, given("T has independent columns", rank(TT) == m), given("JX = wX", J*X == Wm*X),
              given("X has independent columns", rank(X) == s), given("X = (J - w)^r Y", X == Jt[r]*Y)],
       by=[induction(before=[first(forall(k, 0, r, Rt[k]*TT == TT*Jt[k]))]),
-          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[1]], R=[[2]], X=[[1]], Y=[[1]]),
-          example(q=1, m=1, s=1, r=0, w=1, TT=[[0]], J=[[1]], R=[[2]], X=[[1]], Y=[[1]]),
-          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[2]], R=[[2]], X=[[1]], Y=[[1]]),
-          example(q=1, m=1, s=1, r=0, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[0]], Y=[[0]]),
-          example(q=1, m=1, s=1, r=1, w=1, TT=[[1]], J=[[1]], R=[[1]], X=[[1]], Y=[[1]]),
+          restated("A has as many Jordan blocks of size r + 1 or more at w as there are independent eigenvectors at w in the range of (A - w)^r"),
+          *(example({"q": 1, "m": 1, "s": 1, "r": 0, "Wq": [[1]], "Wm": [[1]], "TT": [[1]], "J": [[1]], "R": [[1]], "X": [[1]], "Y": [[1]], **change})
+            for change in ({"R": [[2]]}, {"TT": [[0]], "R": [[2]]}, {"J": [[2]], "R": [[2]]}, {"X": [[0]], "Y": [[0]]}, {"r": 1}, {"Wq": [[2]]})),
+          example(q=2, m=2, s=2, r=0, Wq=[[1, 2], [-2, 1]], Wm=[[1, 2], [-2, 1]], TT=[[3, 1], [-1, 3]], J=[[1, 2], [-2, 1]], R=[[1, 2], [-2, 1]],
+                  X=[[1, 0], [0, 1]], Y=[[1, 0], [0, 1]]),
           instances(q=(2, 3), m=(1, 2), s=(1,), r=(0, 1), **CHAINED), instances(4, q=(3,), m=(3,), s=(1,), r=(2,), **CHAINED)],
       note="The blocks of size r + 1 or more at w are as many as there are independent eigenvectors in the range of (J - w)^r, which is how elementary "
            "divisors are counted. Any s of them, the columns of X, go under T to s such vectors of R. So R has at least as many blocks of size r + 1 or "
            "more as J, for every r: the j-th largest block of J is no larger than that of R. T = [F; Gamma] has independent columns, as Gamma is "
-           "nonsingular.")
+           "nonsingular. W_q and W_m multiply by w; they are w times the identity, or, where complex matrices are real ones of twice the size, a matrix of "
+           "blocks [[a, b], [-b, a]].")
 
 leading = matrix_of(i, j, m, m, U[i, j])
 UPPER = matrix_of(i, j, q, q, when(i <= j, U[i, j], 0))
 UPPER_LEADING = matrix_of(i, j, m, m, when(i <= j, U[i, j], 0))
 
 claim("D71-S29", "an eigenvalue of J that R does not have",
-      ((R - mu*Iq)*TT*x == Zero(q, 1)) & (invertible(R - mu*Iq) >> (TT*x == Zero(q, 1))),
-      sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), mu: scalar(), x: vector(m)},
-      given=[given("RT = TJ", R*TT == TT*J), given("Jx = mu x", J*x == mu*x)],
-      by=[order([], [inv(R - mu*Iq)]),
+      ((R - Wq)*TT*x == Zero(q, 1)) & (invertible(R - Wq) >> (TT*x == Zero(q, 1))),
+      sizes=["q", "m"], over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), Wq: matrix(q, q), Wm: matrix(m, m), x: vector(m)},
+      given=[given("RT = TJ", R*TT == TT*J), given("mu is a number", Wq*TT == TT*Wm), given("Jx = mu x", J*x == Wm*x)],
+      by=[order([], [inv(R - Wq)]),
+          example(q=1, m=1, R=[[2]], TT=[[1]], J=[[2]], Wq=[[1]], Wm=[[2]], x=[1]),
+          example(q=2, m=2, R=[[1, 2], [-2, 1]], TT=[[3, 1], [-1, 3]], J=[[1, 2], [-2, 1]], Wq=[[1, 2], [-2, 1]], Wm=[[1, 2], [-2, 1]], x=[1, 1]),
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), W1: matrix(1, m),
-                                               s: scalar()},
-                    made_by={R: E*UPPER*inv(E),
+                                               s: scalar(), mu: scalar()},
+                    made_by={Wq: mu*Iq, Wm: mu*Im, R: E*UPPER*inv(E),
                              TT: matrix_of(i, j, q, m, when(j == 1, 0, E[i, j - 1]))*inv(G),
                              J: G*matrix_of(i, j, m, m,
                                             when(j == 1, when(i == 1, mu, 0),
@@ -254,29 +261,30 @@ claim("D71-S29", "an eigenvalue of J that R does not have",
                              * inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))}),
           instances(q=(2, 4), m=(2, 4), using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), s: scalar()},
-                    made_by={mu: U[1, 1], R: E*UPPER*inv(E), TT: FIRST*inv(G), J: G*UPPER_LEADING*inv(G),
+                    made_by={Wq: U[1, 1]*Iq, Wm: U[1, 1]*Im, R: E*UPPER*inv(E), TT: FIRST*inv(G), J: G*UPPER_LEADING*inv(G),
                              x: s*G*matrix_of(i, j, m, 1, when(i == 1, 1, 0))})],
       note="If mu is no eigenvalue of R the matrix R - mu I is invertible and Tx = 0, which independent columns of T "
-           "forbid; so every eigenvalue of J is one of R.")
+           "forbid; so every eigenvalue of J is one of R. W_q and W_m multiply by mu, as in D71-T3.7.")
 
 claim("D71-S30", "no more blocks of J than of R at one eigenvalue",
-      ((R - w*Iq)*TT*X == Zero(q, s)) & (rank(TT*X) == s),
+      ((R - Wq)*TT*X == Zero(q, s)) & (rank(TT*X) == s),
       sizes=["q", "m", "s"],
-      over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), w: scalar(), X: matrix(m, s)},
-      given=[given("RT = TJ", R*TT == TT*J), given("T has independent columns", rank(TT) == m),
-             given("JX = wX", J*X == w*X), given("X has independent columns", rank(X) == s)],
+      over={R: matrix(q, q), TT: matrix(q, m), J: matrix(m, m), Wq: matrix(q, q), Wm: matrix(m, m), X: matrix(m, s)},
+      given=[given("RT = TJ", R*TT == TT*J), A_NUMBER, given("T has independent columns", rank(TT) == m),
+             given("JX = wX", J*X == Wm*X), given("X has independent columns", rank(X) == s)],
       by=[order(),
-          example(q=2, m=2, s=1, R=[[1, 0], [0, 3]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 2]], X=[1, 0], w=1),
+          example(q=2, m=2, s=1, R=[[1, 0], [0, 3]], TT=[[0, 0], [0, 0]], J=[[1, 0], [0, 2]], X=[1, 0], Wq=[[1, 0], [0, 1]], Wm=[[1, 0], [0, 1]]),
+          example(q=1, m=1, s=1, R=[[1]], TT=[[1]], J=[[1]], X=[1], Wq=[[2]], Wm=[[1]]),
           instances(q=(2, 3), m=(2, 3), s=(1, 2),
-                    using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s)},
-                    made_by={R: E*matrix_of(i, j, q, q,
+                    using={E: nonsingular(q), U: matrix(q, q), G: nonsingular(m), Y: nonsingular(s), w: scalar()},
+                    made_by={Wq: w*Iq, Wm: w*Im, R: E*matrix_of(i, j, q, q,
                                             when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(E),
                              TT: FIRST*inv(G),
                              J: G*matrix_of(i, j, m, m,
                                             when(j <= s, when(i == j, w, 0), when(i <= j, U[i, j], 0)))*inv(G),
                              X: G*matrix_of(i, j, m, s, when(i == j, 1, 0))*Y})],
       note="The columns of X are independent eigenvectors of J, one for each of its blocks at w or of any s of them; TX has as many of R, so that R has at "
-           "least s blocks at w.")
+           "least s blocks at w. W_q and W_m multiply by w, as in D71-T3.7.")
 
 r, pp, c, w1, w2, first_row, last_column = symbols("r pp c w1 w2 first_row last_column")
 
@@ -310,34 +318,22 @@ claim("D71-E3.37", "solutions of Omega X = XJ between two Jordan blocks",
              given("two eigenvalues", jordan_block(w1, r)*Y == Y*jordan_block(w2, pp)),
              given("which differ", w1 != w2)],
       by=[generic_index(_down(r, "one eigenvalue"), _LEFT, _CORNER, uses=[use(0, s=row, u=r, j=col), use(1, s=pp - col, u=pp - 1, i=row), use(2, s=r - row + col - 1, j=col)]),
+          restated("for complex eigenvalues: the determinant of Y -> Omega Y - YJ is a power of w1 - w2, over the complex numbers as over the real ones"),
           instances(r=(1, 2, 3), pp=(1, 2, 3), using={c: vector(pp)}, made_by={X: toeplitz(c, r, pp), Y: Zero(r, pp)})],
       note="X between blocks of one eigenvalue, Y between blocks of two. The first equation says upper triangular "
            "Toeplitz (zero rows below "
            "when r >= p), the second that it is pushed to the right (zero columns on the left when r <= p).")
 
-a, b, d, e, r3 = symbols("a b d e r3")
-P1, P2, R1, R2 = symbols("P1 P2 R1 R2")
-C11, C12, C21, C22, C31, C32 = symbols("C11 C12 C21 C22 C31 C32")
-SIZES_340 = [let(R2, r3 + a), let(R1, r3 + a + b), let(P2, r3 + a + 1 + d), let(P1, r3 + a + 1 + d + e)]
-LONG, SHORT = r3 + a + 1 + d + e, r3 + a + 1 + d
+d, c2 = symbols("d c2")
 
 claim("D71-E3.40", "when X must have dependent columns",
-      (matrix_of(i, j, R2 + r3, 1, X[R1 + i, 1]) == Zero(R2 + r3, 1))
-      & (matrix_of(i, j, R2 + r3, 1, X[R1 + i, P1 + 1]) == Zero(R2 + r3, 1))
-      & (matrix_of(i, j, R1 + R2 + r3, 1, X[1, P1 + 1]*X[i, 1] - X[1, 1]*X[i, P1 + 1]) == Zero(R1 + R2 + r3, 1)),
-      sizes=["r3", "a", "b", "d", "e"],
-      over={C11: vector(LONG), C12: vector(SHORT), C21: vector(LONG), C22: vector(SHORT), C31: vector(LONG),
-            C32: vector(SHORT)},
-      where=[*SIZES_340,
-             let(X, block([[toeplitz(C11, R1, P1), toeplitz(C12, R1, P2)],
-                           [toeplitz(C21, R2, P1), toeplitz(C22, R2, P2)],
-                           [toeplitz(C31, r3, P1), toeplitz(C32, r3, P2)]]))],
-      given=[standing("r3 >= 1", r3 >= 1)],
-      by=[generic_index(), instances(r3=(1, 2), a=(0, 1), b=(0, 1), d=(0, 1), e=(0, 1))],
-      note="Three blocks r1 >= r2 >= r3 of R and two p1 >= p2 > r2 of J, so that j = 2 is the first index with p_j > "
-           "r_j, or j = 1 is. "
-           "The first columns of the two column sets vanish below the first block row, where only their first entries "
-           "remain: they are dependent.")
+      (matrix_of(i, j, r, 1, toeplitz(c, r, r + 1 + d)[i, 1]) == Zero(r, 1))
+      & (matrix_of(i, j, pp + d - 1, 1, toeplitz(c2, pp + d, pp)[i + 1, 1]) == Zero(pp + d - 1, 1)),
+      sizes=["r", "pp", "d"], over={c: vector(r + 1 + d), c2: vector(pp)},
+      by=[generic_index(), restated("j vectors of j - 1 entries are dependent"), instances(r=(1, 2, 3), pp=(1, 2), d=(0, 1, 2))],
+      note="The first column of a block of X is zero if the block has fewer rows than columns, and else has no entry but the first. As p_1 >= ... >= p_j > "
+           "r_j >= r_{j+1} >= ..., the first columns of the first j column sets are zero in the block rows j, j+1, ..., and in the j - 1 others only their "
+           "first entries remain.")
 
 # --- how many solutions ----------------------------------------------------------------------------------------------
 

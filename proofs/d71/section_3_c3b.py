@@ -23,7 +23,7 @@ eigenvector at a + ib.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import Evidence, example, first, identity, induction, instances, order
+from exactkf.evidence import Evidence, example, first, identity, induction, instances, order, restated
 from exactkf.language import (
     Expr,
     Identity,
@@ -81,6 +81,7 @@ R_TURNED = block([[PhiT, -PhiT*S], [-H*PhiT, H*PhiT*S + Phi]])
 ALL_VECTORS = given("(3.54)", Rp*vstack(U, L) == vstack(U, L)*Om)
 MAKE_VECTORS = {"using": {E: nonsingular(2*n)},
                 "made_by": {U: top(E, n), L: bottom(E, n), Om: inv(E)*R_BLOCKS*E}}
+TURNED_OVER = "the inverse of the adjoint of omega I + N is similar to I/omega* + N, D71-T8.2"
 INVERSE = given("[U; L] has an inverse", (vstack(U, L)*hstack(G1, G2) == I2) & (hstack(G1, G2)*vstack(U, L) == I2))
 
 claim("D71-T3.9", "[L; -U] takes the inverse of the adjoint of R_p to the same Jordan form",
@@ -114,7 +115,8 @@ claim("D71-E3.56", "left eigenvectors of R_p from right ones",
       where=R_WHERE,
       given=[given("the Jordan vectors", Rp*vstack(Ui, Li) == vstack(Ui, Li)*Oi),
              given("the inverse of the adjoint block is similar to a Jordan block", X*inv(T(Oi)) == Oj*X)],
-      by=[instances(n=(1, 2), p=(1, 2), q=(2, 4), using={E: nonsingular(q)},
+      by=[restated(TURNED_OVER),
+          instances(n=(1, 2), p=(1, 2), q=(2, 4), using={E: nonsingular(q)},
                     made_by={Ui: top(E, n), Li: bottom(E, n), Oi: inv(E)*R_BLOCKS*E, Oj: X*inv(T(Oi))*inv(X)})],
       note="In (3.57) and (3.58) the matrix is R_p, as in (3.56); the scan, which mixes up these two letters elsewhere, has R_d, which is n x n. X exists by D71-T8.2.")
 
@@ -135,7 +137,8 @@ TURN, TURN_BACK = block([[Zero(n, n), I], [-I, Zero(n, n)]]), block([[Zero(n, n)
 claim("D71-T3.10", "the blocks at an eigenvalue and at its conjugate reciprocal",
       (Rp*TURN == TURN*inv(T(Rp))) & (TURN*TURN_BACK == I2),
       sizes=["n", "p"], over=MODEL, where=R_WHERE,
-      by=[example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
+      by=[restated("Jordan's theorem: matrices are similar exactly if they have the same Jordan blocks", TURNED_OVER),
+          example(n=2, p=1, Phi=[["6/5", "8/5"], ["-8/5", "6/5"]], H=[[0, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
           example(n=2, p=1, Phi=[["3/5", "4/5"], ["-4/5", "3/5"]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]]),
           example(n=2, p=1, Phi=[[1, 1], [0, 1]], H=[[1, 0], [0, 0]], M=[[1, 2]], V=[[1]]),
           instances(n=(1, 2), p=(1, 2))],
@@ -178,7 +181,8 @@ claim("D71-S34", "e^{X+Y} = e^X e^Y for matrices that do not commute",
                     "for one pair the equation may hold by accident, as e^{2 pi i} = 1; if it holds for tX and tY with every t, then X and Y commute",
                     iff((X + L)*(X + L) == X*X + 2*X*L + L*L, X*L == L*X),
                     sizes=["n"], over={X: matrix(n, n), L: matrix(n, n)},
-                    by=[instances(n=(1, 2, 3)), instances(n=(2, 3), made_by={L: X*X + X})]),
+                    by=[restated("e^{t(X+Y)} and e^{tX}e^{tY} agree for every t exactly if their terms do, and they do if X and Y commute"),
+                        instances(n=(1, 2, 3)), instances(n=(2, 3), made_by={L: X*X + X})]),
       note="Read as: the equation fails for every pair that does not commute. Take X = sP1 and Y = sP2 with a number s, so that e^X = I + (e^s - 1)P1 for "
            "an idempotent P1, and a = e^s. The matrices are those of the counterexample with s = 2 pi i and a = 1: all three exponentials are I. The repair "
            "compares the terms of second order in t.")
@@ -242,6 +246,7 @@ claim("D71-E3.60", "bases of the undriven and of the unobservable subspace",
              given("null vectors of R_d", Rd[n]*Nd == Zero(n, q)), given("all of them", I - Gd*Rd[n] == Nd*Ed),
              given("null vectors of P_d", Pd[n]*No == Zero(n, q)), given("all of those", I - Go*Pd[n] == No*Eo)],
       by=[induction(before=[*UNDRIVEN_SPACE, *UNSEEN_SPACE]),
+          restated("the theorem of Cayley and Hamilton", "every matrix has a generalized inverse"),
           instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_DRIVEN, **HAMILTON, **SPANNED[0], **FULL[1]}),
           instances(n=(2,), p=(1,), q=(1,), using=AUX, made_by={**NOT_MEASURED, **HAMILTON, **FULL[0], **SPANNED[1]}),
           *(example({**LONELY, **change}) for change in ({"Nd": [[1]]}, {"Nd": [[0]], "Gd": [[0]]}, {"No": [[1]]}, {"Go": [[0]]}))],

@@ -13,7 +13,7 @@ Conventions as in section_3_c3c.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order, within
+from exactkf.evidence import example, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -21,7 +21,6 @@ from exactkf.language import (
     block,
     given,
     inv,
-    invertible,
     let,
     matrix,
     matrix_of,
@@ -29,7 +28,6 @@ from exactkf.language import (
     positive_definite,
     positive_semidefinite,
     psd,
-    scalar,
     schur,
     symbols,
     vector,
@@ -38,7 +36,7 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, M, Phi, V, gram, i, j, n, p
 
-q, r, F, Gam, J, S, Rp, E, K, N, Lam, x, c, v, lam, ROW = symbols("q r F Gam J S Rp E K N Lam x c v lam ROW")
+q, r, F, Gam, J, S, Rp, E, K, N, Lam, x, c, v, s = symbols("q r F Gam J S Rp E K N Lam x c v s")
 I = Identity(n)
 PhiT = inv(T(Phi))
 MODEL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
@@ -101,31 +99,32 @@ claim("D71-E3.121", "the eigenvector that is not seen",
 OUTSIDE = given("the eigenvalues of J are outside the circle", schur(inv(J)))
 GONE = Zero(n, r)
 BOTH = [T(X)*T(F)*T(M)*inv(V)*M*F*X, T(X)*FORM*X]
-ROW_GONE = T(v)*Gam*(lam*J - Identity(q)) == Zero(1, q)
 ON_THE_WAY = [
     (T(F)*Gam - T(Gam)*F == Zero(q, q), []),
     (psd(FORM), [T(inv(J))*T(F)*T(M)*inv(V)*M*F*inv(J), T(inv(J))*T(S*F + Gam)*inv(Phi)*H*PhiT*(S*F + Gam)*inv(J)]),
-    (T(M)*inv(V)*M*F + Gam == T(Phi)*Gam*J, []), (ROW_GONE, []), ((BOTH[0] + BOTH[1])*Identity(r) == Zero(r, r), []), (M*F*X == Zero(p, r), BOTH),
+    (T(M)*inv(V)*M*F + Gam == T(Phi)*Gam*J, []), ((BOTH[0] + BOTH[1])*Identity(r) == Zero(r, r), []), (M*F*X == Zero(p, r), BOTH),
     (F*J == H*Gam*J + Phi*F, [])]
 
 claim("D71-T3.18", "when the stable equilibrium exists",
-      (T(v)*Gam == Zero(1, q)) & (Gam*X == GONE) & (M*F*X == Zero(p, r)) & (Phi*F*X == F*N),
-      sizes=["n", "p", "q", "r"], over={**COLUMNS, N: matrix(q, r), v: vector(n), lam: scalar()}, where=R_WHERE,
-      given=[RT_TJ, OUTSIDE, NULL, given("an unobservable mode", (Phi*v == lam*v) & (M*v == Zero(p, 1))),
-             given("1/lambda is not in J", invertible(lam*J - Identity(q)))],
-      by=[order(*[terms for _, terms in ON_THE_WAY], [inv(lam*J - Identity(q))], [], [], [], lemmas=[lemma for lemma, _ in ON_THE_WAY],
-                inside=[within(0, unique=(T(inv(J)), inv(J))), within(1, stein=T(inv(J)))]),
-          example({**ONE, "r": 1, "N": [[0]], "v": [[1]], "lam": 1}), example({**ONE, "r": 1, "N": [[1]], "v": [[0]], "lam": 1}),
-          example({**ONE, "r": 1, "F": [["-1/2"]], "J": [["1/2"]], "N": [[0]], "v": [[0]], "lam": 1}),
+      (T(v)*Gam == Zero(s, q)) & (Gam*X == GONE) & (M*F*X == Zero(p, r)) & (Phi*F*X == F*N),
+      sizes=["n", "p", "q", "r", "s"], over={**COLUMNS, N: matrix(q, r), v: matrix(n, s), Lam: nonsingular(s)}, where=R_WHERE,
+      given=[RT_TJ, OUTSIDE, NULL, given("an unobservable mode", (Phi*v == v*Lam) & (M*v == Zero(p, s))), given("it is unstable", schur(inv(Lam)))],
+      by=[order(*[terms for _, terms in ON_THE_WAY], [], [], [], [], lemmas=[lemma for lemma, _ in ON_THE_WAY],
+                inside=[within(0, unique=(T(inv(J)), inv(J))), within(1, stein=T(inv(J))), within(len(ON_THE_WAY), unique=(T(inv(Lam)), inv(J)))]),
+          restated("a space other than zero that a matrix keeps has an eigenvector of it"),
+          example({**ONE, "r": 1, "s": 1, "N": [[0]], "v": [[1]], "Lam": [[2]]}), example({**ONE, "r": 1, "s": 1, "N": [[1]], "v": [[0]], "Lam": [[2]]}),
+          example({**ONE, "r": 1, "s": 1, "F": [["-1/2"]], "J": [["1/2"]], "N": [[0]], "v": [[0]], "Lam": [[2]]}),
+          example(n=2, p=1, q=2, r=2, s=2, Phi=[[1, 2], [-2, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[1, 0], [0, 1]], Gam=[[0, 0], [0, 0]],
+                  J=[[1, 2], [-2, 1]], N=[[1, 0], [0, 1]], v=[[1, 0], [0, 1]], Lam=[[1, 2], [-2, 1]]),
           # two states that do not meet, J = diag(2, 1/2) from the first
           example(n=2, p=2, q=2, r=1, Phi=[[1, 0], [0, 1]], H=[["1/2", 0], [0, "4/3"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], F=[[1, "-1/2"], [0, 0]],
-                  Gam=[[1, 1], [0, 0]], J=[[2, 0], [0, "1/2"]], N=[[1], [-1]], v=[[0], [0]], lam=1),
-          example({**ONE, "r": 1, "Gam": [[0]], "N": [[1]], "v": [[0]], "lam": 1}),
-          example({**HIDDEN, "r": 1, "H": [[1]], "Phi": [["1/2"]], "F": [["4/3"]], "Gam": [[1]], "J": [[2]], "N": [[0]], "v": [[1]], "lam": "1/2"}),
-          instances(6, n=(1, 2), p=(1, 2), q=(1,), r=(1, 2), using={c: vector(n), E: nonsingular(n)},
+                  Gam=[[1, 1], [0, 0]], J=[[2, 0], [0, "1/2"]], N=[[1], [-1]], s=1, v=[[0], [0]], Lam=[[2]]),
+          example({**ONE, "r": 1, "s": 1, "Gam": [[0]], "N": [[1]], "v": [[0]], "Lam": [[2]]}),
+          example({**HIDDEN, "r": 1, "s": 1, "H": [[1]], "Phi": [["1/2"]], "F": [["4/3"]], "Gam": [[1]], "J": [[2]], "N": [[0]], "v": [[1]], "Lam": [["1/2"]]}),
+          instances(6, n=(1, 2), p=(1, 2), q=(1,), r=(1, 2), s=(1,), using={c: vector(n), E: nonsingular(n)},
                     made_by={M: Zero(p, n), Gam: Zero(n, 1), H: Zero(n, n), Phi: E*matrix_of(i, j, n, n, when(i == j, 2 + c[i]**2, 0))*inv(E),
-                             F: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), J: (2 + c[1]**2)*Identity(1), lam: 2 + c[1]**2,
-                             v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0))})],
-      note="For a real mode and J outside the circle: an unobservable vector v with |lambda| > 1, where 1/lambda cannot be in J, is a null row of Gamma. If "
+                             F: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), J: (2 + c[1]**2)*Identity(1), Lam: (2 + c[1]**2)*Identity(s),
+                             v: E*matrix_of(i, j, n, s, when(i == j, 1, 0))})],
+      note="An unobservable vector v with |lambda| > 1 is a null row of Gamma; lambda stands on the right as a matrix, and v has s columns. If "
            "Gamma N = 0 then J^{-1} keeps the space of such N, and F takes it to a space that Phi^{-1} keeps and M does not see; F is one-to-one there, as T "
            "has independent columns, so an eigenvector of J^{-1} in it gives an unobservable mode with an eigenvalue of J, outside the circle.")

@@ -14,7 +14,7 @@ Conventions as in section_3_c3c.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order, within
+from exactkf.evidence import example, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -122,6 +122,7 @@ claim("D71-Q2", "null vectors of the stable equilibrium",
       (H*N == GONE) & (P*T(Phi)*N == GONE) & (T(Phi)*N == T(CLOSED)*N),
       sizes=["n", "p", "q"], over={**MODEL, P: positive_semidefinite(n), N: matrix(n, q)}, given=[EQUILIBRIUM, given("null vectors of P", P*N == GONE)],
       by=[order([], [], TERMS, [inv(V)], TERMS, TERMS, [], [], lemmas=KEPT),
+          restated("a space other than zero that a matrix keeps has an eigenvector of it", "J is similar to the inverse of the adjoint of B - PD"),
           example(n=1, p=1, q=1, Phi=[["1/2"]], H=[["7/8"]], M=[[1]], V=[[1]], P=[[1]], N=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], P=[[0]], N=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[3]], N=[[1]]),

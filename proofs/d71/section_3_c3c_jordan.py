@@ -12,7 +12,7 @@ The matrices are real, and the transpose stands for the conjugate transpose.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order
+from exactkf.evidence import example, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -127,7 +127,8 @@ claim("D71-E3.92", "a block of Q - Q* as a sum",
       sizes=["q1", "q2", "r1", "r2", "p1", "p2"],
       over={X1: matrix(q1, p1), X2: matrix(q2, p1), Y1: matrix(r1, p2), Y2: matrix(r2, p2), W11: matrix(q1, r1), W12: matrix(q1, r2), W21: matrix(q2, r1),
             W22: matrix(q2, r2)},
-      by=[order(), instances(6, q1=(1, 2), q2=(1, 2), r1=(1, 2), r2=(1,), p1=(1, 2), p2=(1, 2))],
+      by=[order(), restated("a matrix cut into more blocks is one cut into two, again and again"),
+          instances(6, q1=(1, 2), q2=(1, 2), r1=(1, 2), r2=(1,), p1=(1, 2), p2=(1, 2))],
       note="Two simple blocks for each of the two eigenvalues. Reciprocal eigenvalues have equally many blocks in R_p, so both sums go to m_i.")
 
 most, Z0 = symbols("most Z0")

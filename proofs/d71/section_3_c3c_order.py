@@ -198,22 +198,28 @@ POSITIVE_B = given("MP_bM' + V > 0", pd(M*Pb*T(M) + V))
 
 claim("D71-Q3.1", "Theorem 3.19 without undriven modes, if MPM' + V > 0",
       loewner(Pa, Pb),
-      sizes=["n", "p", "r"], over={**THEOREM, V: symmetric_matrix(p)}, where=R_WHERE,
-      given=[*COLUMNS, ONE_PAIR, EQ_B, POSITIVE_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
-      by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
-          example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
-          example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
-          # the driven pair 2/3 and -2/5, and the same with V < 0
-          example({**GROWING, "Phi": [[1]], "H": [["4/15"]], "Pa": [["2/3"]], "Pb": [["-2/5"]], "fa": [["2/3"]]}),
-          example({**GROWING, "V": [[-1]], "Pa": [["-16/9"]], "fa": [["-16/9"]]}),
-          example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
-                  Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
-          instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
-                    made_by={**PSI, Phi: Identity(1), H: rows([[(psi[1, 1] - 1)*(1 - 1/psi[1, 1])/(p*l**2)]]), V: Identity(p), M: matrix_of(i, j, p, 1, l),
-                             Pb: rows([[(1/psi[1, 1] - 1)/(p*l**2)]]),
-                             Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga), k2: Zero(0, 1)})],
-      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium: P_b need not be nonnegative and the mode may be driven. "
-           "That the two share the other eigenvectors is asked here as in the repair of D71-T3.19.")
+      sizes=["n", "p"], over={name: kind for name, kind in WITH_PSI.items() if name is not nd}, where=R_WHERE, given=[*ASSOCIATED[:-2], POSITIVE_B],
+      by=[example({name: value for name, value in TRIPLE_MODE.items() if name != "nd"}), instances(n=(1,), p=(1,))],
+      repair=repair(
+          "missing hypothesis", "as in D71-T3.19, the two must share the eigenvectors of psi_2, ..., psi_n; then |psi_1| > 1 suffices",
+          loewner(Pa, Pb),
+          sizes=["n", "p", "r"], over={**THEOREM, V: symmetric_matrix(p)}, where=R_WHERE,
+          given=[*COLUMNS, ONE_PAIR, EQ_B, POSITIVE_B, ABOVE_ONE, *COMMUTE, INVERSE_A],
+          by=[order([], [], [], [RAISED], lemmas=[T(beta)*GAP*beta == SQUARED, Pa - Pb == T(k)*GAP*k, GAP == inv(T(beta))*SQUARED*inv(beta)]),
+              example(GROWING), example({**GROWING, "Pa": [[-1]]}), example({**GROWING, "Pa": [[-1]], "fa": [[0]], "ga": [[0]]}),
+              example({**GROWING, "Phi": [["3/5"]], "psi": [["3/5"]], "Pa": [["-16/25"]], "fa": [["-16/25"]]}),
+              # the driven pair 2/3 and -2/5, and the same with V < 0
+              example({**GROWING, "Phi": [[1]], "H": [["4/15"]], "Pa": [["2/3"]], "Pb": [["-2/5"]], "fa": [["2/3"]]}),
+              example({**GROWING, "V": [[-1]], "Pa": [["-16/9"]], "fa": [["-16/9"]]}),
+              example(n=2, p=2, r=1, Phi=[["5/3", 0], [0, 1]], H=[[0, 0], [0, "1/2"]], M=[[1, 0], [0, 1]], V=[[1, 0], [0, 1]], Pa=[["16/9", 0], [0, -5]],
+                      Pb=[[0, 0], [0, 1]], fa=["16/9", 0], ga=[1, 0], F2=[0, -5], Ga2=[0, 1], psi=[["5/3"]], beta=[["4/3"]], k=[[1, 0]], k2=[[0, 1]]),
+              instances(8, n=(1,), p=(1, 2), r=(1,), using={e: scalar(), l: nonzero()},
+                        made_by={**PSI, Phi: Identity(1), H: rows([[(psi[1, 1] - 1)*(1 - 1/psi[1, 1])/(p*l**2)]]), V: Identity(p), M: matrix_of(i, j, p, 1, l),
+                                 Pb: rows([[(1/psi[1, 1] - 1)/(p*l**2)]]),
+                                 Pa: rows([[(psi[1, 1] - 1)/(p*l**2)]]), ga: rows([[e]]), fa: Pa*ga, F2: Zero(1, 0), Ga2: Zero(1, 0), k: inv(ga),
+                                 k2: Zero(0, 1)})]),
+      note="The footnote's claim, with its premise as a hypothesis on the smaller equilibrium. The counterexample is that of D71-T3.19, where MPM' + V is "
+           "positive definite for every Hermitian equilibrium. In the repair P_b need not be nonnegative, and the mode may be driven.")
 
 # --- an undriven stable mode ------------------------------------------------------------------------------------------------
 
@@ -267,12 +273,12 @@ BROKEN = [example({**UNSTABLE, "beta": [[1]]}), example({**UNSTABLE, "Lam": [["3
           example({**STABLE, "Phi": [["3/5"]], "H": [["41/50"]]}), example({**STABLE, "Phi": [["3/5"]]}),
           example({**STABLE, "Phi": [["3/5"]], "Qe": [["25/9"]]})]
 
+#: a nonnegative equilibrium and an undriven stable mode: P N = 0
+UNDRIVEN_STABLE = {"sizes": ["n", "p", "q"], "over": SMALL_MODE, "given": [*TWO_STEPS, *UNDRIVEN, INSIDE, *ALIKE],
+                   "by": [order([], [], [], [], VANISH, [inv(T(beta))], lemmas=DOWN), *BROKEN, instances(n=(1, 2, 3), p=(1, 2), q=(1,), **INSIDE_MADE)]}
+
 claim("D71-T3.20", "an undriven stable mode makes a nonnegative equilibrium singular",
-      P*N == Zero(n, q),
-      sizes=["n", "p", "q"], over=SMALL_MODE, given=[*TWO_STEPS, *UNDRIVEN, INSIDE, *ALIKE],
-      by=[order([], [], [], [], VANISH, [inv(T(beta))], lemmas=DOWN),
-          *BROKEN,
-          instances(n=(1, 2, 3), p=(1, 2), q=(1,), **INSIDE_MADE)],
+      P*N == Zero(n, q), **UNDRIVEN_STABLE,
       note="N is the vector n_d, and beta any number with |beta|^2 = 1 - |lambda|^2. As n_d is not zero, P is singular.")
 
 # --- the cross-reference in the proof ---------------------------------------------------------------------------------------

@@ -10,10 +10,11 @@ The matrices are real, and the transpose stands for the conjugate transpose.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order, steps
+from exactkf.evidence import example, instances, order, restated, steps
 from exactkf.language import (
     Identity,
     T,
+    Zero,
     block,
     given,
     iff,
@@ -54,11 +55,20 @@ claim("D71-E3.85", "an invariant form",
       by=[order(lemmas=[S*U + L == T(Phi)*L*Om, U*Om == H*L*Om + Phi*U, T(U)*S + T(L) == T(Om)*T(L)*Phi]),
           instances(6, n=(1,), p=(1, 2), q=(2,), **BLOCKS), instances(4, n=(2,), p=(1,), q=(4,), **BLOCKS)])
 
+X1, X2, W11, W12, W21, W22, q1, r1 = symbols("X1 X2 W11 W12 W21 W22 q1 r1")
+PAIRED = block([[X1, Zero(q, r1)], [Zero(r, q1), X2]])
+CUTS = {"q": (1, 2), "r": (1,), "q1": (1, 2), "r1": (1, 2)}
+
 claim("D71-E3.88", "Q and P",
-      (T(Gam)*F == T(Gam)*P*Gam) & iff(symmetric(T(Gam)*F), symmetric(P)),
-      sizes=["n"], over={F: matrix(n, n), Gam: nonsingular(n), P: matrix(n, n)}, given=[given("(3.11)", P == F*inv(Gam))],
-      by=[instances(4, n=(2, 3), made_by={P: F*inv(Gam)}), instances(4, n=(1, 2, 3), using={K: matrix(n, n)}, made_by={F: (K + T(K))*Gam, P: K + T(K)})],
-      note="The end of the argument. The blocks before it are (3.86) and (3.87).")
+      (T(PAIRED)*block([[W11, W12], [W21, W22]])*PAIRED == block([[T(X1)*W11*X1, T(X1)*W12*X2], [T(X2)*W21*X1, T(X2)*W22*X2]]))
+      & (T(Gam)*F == T(Gam)*P*Gam) & iff(symmetric(T(Gam)*F), symmetric(P)),
+      sizes=["n", "q", "r", "q1", "r1"],
+      over={F: matrix(n, n), Gam: nonsingular(n), P: matrix(n, n), X1: matrix(q, q1), X2: matrix(r, r1), W11: matrix(q, q), W12: matrix(q, r),
+            W21: matrix(r, q), W22: matrix(r, r)}, given=[given("(3.11)", P == F*inv(Gam))],
+      by=[order(), restated("a matrix cut into more blocks is one cut into two, again and again"),
+          instances(4, n=(2, 3), **CUTS, made_by={P: F*inv(Gam)}),
+          instances(4, n=(1, 2, 3), **CUTS, using={K: matrix(n, n)}, made_by={F: (K + T(K))*Gam, P: K + T(K)})],
+      note="X = diag(X_1, X_2), as (3.87) says; the first equation has the blocks for two groups of eigenvalues. W is L*U - U*L.")
 
 W = 2 + c[i]**2
 #: every state by itself, with the eigenvalue w or 1/w in J
