@@ -13,7 +13,7 @@ J, are outside the unit circle.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order
+from exactkf.evidence import example, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -132,7 +132,7 @@ claim("D71-E3.151", "the linear equation",
       (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C))
       & (symmetric(P) >> ((T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)))),
       sizes=["n", "p"], over={**ANY, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[example(SKEW), SOLVING],
+      by=[restated("U -> KUK' is stable if the eigenvalues of K are inside the unit circle, and unstable if one is outside."), example(SKEW), SOLVING],
       note="The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, (3.151) is U -> K U K* with K = "
            "B - PD = (DP - C)^{-*}, whose eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and "
            "grow if J has an eigenvalue inside.")

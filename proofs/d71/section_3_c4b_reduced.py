@@ -11,7 +11,7 @@ N'HN, so that P Phi'N = 0 and HN = 0.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -60,7 +60,8 @@ claim("D71-E3.193", "the equilibrium of the reduced equation",
       reduced(Iq) == Iq,
       sizes=["n", "p", "q"], over={**PROCESS, Ll: matrix(q, n)},
       where=[let(H, L*G*T(L))], given=[INVARIANT, given("P_e = LL' is an equilibrium", step(L*T(L)) == L*T(L)), given("L has independent columns", Ll*L == Iq)],
-      by=[order(lemmas=[L*reduced(Iq)*T(L) == L*T(L)]),
+      by=[restated("Modes of Phi on an invariant subspace are modes of Phi.", "A space that Phi keeps is the range of R_d only if the noise in it drives all its modes."),
+          order(lemmas=[L*reduced(Iq)*T(L) == L*T(L)]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[1]], Phil=[[1]], G=[["1/2"]], M=[[1]], V=[[1]], Ll=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[1]], Phil=[[2]], G=[[1]], M=[[1]], V=[[1]], Ll=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[0]], Phil=[[2]], G=[[1]], M=[[1]], V=[[1]], Ll=[[1]]),

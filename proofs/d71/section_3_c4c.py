@@ -10,7 +10,7 @@ no unstable or random walk mode is undriven. With the right H and V the limit is
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order
+from exactkf.evidence import example, first, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -114,7 +114,8 @@ claim("D71-E3.246", "the actual error covariance has a limit",
       given=[EQUILIBRIUM, standing("psi g", (y1 == al*g1 - be*g2) & (y2 == be*g1 + al*g2)), given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE),
              given("eigenvector of DP - C", (CLOSED*g1 == y1) & (CLOSED*g2 == y2)),
              given("|psi| <= 1", al**2 + be**2 <= 1)],
-      by=[induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
+          induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
           # a driven mode, and one that is stable
           example({**ONE, "H": [["1/2"]], "P": [[1]], "alpha": 2, "y1": [2]}),
           example({**ONE, "Phi": [["1/2"]], "alpha": 2, "y1": [2], "Ha": [["3/4"]], "Pae": [[1]]}),

@@ -11,7 +11,7 @@ where the definition has that nothing of the mode is orthogonal to it.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, induction, instances, order, steps
+from exactkf.evidence import example, induction, instances, order, part, steps
 from exactkf.language import (
     Identity,
     T,
@@ -66,7 +66,7 @@ claim("D71-S69", "the equation cited for the limit of the actual covariance",
       repair=repair("cross-reference", "P_ae is the solution of (3.246); (3.101) is the remainder R in the proof of Theorem 3.17",
                     AROUND, sizes=["n", "p"], over={**SYSTEM, Pae: symmetric_matrix(n)}, where=[*COEFFICIENTS, *RUN],
                     given=[EQUILIBRIUM, given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE)],
-                    by=[induction(), example({**ONE, "Pae": [[1]]}), example({**ONE, "Pae": [[0]]}),
+                    by=[part("P_k = P_e"), induction(), example({**ONE, "Pae": [[1]]}), example({**ONE, "Pae": [[0]]}),
                         instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), c: vector(n)},
                                   made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E),
                                            M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
@@ -85,7 +85,8 @@ def stable_equilibrium():
     return repair("missing hypothesis", SLOPE_ONE, one_state.STABLE,
                   over={**one_state.ANY, one_state.r: nonneg()}, where=[one_state.GRAPH, let(one_state.e, one_state.upper)],
                   given=[one_state.EXISTS, given("not an undriven random walk", ~((one_state.h == 0) & (one_state.phi**2 == 1))), one_state.IS_ROOT],
-                  by=[steps("D71-E3.8", facts=["A differentiable map is stable at a fixed point where its slope is below one in absolute value."],
+                  by=[part("one state"),
+                      steps("D71-E3.8", facts=["A differentiable map is stable at a fixed point where its slope is below one in absolute value."],
                             prose="The equilibria have product -hv/m^2 and the larger one has the smaller slope; the slopes multiply to one."),
                       example(phi=1, m=1, v=1, h=0, r=0), instances(made_by=one_state.FROM_Q, using={one_state.q: scalar()})])
 
