@@ -104,14 +104,16 @@ claim("D71-T3.22", "local stability",
 
 v, mu, dd, ell, rr, Us = symbols("v mu dd ell rr Us")
 claim("D71-E3.167", "the deviation as a product of vectors",
-      always(k, (Us[k]*y == ell[k]*(T(rr[k])*y)) & (K*ell[k] == mu*ell[k])), sizes=["n"],
-      over={K: matrix(n, n), D: matrix(n, n), v: vector(n), y: vector(n), mu: scalar(), dd: scalar()},
-      where=[rec(Us, k, dd**2*v*T(v), K*Us[k]*T(K)*inv(I + D*Us[k]*T(K))), rec(ell, k, dd*v, mu*ell[k]), rec(rr, k, dd*v, inv(I + K*T(Us[k])*T(D))*K*rr[k])],
-      given=[given("v at mu", K*v == mu*v)],
-      by=[induction(also=[Us[k] == ell[k]*T(rr[k])]), example(n=2, K=[[1, 1], [0, 2]], D=[[1, 0], [1, 1]], v=[1, 1], y=[1, 2], mu=2, dd=1),
-          example(n=1, K=[[2]], D=[[1]], v=[1], y=[1], mu=3, dd=1),
-          instances(6, n=(1, 2), horizon=2, made_by={K: mu*I})],
-      note="l_k = dd mu^k v, with dd for delta. Said for any vector y that both sides are applied to.")
+      always(k, (Us[k]*y == ell[k]*(T(rr[k])*y)) & (K*ell[k] == ell[k]*mu)), sizes=["n", "q"],
+      over={K: matrix(n, n), D: matrix(n, n), v: matrix(n, q), y: vector(n), mu: matrix(q, q), dd: scalar()},
+      where=[rec(Us, k, dd**2*v*T(v), K*Us[k]*T(K)*inv(I + D*Us[k]*T(K))), rec(ell, k, dd*v, ell[k]*mu),
+             rec(rr, k, dd*v, inv(I + K*T(Us[k])*T(D))*K*rr[k])],
+      given=[given("v at mu", K*v == v*mu)],
+      by=[induction(also=[Us[k] == ell[k]*T(rr[k])]), example(n=2, q=1, K=[[1, 1], [0, 2]], D=[[1, 0], [1, 1]], v=[[1], [1]], y=[1, 2], mu=[[2]], dd=1),
+          example(n=1, q=1, K=[[2]], D=[[1]], v=[[1]], y=[1], mu=[[3]], dd=1),
+          instances(6, n=(1, 2), q=(1, 2), horizon=2, using={w: scalar()}, made_by={K: w*I, mu: w*Identity(q)})],
+      note="l_k = dd mu^k v, with dd for delta; mu stands on the right as a matrix, so that for a complex mu the columns of v are the two real vectors of a "
+           "complex one. Said for any vector y that both sides are applied to.")
 
 alp, dl, Y, beta = symbols("alpha delta Y beta")
 claim("D71-E3.176", "the deviation leaves, where alpha is not zero",
