@@ -171,14 +171,18 @@ not_checked("D71-S58", "the reduced equation converges", "Theorem 3.24 for the r
 
 # --- one mode --------------------------------------------------------------------------------------------------------------
 
+NUMBER = T(v)*T(M)*inv(M*P*T(M) + V)*M*v
 claim("D71-S56", "the number in the denominator is positive",
-      (Phi*v == l*v) & (T(v)*T(M)*inv(M*P*T(M) + V)*M*v == Zero(1, 1)), sizes=["n", "p"],
-      over={**MODEL, P: positive_semidefinite(n), v: matrix(n, 1), l: scalar()}, where=[let(K, Phi*(I - gain()*M))],
-      given=[given("(B - PD)v = mu v", K*v == l*v), given("Mv = 0", M*v == Zero(p, 1))],
-      by=[order(), example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[[1]], l=1),
-          example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=1),
-          example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=2), instances(4, n=(1, 2), p=(1,), made_by={M: Zero(p, n), Phi: l*I})],
-      note="The number v'M'(MPM' + V)^{-1}Mv is zero only if Mv = 0, and then v is an eigenvector of Phi: an unobservable mode. For real mu and v.")
+      psd(NUMBER) & (M*v == Zero(p, q)) & (Phi*v == v*l), sizes=["n", "p", "q"],
+      over={**MODEL, P: positive_semidefinite(n), v: matrix(n, q), l: matrix(q, q)}, where=[let(K, Phi*(I - gain()*M))],
+      given=[given("(B - PD)v = mu v", K*v == v*l), given("the number is zero", NUMBER == Zero(q, q))],
+      by=[order([NUMBER], [NUMBER], [], [], lemmas=[inv(M*P*T(M) + V)*M*v == Zero(p, q)]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[[1]], l=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=[[2]]),
+          instances(4, n=(1, 2), p=(1,), q=(1, 2), using={w: scalar()}, made_by={M: Zero(p, n), Phi: w*I, l: w*Identity(q)})],
+      note="The number v*M'(MPM' + V)^{-1}Mv is not negative, and zero only if Mv = 0 and v is an eigenvector of Phi: an unobservable mode. mu stands on the "
+           "right as a matrix: a complex v is two real columns.")
 
 STABLE_K = given("B - PD is inside the circle", schur(K))
 TWICE = [T(v)*v, w*T(v)*S*v]
@@ -188,7 +192,8 @@ claim("D71-S59", "what a stable B - PD excludes",
       given=[given("P is an equilibrium", P == step()), STABLE_K, given("v unobservable", (Phi*v == l*v) & (M*v == Zero(p, 1))),
              given("not stable", l**2 == 1 + w),
              given("n undriven", (T(Phi)*nd == s*nd) & (H*nd == Zero(n, 1))), given("random walk", s**2 == 1)],
-      by=[order([T(nd)*P*T(M)*inv(M*P*T(M) + V)*M*P*nd], [], [], TWICE, [T(nd)*nd],
+      by=[part("real eigenvalues; that P >= 0 is D71-S42"),
+          order([T(nd)*P*T(M)*inv(M*P*T(M) + V)*M*P*nd], [], [], TWICE, [T(nd)*nd],
                 lemmas=[M*P*nd == Zero(p, 1), T(K)*nd == s*nd, K*v == l*v], inside=[within(3, solutions={S: (T(K), I)}), within(4, solutions={Y: (K, I)})]),
           example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[[0]], l=2, w=3, nd=[[1]], s=1),
           example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[0]], v=[[0]], l=1, w=0, nd=[[1]], s=1),
