@@ -110,34 +110,34 @@ claim("D71-S74", "the two equilibria beside an undriven unstable mode",
 # --- the variance of a random walk mode ------------------------------------------------------------------------------------
 
 nd, v, s, b, r, P0, Var = symbols("nd v s b r P0 Var")
-MODE = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), P0: positive_semidefinite(n), nd: vector(n),
-        v: vector(n), s: scalar()}
-WALK = [given("random walk", s**2 == 1), given("undriven", (T(Phi)*nd == s*nd) & (H*nd == Zero(n, 1))),
-        given("unobservable", (Phi*v == s*v) & (M*v == Zero(p, 1)))]
+MODE = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), P0: positive_semidefinite(n), nd: matrix(n, q),
+        v: matrix(n, q), s: matrix(q, q)}
+WALK = [given("undriven", (T(Phi)*nd == nd*T(s)) & (H*nd == Zero(n, q))), given("unobservable", (Phi*v == v*s) & (M*v == Zero(p, q)))]
 SOLUTION = [rec(P, k, P0, step(P[k])), let(Var, T(nd)*P0*nd)]
 CONSTANT = always(k, T(nd)*P[k]*nd == Var)
 CORRELATED = {"n": 2, "p": 1, "Phi": [[1, 0], [0, "1/2"]], "H": [[0, 0], [0, 0]], "M": [[0, 1]], "V": [[1]], "P0": [[1, "1/2"], ["1/2", 1]],
-              "nd": [1, 0], "v": [1, 0], "s": 1}
-PLAIN = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[0]], "V": [[1]], "P0": [[3]], "nd": [1], "v": [1], "s": 1, "b": 3}
+              "q": 1, "nd": [[1], [0]], "v": [[1], [0]], "s": [[1]]}
+PLAIN = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[0]], "V": [[1]], "P0": [[3]], "q": 1, "nd": [[1]], "v": [[1]], "s": [[1]], "b": [[3]]}
 REST = n - 1
 
 claim("D71-S72", "the variance of a random walk mode that is neither driven nor measured",
-      CONSTANT, sizes=["n", "p"], over=MODE, where=SOLUTION, given=WALK,
-      by=[example(CORRELATED), instances(n=(1,), p=(1,), horizon=2)],
+      CONSTANT, sizes=["n", "p", "q"], over=MODE, where=SOLUTION, given=[*WALK, given("random walk", s*T(s) == Identity(q))],
+      by=[example(CORRELATED), instances(n=(1,), p=(1,), q=(1,), horizon=2)],
       repair=repair(
-          "missing hypothesis", "the variance falls if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
+          "missing hypothesis", "the variance may fall if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
                                 "the vector of the mode",
-          always(k, (P[k]*nd == b*v) & (T(nd)*P[k]*nd == Var)), sizes=["n", "p"], over={**MODE, b: scalar()}, where=SOLUTION,
-          given=[*WALK, given("uncorrelated", P0*nd == b*v)],
-          by=[induction(), example({**CORRELATED, "b": 1}), example({**PLAIN, "Phi": [[2]], "s": 2}), example({**PLAIN, "H": [[1]]}),
+          always(k, (P[k]*nd == v*b) & (T(nd)*P[k]*nd == Var)), sizes=["n", "p", "q"], over={**MODE, b: matrix(q, q)}, where=SOLUTION,
+          given=[*WALK, given("random walk", s*b*T(s) == b), given("uncorrelated", P0*nd == v*b)],
+          by=[induction(), example({**CORRELATED, "b": [[1]]}), example({**PLAIN, "Phi": [[2]], "s": [[2]]}), example({**PLAIN, "H": [[1]]}),
               example({**PLAIN, "M": [[1]]}),
-              example({**PLAIN, "b": 2}),
-              instances(6, n=(2, 3), p=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
-                        made_by={s: 1, Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E),
+              example({**PLAIN, "b": [[2]]}),
+              instances(6, n=(2, 3), p=(1,), q=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
+                        made_by={s: Identity(1), Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E),
                                  nd: inv(T(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
-                                 v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), b: r**2, H: Zn, M: hstack(Zero(1, 1), c)*inv(E),
+                                 v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), b: r**2*Identity(1), H: Zn, M: hstack(Zero(1, 1), c)*inv(E),
                                  P0: E*block([[r**2*Identity(1), Zero(1, REST)], [Zero(REST, 1), D*T(D)]])*T(E)})]),
-      note="The variance of the mode is n'P_k n with Phi'n = sn, s = 1 or -1. In the counterexample the other mode, 1/2, is measured, and the first "
+      note="The variance of the mode is n*P_k n with Phi'n = s*n and |s| = 1. s and b stand on the right as matrices, so that they may be complex: numbers are "
+           "2 x 2 matrices that commute, and s b s* = b says |s| = 1. In the counterexample the other mode, 1/2, is measured, and the first "
            "measurement lowers the variance from 1 to 7/8. That the equilibria form a continuum is not stated here.")
 
 # --- the definition that is recalled --------------------------------------------------------------------------------------
