@@ -126,9 +126,9 @@ claim("D71-S72", "the variance of a random walk mode that is neither driven nor 
       repair=repair(
           "missing hypothesis", "the variance may fall if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
                                 "the vector of the mode",
-          always(k, (P[k]*nd == v*b) & (T(nd)*P[k]*nd == Var)), sizes=["n", "p", "q"], over={**MODE, b: matrix(q, q)}, where=SOLUTION,
+          always(k, T(nd)*P[k]*nd == Var), sizes=["n", "p", "q"], over={**MODE, b: matrix(q, q)}, where=SOLUTION,
           given=[*WALK, given("random walk", s*b*T(s) == b), given("uncorrelated", P0*nd == v*b)],
-          by=[induction(), example({**CORRELATED, "b": [[1]]}), example({**PLAIN, "Phi": [[2]], "s": [[2]]}), example({**PLAIN, "H": [[1]]}),
+          by=[induction(also=[P[k]*nd == v*b]), example({**CORRELATED, "b": [[1]]}), example({**PLAIN, "Phi": [[2]], "s": [[2]]}), example({**PLAIN, "H": [[1]]}),
               example({**PLAIN, "M": [[1]]}),
               example({**PLAIN, "b": [[2]]}),
               instances(6, n=(2, 3), p=(1,), q=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
