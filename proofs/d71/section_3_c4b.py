@@ -19,7 +19,7 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order, part, restated
+from exactkf.evidence import example, first, induction, instances, order, part, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -41,6 +41,7 @@ from exactkf.language import (
     rational,
     rec,
     scalar,
+    schur,
     standing,
     sym,
     symbols,
@@ -157,14 +158,15 @@ LIMIT = given("(3.187)", S - T(K)*S*K == W)
 claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
       always(t, (X[t] == inv(P) - Sk[t]) & (Sk[t] - T(K)*Sk[t]*K == W - T(Pi[t])*W*Pi[t]) & (S - Sk[t] == T(Pi[t])*S*Pi[t]))
       & always(t, loewner(X[t], inv(P) - S)),
-      sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: positive_semidefinite(n)}, where=SUMS, given=[LIMIT],
-      by=[induction(also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=[order(), order([], [], [], [S])],
+      sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: symmetric_matrix(n)}, where=SUMS,
+      given=[LIMIT, given("K is inside the circle", schur(K))],
+      by=[induction(before=[first(psd(S), base=order([W], inside=[within(0, stein=T(K))]))], also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=[order(), order([], [], [], [S])],
                     step=[order(), order([], [], [], [T(K*Pi[t])*S*(K*Pi[t])])]),
           instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), Q: matrix(n, n), a: matrix(n, 1)},
                     made_by={K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E),
                              W: T(inv(E))*(Q*T(Q))*inv(E),
                              S: T(inv(E))*matrix_of(i, j, n, n, (Q*T(Q))[i, j]/(1 - 1/((2 + a[i]**2)*(2 + a[j]**2))))*inv(E)})],
-      note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle (D71-E8.14); S_k solves (3.186). The last equation "
+      note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle; S_k solves (3.186). The last equation "
            "is the distance of S_k from S. Pi_k = K^k.")
 
 Sum, R, BELOW, LESS_H = symbols("Sum R BELOW LESS_H")
