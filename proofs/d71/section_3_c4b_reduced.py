@@ -82,7 +82,7 @@ EQUILIBRIUM = given("P is an equilibrium", P == step())
 WAY = [P == Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi) + Phi*GAIN*V*T(GAIN)*T(Phi) + H, (TERMS[0] + TERMS[1] + TERMS[2])*Identity(q) == Zero(q, q),
        V*T(GAIN)*T(Phi)*N == Zero(p, q), T(GAIN)*T(Phi)*N == Zero(p, q), P*T(I - GAIN*M)*T(Phi)*N == GONE]
 QUIET = {Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E), M: matrix_of(i, j, p, n, when(i == j + 1, 1, 0))*inv(E),
-         P: L*T(L), L: matrix_of(i, j, n, n - q, E[i, j + q]*(1 + c[j]**2)), N: inv(T(E))*matrix_of(i, j, n, q, when(i == j, 1, 0)),
+         L: matrix_of(i, j, n, n - q, E[i, j + q]*(1 + c[j]**2)), P: L*T(L), N: inv(T(E))*matrix_of(i, j, n, q, when(i == j, 1, 0)),
          H: P - Phi*update()*T(Phi)}
 
 LEFT = inv(T(L)*L)*T(L)
@@ -123,4 +123,4 @@ claim("D71-E3.194", "the covariance equation on undriven modes",
                              M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), P: E*matrix_of(i, j, n, n, when(i == j, (1 + c[i]**2)**2 - 1, 0))*T(E),
                              H: P - Phi*update()*T(Phi),
                              N: inv(T(E))*matrix_of(i, j, n, q, when(i == 1, 1, 0)), Lam: (1 + c[1]**2)*Iq})],
-      note="Here Lambda_d is not starred, unlike in (3.60). ")
+      note="Here Lambda_d is not starred, unlike in (3.60).")
