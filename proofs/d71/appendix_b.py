@@ -27,7 +27,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, first, generic_index, identity, induction, instances, lemma, order, use, within
+from exactkf.evidence import example, first, generic_index, identity, induction, instances, lemma, order, restated, use, within
 from exactkf.language import (
     Identity,
     T,
@@ -237,7 +237,8 @@ FROM_POLYNOMIAL = {
     "given": [standing("the powers, counted from the end", forall(k, 0, r, power[k + 1] == A*power[k])),
               given("(8.8)", power[r + 1]*x == tail[r + 1]*x), given("a zero of phi", quot[r + 1] == 0),
               given("p is the smallest", forall(k, 0, r - 1, ell*power[k]*x == Zero(1, 1)) & (ell*power[r]*x == Identity(1)))],
-    "by": [induction(before=[first(forall(t_, 0, r + 1, REMAINDER)), first(forall(t_, 1, r + 1, ell*theta_t[t_]*x == Identity(1)))]),
+    "by": [restated("A polynomial has a complex zero, and identities between polynomials that hold for real numbers hold for complex ones."),
+           induction(before=[first(forall(t_, 0, r + 1, REMAINDER)), first(forall(t_, 1, r + 1, ell*theta_t[t_]*x == Identity(1)))]),
            example(n=1, r=0, A=[[1]], x=[[1]], a=[2], lam=2, ell=[[1]]), example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=2, ell=[[1]]),
            example(n=1, r=0, A=[[1]], x=[[1]], a=[1], lam=1, ell=[[0]]),
            instances(n=range(1, 4), r=range(3), using={E: nonsingular(n), d: vector(n)},
@@ -291,7 +292,8 @@ THIN = matrix_of(i, j, n, n, when((i == 1) | (j == 1), 0, FULL[i, j]))
 claim("D71-E8.14", "the solution as a series",
       always(t, Q - partial[t] == T(back[t])*Q*back[t]) & (pd(R) >> pd(Q)),
       sizes=["n"], over={A: nonsingular(n), Q: symmetric_matrix(n), R: symmetric_matrix(n)}, where=SUMS, given=[LYAPUNOV, OUTSIDE],
-      by=[induction(base=(order(), order([T(inv(A))*R*inv(A)], inside=[within(0, stein=T(inv(A)))]))),
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
+          induction(base=(order(), order([T(inv(A))*R*inv(A)], inside=[within(0, stein=T(inv(A)))]))),
           example(n=1, A=[["1/2"]], Q=[[-4]], R=[[3]]), instances(n=range(1, 4), **solved(FULL)), instances(n=range(1, 4), **solved(-FULL))],
       note="Real case. The remainder after N terms is (A^{-N})'QA^{-N} exactly, for every solution Q; as it tends to zero the series converges to Q "
            "and there is one solution only.")
@@ -372,7 +374,8 @@ claim("D71-T8.4", "when the solution is singular",
       given=[LYAPUNOV, OUTSIDE, standing("|lambda| > 1, as for all eigenvalues", al**2 + be**2 > 1), given("an eigenvector", eigenvector(u, w)),
              given("a null vector of R", (R*u == GONE) & (R*w == GONE)), standing("another eigenvector", eigenvector(x1, x2)),
              given("a null vector of Q", (Q*x1 == GONE) & (Q*x2 == GONE)), given("any null vector of Q", Q*n1 == GONE)],
-      by=[order([T(inv(A))*R*inv(A)], [], [1/MODULUS], [], [Q, R], FORM_OF_Q, FORM_OF_Q, FORM_OF_R, FORM_OF_R, [Q, R], [Q, R],
+      by=[restated("An invariant subspace other than {0} contains an eigenvector."),
+          order([T(inv(A))*R*inv(A)], [], [1/MODULUS], [], [Q, R], FORM_OF_Q, FORM_OF_Q, FORM_OF_R, FORM_OF_R, [Q, R], [Q, R],
                 lemmas=[psd(Q), MODULUS*(T(u)*Q*u + T(w)*Q*w) == 0, (T(u)*Q*u + T(w)*Q*w)*Identity(1) == Zero(1, 1),
                         (T(x1)*R*x1 + T(x2)*R*x2)*Identity(1) == Zero(1, 1), (Q + R)*n2 == GONE],
                 inside=[within(0, stein=T(inv(A)))]),

@@ -11,7 +11,7 @@ The matrices are real; the transpose stands for the conjugate transpose.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -55,7 +55,8 @@ PARTS = [let(S1, T(hstack(Identity(q), Zero(q, m))*inv(hstack(T1, T2)))), let(S2
 claim("D71-E9.8", "two direct sums that are biorthogonal",
       (T(S1)*T2 == Zero(q, m)) & (T(S2)*T1 == Zero(m, q)) & (T1*T(S1) + T2*T(S2) == Identity(q + m)) & (S1*T(T1) + S2*T(T2) == Identity(q + m)),
       sizes=["q", "m"], over={T1: matrix(q + m, q), T2: matrix(q + m, m)}, where=PARTS, by=[order(), instances(q=(1, 2), m=(1, 2))],
-      note="Two blocks, of sizes q and m: every vector is a sum of one in the range of T_1 and one in that of T_2, and the same for S_1 and S_2.")
+      note="Two blocks, of sizes q and m: every vector is a sum of one in the range of T_1 and one in that of T_2, and the same for S_1 and S_2. Of several "
+           "blocks T_1 is any one, and T_2 all others.")
 
 SUM = [rec(Up, k, I, T(Phi)*Up[k]), rec(Rd, k, Zero(n, n), Rd[k] + T(Up[k])*H*Up[k])]
 MODE = {Phi: matrix(n, n), H: positive_semidefinite(n)}
@@ -67,7 +68,7 @@ claim("D71-E9.18", "null vectors of R_d",
       forall(k, 0, N, Rd[k]*v == Zn),
       sizes=["n", "N"], over={**MODE, v: vector(n), mu: matrix(1, 1)}, where=SUM,
       given=[given("an eigenvector of Phi'", T(Phi)*v == v*mu), given("a null vector of H", H*v == Zn)],
-      by=[induction(also=[H*(Up[k]*v) == Zn, T(Phi)*(Up[k]*v) == Up[k]*v*mu]),
+      by=[part("the first half"), induction(also=[H*(Up[k]*v) == Zn, T(Phi)*(Up[k]*v) == Up[k]*v*mu]),
           example(n=1, N=1, Phi=[[1]], H=[[1]], v=[1], mu=[[1]]), example(n=2, N=2, Phi=[[1, 0], [1, 1]], H=[[0, 0], [0, 1]], v=[1, 0], mu=[[1]]),
           example(n=2, N=2, Phi=[[1, 1], [0, 1]], H=[[0, 0], [0, 1]], v=[1, 0], mu=[[1]]),
           instances(6, n=(2, 3), N=(1, 2), using=CORNERED["using"], made_by={**CORNERED["made_by"], mu: matrix_of(i, j, 1, 1, X[1, 1])})],

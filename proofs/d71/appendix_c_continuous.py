@@ -8,7 +8,7 @@ sigma_i; a mode is driven if its part is zero.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances
+from exactkf.evidence import example, induction, instances, part, restated
 from exactkf.language import (
     Identity,
     T,
@@ -48,18 +48,19 @@ REAL = ("For n different real eigenvalues: A = E diag(lambda)E^{-1}, the mode m 
         "inverse of E'. R_c is replaced by the sum of the A^k H A'^k for k < n, which has the same range. ")
 
 claim("D71-T9.1", "driven modes in continuous time",
-      iff(DRIVEN, H*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=CASES,
+      iff(DRIVEN, H*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=[part("different real eigenvalues"), *CASES],
       note=REAL + "DRIVEN says that the mode lies in the range.")
 
 claim("D71-S78", "driven modes and null vectors of R_c",
-      iff(DRIVEN, Rc*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=CASES,
+      iff(DRIVEN, Rc*seen != Zero(n, 1)), **DIFFERENT, where=MODES, given=[NUMBER, *UNSTABLE], by=[part("different real eigenvalues"), *CASES],
       note=REAL + "The null space of R_c is invariant under A', which is why it is inside the sum of the other sigma_j if it meets sigma_i in 0 only; for "
                   "another nonnegative matrix that would not follow.")
 
 claim("D71-E9.11", "an eigenvector that is a null vector of H",
       always(k, Rd[k]*nd == Zero(n, 1)), sizes=["n"], over={A: matrix(n, n), H: positive_semidefinite(n), nd: vector(n), mu: scalar()}, where=SUM,
       given=[given("A'n = mu n", T(A)*nd == mu*nd), given("Hn = 0", H*nd == Zero(n, 1))],
-      by=[induction(also=[H*T(Pw[k])*nd == Zero(n, 1)]), example(n=1, A=[[2]], H=[[1]], nd=[1], mu=2),
+      by=[restated("The integral of e^{At}He^{A't} has the null space of the sum of the A^jHA'^j, j < n."),
+          induction(also=[H*T(Pw[k])*nd == Zero(n, 1)]), example(n=1, A=[[2]], H=[[1]], nd=[1], mu=2),
           example(n=2, A=[[1, 0], [1, 2]], H=[[1, 0], [0, 0]], nd=[0, 1], mu=2),
           instances(4, n=(1, 2), made_by={A: mu*I, H: Zero(n, n)})],
       note="For the sums of A^j H (A')^j instead of the integral: each term annihilates n, as each value of the integrand does. The H before n, which the "

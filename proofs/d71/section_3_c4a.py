@@ -13,7 +13,7 @@ J, are outside the unit circle.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order
+from exactkf.evidence import example, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -26,6 +26,7 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
+    nonneg,
     nonsingular,
     pd,
     positive_definite,
@@ -37,7 +38,7 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, M, P, Phi, V, gram, n, p, step, update
 
-q, S, A, B, C, D, U, U1, P1, x, y, v, X = symbols("q S A B C D U U1 P1 x y v X")
+q, S, A, B, C, D, U, U1, P1, x, y, v, W, X = symbols("q S A B C D U U1 P1 x y v W X")
 I, Zn = Identity(n), Zero(n, n)
 PhiT = inv(T(Phi))
 GRAM = let(S, gram())
@@ -101,18 +102,22 @@ SKEW = {"n": 2, "p": 1, "Phi": [[2, -1], [0, "1/2"]], "H": [[4, 6], [6, 9]], "M"
 
 HERE, NEAR = symbols("HERE NEAR")
 GROWN = 4*I + 4*X + 4*T(X) + 4*X*T(X)
+far, near = symbols("far near")
 
 claim("D71-S52", "I + SP stays nonsingular near an equilibrium",
       invertible(HERE) & invertible(NEAR),
-      sizes=["n", "p"], over={**DEVIATION, X: matrix(n, n)}, where=[GRAM, let(HERE, I + S*P), let(NEAR, I + S*(P + U))],
-      given=[EQUILIBRIUM, given("X = (I + SP)^{-1}SU", (I + S*P)*X == S*U), given("X is small", loewner(I, 4*X*T(X)))],
-      by=[order([2*(I + 2*X)*T(I + 2*X), I - 4*X*T(X), I], [I - T(M)*inv(M*P*T(M) + V)*M*P], [4*T(I + X)*inv(GROWN)*inv(HERE)], lemmas=[pd(GROWN)]),
-          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], U=[[-2]], X=[[-1]]),
-          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], U=[[-2]], X=[[0]]),
-          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[-1]], U=[[0]], X=[[0]]),
-          instances(8, n=(1, 2), p=(1,), using={P: symmetric_matrix(n), y: matrix(n, n)},
-                    made_by={**SOLVED, U: y*(1/(1 + 4*trace(T(inv(I + gram()*P)*gram()*y)*inv(I + gram()*P)*gram()*y))), X: inv(I + gram()*P)*gram()*U})],
-      note="A neighbourhood is all U with XX' <= I/4 for X = (I + SP)^{-1}SU, which every small enough U satisfies.")
+      sizes=["n", "p"], over={P: matrix(n, n), M: matrix(p, n), V: positive_definite(p), U: matrix(n, n), far: nonneg(), near: nonneg()},
+      where=[GRAM, let(HERE, I + S*P), let(NEAR, I + S*(P + U)), let(W, T(M)*inv(M*P*T(M) + V)*M), let(X, W*U)],
+      given=[given("a bound of W", loewner(far*I, W*T(W))), given("U is small", loewner(near*I, U*T(U))), given("how small", 4*far*near <= 1)],
+      by=[order([4*W*(near*I - U*T(U))*T(W), 4*near*(far*I - W*T(W)), (1 - 4*far*near)*I], [2*(I + 2*X)*T(I + 2*X), I - 4*X*T(X), I],
+                [I - W*P], [4*T(I + X)*inv(GROWN)*inv(HERE)], lemmas=[loewner(I, 4*X*T(X)), pd(GROWN)]),
+          example(n=1, p=1, M=[[1]], V=[[1]], P=[[1]], U=[[-2]], far="1/4", near=4),
+          example(n=1, p=1, M=[[1]], V=[[1]], P=[[1]], U=[[-2]], far="1/4", near=1),
+          example(n=1, p=1, M=[[1]], V=[[1]], P=[[1]], U=[[-2]], far="1/16", near=4),
+          instances(8, n=(1, 2), p=(1,), using={y: matrix(n, n)},
+                    made_by={far: trace(T(W)*W), near: 1/(4*far + 1), U: y*(1/(1 + (4*far + 1)*trace(T(y)*y)))})],
+      note="The neighbourhood is UU' <= near I, a ball in the spectral norm, with near = 1/(4 far) for any number far with WW' <= far I, such as the trace of "
+           "WW'. Of the equilibrium nothing is used but that MPM' + V is nonsingular there, as its equation presupposes.")
 
 claim("D71-E3.150", "the equation of the deviation",
       U1 == (B - P*D)*U*inv((D*P - C) + D*U),
@@ -132,7 +137,7 @@ claim("D71-E3.151", "the linear equation",
       (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C))
       & (symmetric(P) >> ((T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)))),
       sizes=["n", "p"], over={**ANY, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[example(SKEW), SOLVING],
+      by=[restated("U -> KUK' is stable if the eigenvalues of K are inside the unit circle, and unstable if one is outside."), example(SKEW), SOLVING],
       note="The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, (3.151) is U -> K U K* with K = "
            "B - PD = (DP - C)^{-*}, whose eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and "
            "grow if J has an eigenvalue inside.")

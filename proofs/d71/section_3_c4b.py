@@ -19,7 +19,7 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, first, induction, instances, order, part, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -41,6 +41,7 @@ from exactkf.language import (
     rational,
     rec,
     scalar,
+    schur,
     standing,
     sym,
     symbols,
@@ -75,7 +76,8 @@ claim("D71-E3.179", "the linear bound",
       sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), Y: positive_definite(n), r: nonneg()},
       where=[rec(W, t, U0, K*W[t]*T(K)), rec(SHRINKING, t, Y, r*SHRINKING[t])],
       given=[LYAPUNOV, given("U_0 <= Y", loewner(Y, U0)), standing("r < 1", r < 1)],
-      by=[induction(also=[loewner(r*SHRINKING[t], K*SHRINKING[t]*T(K))],
+      by=[restated("The eigenvalues of K are inside the unit circle exactly if KYK' <= rY for some Y > 0 and r < 1."),
+          induction(also=[loewner(r*SHRINKING[t], K*SHRINKING[t]*T(K))],
                     base=order([r*Y - K*Y*T(K)], [U0], [Y - U0]),
                     step=order([r*(r*SHRINKING[t] - K*SHRINKING[t]*T(K))], [K*W[t]*T(K)],
                                [r*SHRINKING[t] - K*SHRINKING[t]*T(K), K*(SHRINKING[t] - W[t])*T(K)])),
@@ -118,8 +120,10 @@ claim("D71-E3.182", "the deviation lies between zero and the linear bound",
       always(t, psd(U[t]) & loewner(BOUND[t], U[t])),
       sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n)},
       where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K))],
-      by=[induction(base=order([U0], [Zn]), step=order([K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
-                                                      [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)])),
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
+          induction(base=order([U0], [Zn]),
+                    step=order([K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
+                               [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)])),
           instances(8, n=(1, 2), horizon=2)],
       note="W = K*D = M'(MPM' + V)^{-1}M >= 0 by D71-S53, which makes (3.178) the recursion of U. The bound is W_k of (3.179) and its excess is X_k. "
            "Both tend to zero as the bound does.")
@@ -154,14 +158,15 @@ LIMIT = given("(3.187)", S - T(K)*S*K == W)
 claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
       always(t, (X[t] == inv(P) - Sk[t]) & (Sk[t] - T(K)*Sk[t]*K == W - T(Pi[t])*W*Pi[t]) & (S - Sk[t] == T(Pi[t])*S*Pi[t]))
       & always(t, loewner(X[t], inv(P) - S)),
-      sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: positive_semidefinite(n)}, where=SUMS, given=[LIMIT],
-      by=[induction(also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=[order(), order([], [], [], [S])],
+      sizes=["n"], over={P: positive_definite(n), K: matrix(n, n), W: positive_semidefinite(n), S: symmetric_matrix(n)}, where=SUMS,
+      given=[LIMIT, given("K is inside the circle", schur(K))],
+      by=[induction(before=[first(psd(S), base=order([W], inside=[within(0, stein=T(K))]))], also=[X[t] == inv(P) - Sk[t], S - Sk[t] == T(Pi[t])*S*Pi[t], K*Pi[t] == Pi[t]*K], base=[order(), order([], [], [], [S])],
                     step=[order(), order([], [], [], [T(K*Pi[t])*S*(K*Pi[t])])]),
           instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), Q: matrix(n, n), a: matrix(n, 1)},
                     made_by={K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E),
                              W: T(inv(E))*(Q*T(Q))*inv(E),
                              S: T(inv(E))*matrix_of(i, j, n, n, (Q*T(Q))[i, j]/(1 - 1/((2 + a[i]**2)*(2 + a[j]**2))))*inv(E)})],
-      note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle (D71-E8.14); S_k solves (3.186). The last equation "
+      note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle; S_k solves (3.186). The last equation "
            "is the distance of S_k from S. Pi_k = K^k.")
 
 Sum, R, BELOW, LESS_H = symbols("Sum R BELOW LESS_H")
@@ -198,7 +203,8 @@ claim("D71-S54", "a null vector of (P - H)^{-1} - P^{-1}",
       (T(Phi)*inv(P)*v == inv(P)*v*mu) & (H*inv(P)*v == Zero(n, q)),
       sizes=["n", "p", "q"], over={**FROM_ZERO, v: matrix(n, q), mu: matrix(q, q)}, where=COEFFICIENTS,
       given=[EQUILIBRIUM, given("eigenvector of (DP - C)*", T(LP)*v == v*mu), given("null vector", (inv(P - H) - inv(P))*v == Zero(n, q))],
-      by=[order(lemmas=[LP == PhiT*(I + S*P), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H), TIGHT*v == inv(P)*v,
+      by=[part("a null vector is an undriven mode; not that there is none"),
+          order(lemmas=[LP == PhiT*(I + S*P), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H), TIGHT*v == inv(P)*v,
                         P*T(Phi)*inv(P)*v == P*inv(P)*v*mu]),
           example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[[2]]),
           example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], v=[1], mu=[[1]]),
@@ -282,6 +288,7 @@ claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium",
       always(t, U[t] == Pi[t]*U0*inv(I + E*U0 - T(Pi[t])*E*Pi[t]*U0)*T(Pi[t])),
       sizes=["n"], over={**ANY_KL, U0: matrix(n, n), E: matrix(n, n)}, where=[POWERS, rec(U, t, U0, K*U[t]*inv(L + D*U[t]))],
       given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I))],
-      by=[instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero.", "The inverse is continuous."),
+          instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
       note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}. If the eigenvalues of K are inside the unit circle then K^k tends to zero and "
            "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero; stated here is the formula, not that limit.")

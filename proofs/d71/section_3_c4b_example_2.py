@@ -9,7 +9,7 @@ first step on, while x_11 = a k^2/N_k rises until N_k has grown too large.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, identity, instances, order
+from exactkf.evidence import evaluation, example, identity, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -110,7 +110,7 @@ claim("D71-E3.221", "the deviation, and its coordinates",
 
 claim("D71-S60", "the equilibrium of the example",
       (step(P) == P) & (Phi*(I2 - gain(P)*M) == Phi),
-      where=[*DATA, let(P, Zero(2, 2))], by=[evaluation()],
+      where=[*DATA, let(P, Zero(2, 2))], by=[part("0 is an equilibrium; not that it is the only one"), evaluation()],
       note="B - PD is Phi at P = 0, and DP - C its inverse transposed. That there is no other equilibrium is not stated here.")
 
 FOUR = sym("FOUR")
@@ -147,14 +147,15 @@ claim("D71-S61", "the linearized equation is unstable, and yet the solutions com
       always(k, (Lin[k]*left == TT*rows([[a*k**2, a*k], [a*k, a]])*T(TT)*left) & (Ns[k]*(TT*X[k]*T(TT))*left == Lin[k]*left)),
       over={a: nonneg(), left: matrix(2, 1)},
       where=[*DATA, WALK, rec(Ns, k, 1, Ns[k] + a*(k + 1)**2), rec(Lin, k, TT*rows([[0, 0], [0, a]])*T(TT), Phi*Lin[k]*T(Phi))],
-      by=[instances(12, horizon=6)],
+      by=[part("the solutions from diag(0, a)"), instances(12, horizon=6)],
       note="For the solution from diag(0, a). The linearized one grows like k^2; the solution is that divided by N_k = 1 + a(1 + 4 + ... + k^2), which grows "
            "like k^3, "
            "so it tends to zero. The two matrices are compared by their products with any vector.")
 
 claim("D71-S63", "slightly negative values diverge",
       forall(k, 0, 5, (X[k][1, 1] <= Y[k][1, 1]) & (Y[k][1, 1] <= 0)) & (2*X[6][1, 1] < 3*Y[6][1, 1]),
-      where=[*DATA, let(a, rational("-1/200")), WALK, rec(Y, k, rows([[0, 0], [0, a]]), Lam*Y[k]*T(Lam))], by=[evaluation()],
+      where=[*DATA, let(a, rational("-1/200")), WALK, rec(Y, k, rows([[0, 0], [0, a]]), Lam*Y[k]*T(Lam))],
+      by=[part("a = -1/200, the first six samples"), evaluation()],
       note="For a = -1/200; Y is the solution of the linearized equation, -k^2/200 in its first entry. The divisor N_k falls from 1 to 109/200 at k = 6.")
 
 
@@ -204,7 +205,7 @@ claim("D71-F3.6b", "the function falls along two solutions",
       repair=repair("order of factors", "(3.219) is to have the F that moves the stacked columns of U, the product of [(DP - C) + DU]^{-1} transposed and B "
                                         "- PD, which "
                                         "(3.215) has in another order; with it the function falls",
-                    FALL, where=[*BOTH_RUNS, value_along(Va, XA, True), value_along(Vb, XB, True)], by=[evaluation()]),
+                    FALL, where=[*BOTH_RUNS, value_along(Va, XA, True), value_along(Vb, XB, True)], by=[part("the first six samples"), evaluation()]),
       note="For the first six steps from X_0 = diag(0, a), a = 0.01 for Va and 0.1 for Vb. With F as printed in (3.215), Vb grows from the second step on, "
            "from 4850 to "
            "6342, and Va from the sixth on. The initial value grows as a decreases for both.")
@@ -214,7 +215,7 @@ Vc = sym("Vc")
 claim("D71-E3.230", "the function does not tend to zero with U",
       (Va(0) > 10*Vb(0)) & (Vb(0) > 10*Vc(0)) & (Vc(0) > 10000),
       where=[*STARTS, value_along(Va, XA, True), value_along(Vb, XB, True), value_along(Vc, X, True)],
-      by=[evaluation()],
+      by=[part("three values of a"), evaluation()],
       note="For U_0 = T diag(0, a)T', which tends to zero with a, and a = 0.001, 0.01, 0.1; see D71-F3.6b for the F. The function grows instead of falling; "
            "that it does "
            "so for every a is not shown.")

@@ -12,7 +12,7 @@ U, and what it gains from one step to the next is not accounted for.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances
+from exactkf.evidence import example, instances, restated
 from exactkf.language import (
     Identity,
     T,
@@ -80,7 +80,8 @@ claim("D71-Q5.a", "a quadratic function of the deviation",
           "missing hypothesis", "it falls along the linear equation, and so near the equilibrium; far from it the term of second order may outweigh that",
           value(S, F*w) == value(S, w) - T(w)*w,
           sizes=["n"], over={F: matrix(n, n), S: symmetric_matrix(n), w: vector(n)}, given=[given("(3.217)", S - T(F)*S*F == Identity(n))],
-          by=[example(n=1, F=[["1/2"]], S=[[1]], w=[1]), example(n=1, F=[["3/5"]], S=[["25/16"]], w=[2]),
+          by=[restated("What falls by |x|^2 along the linear equation falls, near zero, along one that differs from it by terms of second order."),
+              example(n=1, F=[["1/2"]], S=[[1]], w=[1]), example(n=1, F=[["3/5"]], S=[["25/16"]], w=[2]),
               example(n=2, F=[[0, 2], [0, 0]], S=[[1, 0], [0, 5]], w=[1, 1]), example(n=2, F=[[0, 0], [3, 0]], S=[[10, 0], [0, 1]], w=[2, -1]),
               instances(8, n=(1, 2, 3), made_by={F: Zero(n, n), S: Identity(n)})]),
       note="Neither with the printed product F(0) = (B - PD) x (B - PD)* nor with the one for stacked columns, which D71-E3.215 has in the repair, does the "

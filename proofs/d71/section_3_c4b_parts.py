@@ -10,7 +10,7 @@ over by L': Phi_l'(L'N) = L'Phi'N.
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, induction, instances, order, steps, within
+from exactkf.evidence import example, induction, instances, order, part, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -78,7 +78,8 @@ def alone(at):
 claim("D71-E3.195", "between two solutions",
       always(k, psd(Pa[k]) & psd(P[k]) & loewner(P[k], Pa[k]) & loewner(Pb[k], P[k])), sizes=["n", "p"],
       over={**MODEL, P0: positive_semidefinite(n), Pe: positive_semidefinite(n)}, where=RUNS,
-      by=[induction(base=order([Zero(n, n)], [P0], [P0], [Pe]), step=order(alone(Pa[k]), alone(P[k]), above(P[k], Pa[k]), above(Pb[k], P[k]))),
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
+          induction(base=order([Zero(n, n)], [P0], [P0], [Pe]), step=order(alone(Pa[k]), alone(P[k]), above(P[k], Pa[k]), above(Pb[k], P[k]))),
           steps("D71-T3.4", prose="0 <= P_0 <= P_0 + P_e, and the order of two solutions is kept."), instances(6, n=(1, 2), p=(1, 2), horizon=3)],
       note="P_b starts from P_0 + P_e. That both bounds tend to P_e is parts (a) to (c) of the proof.")
 
@@ -99,7 +100,7 @@ claim("D71-S16", "regular processes have one equilibrium",
       where=[let(K, Phi*(I - gain(Pe)*M)), let(Y, Phi*(I - gain(X)*M))],
       given=[given("P_e is an equilibrium", Pe == step(Pe)), given("X is an equilibrium", X == step(X)), given("B - P_eD is inside the circle", schur(K)),
              given("B - XD is inside the circle", schur(Y))],
-      by=[order(inside=[within(0, unique=(K, T(Y)))]),
+      by=[part("uniqueness; the convergence is D71-T3.24"), order(inside=[within(0, unique=(K, T(Y)))]),
           example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], Pe=[[3]], X=[[0]]),
           example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], Pe=[[0]], X=[[3]]),
           example(n=1, p=1, Phi=[["1/2"]], H=[[3]], M=[[0]], V=[[1]], Pe=[[4]], X=[[5]]),
@@ -117,7 +118,7 @@ claim("D71-S55", "the covariance due to the inputs of the reduced process",
       always(k, Rd[k] == L*Rg[k]*T(L)), sizes=["n", "q"], over={Phi: matrix(n, n), **REDUCED},
       where=[let(H, L*Gl*T(L)), rec(Pw, k, I, Phi*Pw[k]), rec(Rd, k, Zero(n, n), Rd[k] + Pw[k]*H*T(Pw[k])), rec(Pg, k, Identity(q), PhiL*Pg[k]),
              rec(Rg, k, Zero(q, q), Rg[k] + Pg[k]*Gl*T(Pg[k]))], given=[LIFTED],
-      by=[induction(also=[Pw[k]*L == L*Pg[k]]), example(n=1, q=1, Phi=[[2]], L=[[1]], PhiL=[[1]], Gl=[[1]]),
+      by=[part("the equation, not the ranges"), induction(also=[Pw[k]*L == L*Pg[k]]), example(n=1, q=1, Phi=[[2]], L=[[1]], PhiL=[[1]], Gl=[[1]]),
           instances(6, n=(1, 2, 3), q=(1,), horizon=2, using={w: scalar()}, made_by={Phi: w*I, PhiL: w*Identity(q)})],
       note="R_d is Rd_n and R_g is Rg_n, the sum to k = n in place of the size of the reduced process, which has the same range. If R(R_d) contains R(P_e) "
            "= R(L), R_g is nonsingular.")
@@ -127,7 +128,7 @@ claim("D71-E3.207", "undriven modes of the reduced process",
       over={Phi: matrix(n, n), **REDUCED, N1: matrix(n, r), Phi1: matrix(r, r)},
       given=[LIFTED, given("Phi'N_1 = N_1 Phi_1", T(Phi)*N1 == N1*Phi1), given("HN_1 = 0", (L*Gl*T(L))*N1 == Zero(n, r)),
              given("independent columns", rank(L) == q)],
-      by=[order([], [T(N1)*L*Gl*T(L)*N1]),
+      by=[part("the two equations, not the dimensions"), order([], [T(N1)*L*Gl*T(L)*N1]),
           example(n=2, q=1, r=1, Phi=[[1, 0], [0, 2]], L=[[1], [0]], PhiL=[[1]], Gl=[[1]], N1=[[1], [0]], Phi1=[[1]]),
           example(n=2, q=1, r=1, Phi=[[1, 0], [0, 2]], L=[[1], [0]], PhiL=[[1]], Gl=[[0]], N1=[[1], [0]], Phi1=[[2]]),
           example(n=2, q=1, r=1, Phi=[[1, 0], [0, 2]], L=[[1], [0]], PhiL=[[3]], Gl=[[0]], N1=[[1], [0]], Phi1=[[1]]),
@@ -160,7 +161,7 @@ claim("D71-E3.200", "the range of L is invariant",
 claim("D71-E3.198", "undriven modes of R_d",
       always(k, T(N1)*Pw[k]*H == Zero(r, n)), sizes=["n", "r"], over={Phi: matrix(n, n), H: positive_semidefinite(n), N1: matrix(n, r), Phi1: matrix(r, r)},
       where=[rec(Pw, k, I, Phi*Pw[k])], given=[given("HN = 0", H*N1 == Zero(n, r)), given("Phi'N = N Phi_1", T(Phi)*N1 == N1*Phi1)],
-      by=[induction(), example(n=1, r=1, Phi=[[2]], H=[[1]], N1=[[1]], Phi1=[[2]]),
+      by=[part("bases of this form annihilate; not that there are such"), induction(), example(n=1, r=1, Phi=[[2]], H=[[1]], N1=[[1]], Phi1=[[2]]),
           example(n=2, r=1, Phi=[[1, 0], [1, 1]], H=[[1, 0], [0, 0]], N1=[[0], [1]], Phi1=[[1]]),
           instances(4, n=(1, 2), r=(1,), made_by={Phi: 2*I, Phi1: 2*Identity(r), H: Zero(n, n)})],
       note="The columns of N_1 and N_2 are in the null space of R_d if H and the products say so: then N'Phi^kH = 0 for every k. That bases of the null "
@@ -170,14 +171,18 @@ not_checked("D71-S58", "the reduced equation converges", "Theorem 3.24 for the r
 
 # --- one mode --------------------------------------------------------------------------------------------------------------
 
+NUMBER = T(v)*T(M)*inv(M*P*T(M) + V)*M*v
 claim("D71-S56", "the number in the denominator is positive",
-      (Phi*v == l*v) & (T(v)*T(M)*inv(M*P*T(M) + V)*M*v == Zero(1, 1)), sizes=["n", "p"],
-      over={**MODEL, P: positive_semidefinite(n), v: matrix(n, 1), l: scalar()}, where=[let(K, Phi*(I - gain()*M))],
-      given=[given("(B - PD)v = mu v", K*v == l*v), given("Mv = 0", M*v == Zero(p, 1))],
-      by=[order(), example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[[1]], l=1),
-          example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=1),
-          example(n=1, p=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=2), instances(4, n=(1, 2), p=(1,), made_by={M: Zero(p, n), Phi: l*I})],
-      note="The number v'M'(MPM' + V)^{-1}Mv is zero only if Mv = 0, and then v is an eigenvector of Phi: an unobservable mode. For real mu and v.")
+      psd(NUMBER) & (M*v == Zero(p, q)) & (Phi*v == v*l), sizes=["n", "p", "q"],
+      over={**MODEL, P: positive_semidefinite(n), v: matrix(n, q), l: matrix(q, q)}, where=[let(K, Phi*(I - gain()*M))],
+      given=[given("(B - PD)v = mu v", K*v == v*l), given("the number is zero", NUMBER == Zero(q, q))],
+      by=[order([NUMBER], [NUMBER], [], [], lemmas=[inv(M*P*T(M) + V)*M*v == Zero(p, q)]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[[1]], l=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=[[1]]),
+          example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[0]], V=[[1]], P=[[1]], v=[[1]], l=[[2]]),
+          instances(4, n=(1, 2), p=(1,), q=(1, 2), using={w: scalar()}, made_by={M: Zero(p, n), Phi: w*I, l: w*Identity(q)})],
+      note="The number v*M'(MPM' + V)^{-1}Mv is not negative, and zero only if Mv = 0 and v is an eigenvector of Phi: an unobservable mode. mu stands on the "
+           "right as a matrix: a complex v is two real columns.")
 
 STABLE_K = given("B - PD is inside the circle", schur(K))
 TWICE = [T(v)*v, w*T(v)*S*v]
@@ -187,7 +192,8 @@ claim("D71-S59", "what a stable B - PD excludes",
       given=[given("P is an equilibrium", P == step()), STABLE_K, given("v unobservable", (Phi*v == l*v) & (M*v == Zero(p, 1))),
              given("not stable", l**2 == 1 + w),
              given("n undriven", (T(Phi)*nd == s*nd) & (H*nd == Zero(n, 1))), given("random walk", s**2 == 1)],
-      by=[order([T(nd)*P*T(M)*inv(M*P*T(M) + V)*M*P*nd], [], [], TWICE, [T(nd)*nd],
+      by=[part("real eigenvalues; that P >= 0 is D71-S42"),
+          order([T(nd)*P*T(M)*inv(M*P*T(M) + V)*M*P*nd], [], [], TWICE, [T(nd)*nd],
                 lemmas=[M*P*nd == Zero(p, 1), T(K)*nd == s*nd, K*v == l*v], inside=[within(3, solutions={S: (T(K), I)}), within(4, solutions={Y: (K, I)})]),
           example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[[0]], l=2, w=3, nd=[[1]], s=1),
           example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[0]], v=[[0]], l=1, w=0, nd=[[1]], s=1),
@@ -213,7 +219,8 @@ claim("D71-E3.217", "the matrix of the first function",
 claim("D71-E3.219", "no solution with an eigenvalue on the circle",
       x == Zero(n, 1), sizes=["n"], over={F: matrix(n, n), S: symmetric_matrix(n), x: matrix(n, 1), s: scalar()},
       given=[given("(3.217)", S - T(F)*S*F == I), given("an eigenvector of F", F*x == s*x), given("on the circle", s**2 == 1)],
-      by=[order([T(x)*x]), example(n=1, F=[["1/2"]], S=[["4/3"]], x=[[1]], s="1/2"), example(n=1, F=[["1/2"]], S=[["4/3"]], x=[[1]], s=1),
+      by=[part("real eigenvalues; not that F(0) has one on the circle"),
+          order([T(x)*x]), example(n=1, F=[["1/2"]], S=[["4/3"]], x=[[1]], s="1/2"), example(n=1, F=[["1/2"]], S=[["4/3"]], x=[[1]], s=1),
           example(n=1, F=[[1]], S=[[1]], x=[[1]], s=1),
           instances(4, n=(1, 2), made_by={F: Zero(n, n), S: I, x: Zero(n, 1), s: 1})],
       note="F stands for F(0), and n for the length of mu. For an undriven random walk mode with Phi'n = sn, s = 1 or -1, n is an eigenvector of (B - PD)' "
@@ -223,6 +230,6 @@ claim("D71-E3.219", "no solution with an eigenvalue on the circle",
 
 claim("D71-Q4.a", "an undriven observable random walk mode",
       always(k, x[k]*(v + k*m**2*p0) == p0*v), over={m: nonzero(), v: positive(), p0: scalar()}, where=[rec(x, k, p0, x[k]*v/(m**2*x[k] + v))],
-      by=[instances(12, horizon=5)],
+      by=[part("one state"), instances(12, horizon=5)],
       note="For one state, h = 0, Phi = 1 or -1: from p_0 >= 0 the solution tends to the only equilibrium 0; a negative p_0, however near, makes v + "
            "km^2p_0 change its sign, and the solution is below p_0 until then. For more states it is a conjecture of the thesis.")

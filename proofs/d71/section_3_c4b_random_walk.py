@@ -30,38 +30,43 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, M, P, Phi, V, gain, gram, i, j, n, p, step
 
-K, D, S, B, v, mu, b, E, c, L = symbols("K D S B v mu b E c L")
+q, K, D, S, B, v, mu, b, E, c, L = symbols("q K D S B v mu b E c L")
 I = Identity(n)
 PhiT = inv(T(Phi))
-RUN = {K: matrix(n, n), D: matrix(n, n), v: vector(n), mu: scalar(), b: scalar()}
-EIGEN = given("Kv = mu v", K*v == mu*v)
-CIRCLE = given("|mu| = 1", mu**2 == 1)
-U = b*v*T(v)
-FORM = mu*(T(v)*D*v)
-ONE = {"n": 1, "K": [[1]], "D": [[1]], "v": [1], "mu": 1, "b": 1}
+RUN = {K: matrix(n, n), D: matrix(n, n), v: matrix(n, q), mu: matrix(q, q), b: matrix(q, q)}
+EIGEN = given("Kv = mu v", K*v == v*mu)
+CIRCLE = given("|mu| = 1", mu*b*T(mu) == b)
+U = v*b*T(v)
+FORM = T(v)*D*v*b*T(mu)
+ONE = {"n": 1, "q": 1, "K": [[1]], "D": [[1]], "v": [[1]], "mu": [[1]], "b": [[1]]}
+SIGN = when(c > 0, 1, -1)*Identity(q)
 SPREAD = {"using": {L: matrix(n, n), c: scalar()},
-          "made_by": {mu: when(c > 0, 1, -1), K: (mu*v*T(v) + L*(T(v)*v*I - v*T(v)))*inv(T(v)*v*I)}}
+          "made_by": {mu: SIGN, K: (when(c > 0, 1, -1)*v*T(v) + L*(T(v)*v*I - v*T(v)))*inv(T(v)*v*I)}}
+#: mu = i
+TURN = {"n": 2, "q": 2, "K": [[0, -1], [1, 0]], "D": [[1, 0], [0, 2]], "v": [[1, 0], [0, 1]], "mu": [[0, -1], [1, 0]], "b": [[3, 0], [0, 3]]}
 
 claim("D71-E3.196", "the deviation along the random walk mode",
-      (Identity(1) + b*FORM)*(K*U*T(K)*inv(I + D*U*T(K))) == U,
-      sizes=["n"], over=RUN, given=[EIGEN, CIRCLE],
-      by=[example({**ONE, "K": [[2]], "mu": 2}), example({**ONE, "K": [[2]]}), instances(8, n=(1, 2, 3), **SPREAD)],
-      note="Real mu, so that mu* = mu and mu is 1 or -1. U_k = beta_k vv', and U_{k+1} times the denominator 1 + mu(v'Dv)beta_k is beta_k vv'. D is any "
-           "matrix.")
+      K*U*T(K)*inv(I + D*U*T(K)) == v*b*inv(Identity(q) + FORM)*T(v),
+      sizes=["n", "q"], over=RUN, given=[EIGEN, CIRCLE],
+      by=[order(lemmas=[K*U*T(K) == U, D*U*T(K) == D*v*b*T(mu)*T(v), T(v)*(I + D*v*b*T(mu)*T(v)) == (Identity(q) + FORM)*T(v),
+                        T(v)*inv(I + D*U*T(K)) == inv(Identity(q) + FORM)*T(v)]),
+          example({**ONE, "K": [[2]], "mu": [[2]]}), example({**ONE, "K": [[2]]}), example(TURN), instances(8, n=(1, 2, 3), q=(1,), **SPREAD)],
+      note="U_k = v b v* with b for beta_k. mu and b stand on the right of v as matrices: for complex numbers v is two real columns, of the real part and of "
+           "the imaginary part, and numbers are 2 x 2 matrices that commute, so that mu b mu* = b says |mu| = 1. D is any matrix.")
 
-SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n), v: vector(n), mu: scalar()}
+SYSTEM = {Phi: nonsingular(n), H: symmetric_matrix(n), M: matrix(p, n), V: positive_definite(p), P: symmetric_matrix(n), v: matrix(n, q), mu: matrix(q, q)}
 CLOSED = [let(S, gram()), let(D, PhiT*S), let(B, H*PhiT*S + Phi)]
+PLAIN = {"n": 1, "p": 1, "q": 1, "Phi": [[1]], "M": [[1]], "V": [[1]], "P": [[1]], "v": [[1]], "mu": [[1]]}
 
 claim("D71-E3.197", "the number in the denominator",
-      eq(mu*(T(v)*D*v), T(v)*inv(S*P + I)*S*v, T(v)*T(M)*inv(M*P*T(M) + V)*M*v),
-      sizes=["n", "p"], over=SYSTEM, where=CLOSED, given=[given("P is an equilibrium", P == step()), given("(B - PD)v = mu v", (B - P*D)*v == mu*v)],
-      by=[example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=1),
-          example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=1),
-          instances(8, n=(1, 2), p=(1, 2), using={E: nonsingular(n), c: vector(n)},
+      eq(T(mu)*(T(v)*D*v), T(v)*inv(S*P + I)*S*v, T(v)*T(M)*inv(M*P*T(M) + V)*M*v),
+      sizes=["n", "p", "q"], over=SYSTEM, where=CLOSED, given=[given("P is an equilibrium", P == step()), given("(B - PD)v = mu v", (B - P*D)*v == v*mu)],
+      by=[example({**PLAIN, "H": [["1/2"]]}), example({**PLAIN, "H": [[0]]}),
+          instances(8, n=(1, 2), p=(1, 2), q=(1,), using={E: nonsingular(n), c: vector(n)},
                     made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1 + c[i]**2, 0))*inv(E), P: E*matrix_of(i, j, n, n, when(i == j, 1 + c[i]**2, 0))*T(E),
                              M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), H: P - Phi*(P - gain()*M*P)*T(Phi),
-                             v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), mu: (1 + c[1]**2)/(2 + c[1]**2)})],
-      note="Real mu, of any modulus.")
+                             v: E*matrix_of(i, j, n, q, when(i == 1, 1, 0)), mu: (1 + c[1]**2)/(2 + c[1]**2)*Identity(q)})],
+      note="mu, of any modulus, stands on the right of v as a matrix, so that it may be complex; mu* is its transpose.")
 
 v1, v2, n1, n2, RE, IM, CC, SS = symbols("v1 v2 n1 n2 RE IM CC SS")
 PAIRS = {v1: vector(n), v2: vector(n), n1: vector(n), n2: vector(n), b: scalar()}

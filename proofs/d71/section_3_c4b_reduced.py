@@ -11,7 +11,7 @@ N'HN, so that P Phi'N = 0 and HN = 0.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -25,9 +25,10 @@ from exactkf.language import (
     nonsingular,
     positive_definite,
     positive_semidefinite,
+    psd,
     rec,
+    schur,
     symbols,
-    symmetric_matrix,
     vector,
     when,
 )
@@ -60,7 +61,8 @@ claim("D71-E3.193", "the equilibrium of the reduced equation",
       reduced(Iq) == Iq,
       sizes=["n", "p", "q"], over={**PROCESS, Ll: matrix(q, n)},
       where=[let(H, L*G*T(L))], given=[INVARIANT, given("P_e = LL' is an equilibrium", step(L*T(L)) == L*T(L)), given("L has independent columns", Ll*L == Iq)],
-      by=[order(lemmas=[L*reduced(Iq)*T(L) == L*T(L)]),
+      by=[restated("Modes of Phi on an invariant subspace are modes of Phi.", "All modes are driven exactly if R_g is nonsingular."),
+          order(lemmas=[L*reduced(Iq)*T(L) == L*T(L)]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[1]], Phil=[[1]], G=[["1/2"]], M=[[1]], V=[[1]], Ll=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[1]], Phil=[[2]], G=[[1]], M=[[1]], V=[[1]], Ll=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], L=[[0]], Phil=[[2]], G=[[1]], M=[[1]], V=[[1]], Ll=[[1]]),
@@ -85,7 +87,8 @@ QUIET = {Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E), 
 claim("D71-E3.192", "null vectors of the equilibrium",
       (T(N)*Phi*inv(P*gram() + I)*P*T(Phi)*N + T(N)*H*N == Zero(q, q)) & (H*N == GONE) & (P*T(Phi)*N == GONE),
       sizes=["n", "p", "q"], over={**SYSTEM, N: matrix(n, q)}, given=[EQUILIBRIUM, given("null vectors of P", P*N == GONE)],
-      by=[order([], [], TERMS, [inv(V)], TERMS, [], TERMS, [], lemmas=WAY),
+      by=[restated("A matrix that keeps the span of independent columns has a matrix in them, and so has a symmetric one whose range lies in it."),
+          order([], [], TERMS, [inv(V)], TERMS, [], TERMS, [], lemmas=WAY),
           example(n=1, p=1, q=1, Phi=[["1/2"]], H=[["7/8"]], M=[[1]], V=[[1]], P=[[1]], N=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], P=[[0]], N=[[1]]),
           example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[3]], N=[[1]]),
@@ -95,10 +98,13 @@ claim("D71-E3.192", "null vectors of the equilibrium",
 LOST = P*T(M)*inv(M*P*T(M) + V)*M*P
 
 claim("D71-E3.194", "the covariance equation on undriven modes",
-      T(N)*P*N - T(Lam)*T(N)*P*N*Lam + T(Lam)*T(N)*LOST*N*Lam == Zero(q, q),
-      sizes=["n", "p", "q"], over={**SYSTEM, H: symmetric_matrix(n), P: symmetric_matrix(n), N: matrix(n, q), Lam: matrix(q, q)},
+      (T(N)*P*N - T(Lam)*T(N)*P*N*Lam + T(Lam)*T(N)*LOST*N*Lam == Zero(q, q)) & (schur(Lam) >> (P*N == GONE)),
+      sizes=["n", "p", "q"], over={**SYSTEM, N: matrix(n, q), Lam: matrix(q, q)},
       given=[EQUILIBRIUM, given("undriven", T(Phi)*N == N*Lam), given("null vectors of H", H*N == GONE)],
-      by=[order(lemmas=[T(N)*P*N == T(N)*Phi*update()*T(Phi)*N + T(N)*H*N]),
+      by=[order([], [], [T(Lam)*T(N)*LOST*N*Lam], [T(N)*P*N, -(T(N)*P*N)], [T(N)*P*N], lemmas=[T(N)*P*N == T(N)*Phi*update()*T(Phi)*N + T(N)*H*N],
+                inside=[within(2, psd(-(T(N)*P*N)), T(N)*P*N == Zero(q, q), stein=T(Lam), on=0)]),
+          example(n=2, p=1, q=1, Phi=[["1/2", 0], [0, 1]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]], P=[[0, 0], [0, 0]], N=[[1], [0]], Lam=[["1/2"]]),
+          example(n=2, p=1, q=1, Phi=[["1/2", 0], [0, 2]], H=[[0, 0], [0, 0]], M=[[1, 1]], V=[[1]], P=[[0, 0], [0, 3]], N=[[1], [0]], Lam=[["1/2"]]),
           example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], N=[[2]], Lam=[["5/3"]]),
           example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], N=[[2]], Lam=[["5/3"]]),
           example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], N=[[2]], Lam=[[1]]),
@@ -108,4 +114,4 @@ claim("D71-E3.194", "the covariance equation on undriven modes",
                              M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), P: E*matrix_of(i, j, n, n, when(i == j, (1 + c[i]**2)**2 - 1, 0))*T(E),
                              H: P - Phi*update()*T(Phi),
                              N: inv(T(E))*matrix_of(i, j, n, q, when(i == 1, 1, 0)), Lam: (1 + c[1]**2)*Iq})],
-      note="Here Lambda_d is not starred, unlike in (3.60). The conclusion that P_eN_d = 0 for |lambda| < 1 is Theorem 3.20.")
+      note="Here Lambda_d is not starred, unlike in (3.60).")

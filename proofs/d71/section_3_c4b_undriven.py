@@ -18,7 +18,7 @@ are.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.evidence import example, identity, induction, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -146,7 +146,8 @@ def only_stable_modes():
     return repair("missing hypothesis", WHOLE,
                   (H*N == GONE) & (P*T(Phi)*N == GONE) & (T(Phi)*N == T(CLOSED)*N),
                   sizes=["n", "p", "q"], over={**MODEL, N: matrix(n, q)}, given=[EQUILIBRIUM, given("null vectors of P", P*N == GONE)],
-                  by=[order([], [], TERMS, [inv(V)], TERMS, TERMS, [], [], lemmas=KEPT),
+                  by=[part("the null vectors of P_e1; not the other equilibrium, nor the convergence"),
+                      order([], [], TERMS, [inv(V)], TERMS, TERMS, [], [], lemmas=KEPT),
                       example(n=1, p=1, q=1, Phi=[["1/2"]], H=[["7/8"]], M=[[1]], V=[[1]], P=[[1]], N=[[1]]),
                       example(n=1, p=1, q=1, Phi=[[2]], H=[[1]], M=[[1]], V=[[1]], P=[[0]], N=[[1]]),
                       example(n=1, p=1, q=1, Phi=[[2]], H=[[0]], M=[[1]], V=[[1]], P=[[3]], N=[[1]]),

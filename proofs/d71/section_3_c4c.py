@@ -10,7 +10,7 @@ no unstable or random walk mode is undriven. With the right H and V the limit is
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order
+from exactkf.evidence import example, first, induction, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -29,6 +29,7 @@ from exactkf.language import (
     rec,
     rows,
     scalar,
+    schur,
     standing,
     symbols,
     symmetric_matrix,
@@ -81,9 +82,18 @@ claim("D71-E3.245", "the actual error covariance at an equilibrium",
       note="The left side is (3.242) with the gain K of the equilibrium.")
 
 claim("D71-S64", "with the right covariances the limit is P",
-      P - (B - P*D)*P*T(B - P*D) == Phi*K*V*T(K)*T(Phi) + H,
-      sizes=["n", "p"], over=SYSTEM, where=AT_EQUILIBRIUM, given=[EQUILIBRIUM], by=[instances(**MORE, made_by=SOLVED)],
-      note="P solves (3.246) for H_a = H and V_a = V, and the solution of (3.246) is unique if B - PD is inside the unit circle.")
+      Pae == P,
+      sizes=["n", "p"], over={**SYSTEM, Pae: symmetric_matrix(n)}, where=[*AT_EQUILIBRIUM, let(Acl, B - P*D)],
+      given=[EQUILIBRIUM, given("B - PD is inside the circle", schur(Acl)), given("(3.246)", Pae - Acl*Pae*T(Acl) == Phi*K*V*T(K)*T(Phi) + H)],
+      by=[order(inside=[within(0, unique=(Acl, T(Acl)))]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], Pae=[[2]]),
+          example(n=1, p=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[["-1/2"]], Pae=[["-1/2"]]),
+          example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[0]], Pae=[[2]]),
+          example(n=1, p=1, Phi=[["1/2"]], H=[[3]], M=[[0]], V=[[1]], P=[[5]], Pae=[[4]]),
+          instances(8, n=(1, 2), p=(1, 2), using={E: nonsingular(n), a: vector(n), e: vector(n)},
+                    made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E), P: E*matrix_of(i, j, n, n, when(i == j, e[i]**2, 0))*T(E),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, Pae: P})],
+      note="(3.246) for H_a = H and V_a = V has the solution P, and no other if B - PD is inside the unit circle.")
 
 al, be, g1, g2, y1, y2 = symbols("alpha beta g1 g2 y1 y2")
 NOISE = Phi*K*Va*T(K)*T(Phi) + Ha
@@ -114,7 +124,8 @@ claim("D71-E3.246", "the actual error covariance has a limit",
       given=[EQUILIBRIUM, standing("psi g", (y1 == al*g1 - be*g2) & (y2 == be*g1 + al*g2)), given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE),
              given("eigenvector of DP - C", (CLOSED*g1 == y1) & (CLOSED*g2 == y2)),
              given("|psi| <= 1", al**2 + be**2 <= 1)],
-      by=[induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
+      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
+          induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
           # a driven mode, and one that is stable
           example({**ONE, "H": [["1/2"]], "P": [[1]], "alpha": 2, "y1": [2]}),
           example({**ONE, "Phi": [["1/2"]], "alpha": 2, "y1": [2], "Ha": [["3/4"]], "Pae": [[1]]}),

@@ -14,7 +14,7 @@ and not to zero.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, identity, instances
+from exactkf.evidence import evaluation, example, identity, instances, part
 from exactkf.language import (
     Identity,
     T,
@@ -81,7 +81,8 @@ claim("D71-E3.248", "the component along an undriven unstable mode",
           "orthogonal to the only eigenvector; the equation for n*P_a n holds in any case",
           HAS_V & GROWTH,
           sizes=["n", "p"], over=ACTUAL, where=WHERE, given=[*MODE, SIMPLE],
-          by=[example(SHEAR), example({**PLAIN, "lam": 3}), example({**PLAIN, "P": [[1]], "lam": 1}), example({**PLAIN, "nd": [0]}), example(PLAIN), CORNERED]),
+          by=[part("real lambda"),
+              example(SHEAR), example({**PLAIN, "lam": 3}), example({**PLAIN, "P": [[1]], "lam": 1}), example({**PLAIN, "nd": [0]}), example(PLAIN), CORNERED]),
       note="Real lambda; alpha_k is n*P_a(t_k)n, as n*v_k = 1 makes it. A vector v_k with Phi(I - K_k M)v_k = lambda v_k and n*v_k = 1 exists exactly if n* "
            "adds one to the rank of Phi(I - K_k M) - lambda I. The counterexample is Phi = [[2, 1], [0, 2]], H = 0, M = [1, 0] and P_0 = 0, so that K_k = 0; "
            "the text asks for a simple mode in the random walk case alone.")
@@ -103,7 +104,8 @@ claim("D71-E3.260", "the bound on W_m",
       by=[example(m=1, c1=1, c2=1, s1="1/2", s2="1/2", phi="1/2", w0=8, d=[0]), instances(m=(1,))],
       repair=repair("factor", "the first term of (3.257) is bounded by c_1^2 exp(-2 lambda_1 m) times the norm of W_0, which is missing",
                     abs(w[m]) <= BOUND, sizes=["m"], over=DECAY, where=bounded_by(abs(w0)), given=BOUNDED,
-                    by=[example(m=1, c1=1, c2=1, s1="1/2", s2="1/2", phi=2, w0=1, d=[0]), example(m=1, c1=1, c2=1, s1="1/2", s2="1/2", phi=0, w0=0, d=[9]),
+                    by=[part("one state, a constant coefficient"),
+                        example(m=1, c1=1, c2=1, s1="1/2", s2="1/2", phi=2, w0=1, d=[0]), example(m=1, c1=1, c2=1, s1="1/2", s2="1/2", phi=0, w0=0, d=[9]),
                         example(m=2, c1=1, c2=1, s1=1, s2=2, phi=1, w0=1, d=[1, 2]), example(m=2, c1=1, c2=1, s1="1/2", s2=2, phi="-1/2", w0=-3, d=[-1, -2]),
                         example(m=3, c1=1, c2=2, s1="1/2", s2="1/3", phi="1/2", w0=1, d=[2, "2/3", "2/9"]),
                         example(m=2, c1=2, c2=1, s1="1/2", s2=1, phi="1/2", w0=1, d=[1, 1]),
@@ -214,7 +216,8 @@ claim("D71-F3.12", "the actual covariance in the first case",
       exists(k, 0, 40, trace(Pa[k]) < rational("13/36")), where=RUNS, by=[evaluation()],
       repair=repair("other", "P_k converges to 0, but P_a(t_k) to [[4, 6], [6, 9]]/36: the gain is blind to a direction in which P_0 vanishes and P_a(t_0) "
                              "does not",
-                    forall(k, 0, 40, (Pa[k] == TT*Y_K*T(TT)) & (trace(Pa[k]) > rational("13/36"))), where=[*RUNS, *CLOSED_FORM], by=[evaluation()]),
+                    forall(k, 0, 40, (Pa[k] == TT*Y_K*T(TT)) & (trace(Pa[k]) > rational("13/36"))), where=[*RUNS, *CLOSED_FORM],
+                    by=[part("the first forty samples"), evaluation()]),
       note="Read as: the trace of P_a falls below 13/36, here within the first 40 steps. The repair gives P_a(t_k) = TY_kT' in closed form, with the sums N1 "
            "and N2 of the first k numbers and squares: the variance of x_2 times k^2 tends to 1/4, its covariance with c times k to -1/6, and so Y_k to "
            "diag(1/36, 0); the trace of the limit is 13/36.")

@@ -10,7 +10,7 @@ the gain does not act on n: n'P_a n grows by n'H_a n at each step.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, identity, induction, instances, order
+from exactkf.evidence import example, identity, induction, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -91,11 +91,12 @@ ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[
 claim("D71-E3.247", "the component along a random walk mode",
       always(k, T(nd)*Pa[k + 1]*nd == T(nd)*Pa[k]*nd + T(nd)*Ha*nd),
       sizes=["n", "p"], over=ACTUAL, where=RUN, given=WALK,
-      by=[induction(), example({**ONE, "Phi": [[2]]}), example({**ONE, "P": [[1]]}), example({**ONE, "Phi": [[2]], "lam": 2}), CORNERED],
+      by=[part("real lambda, and not that there is such a v"),
+          induction(), example({**ONE, "Phi": [[2]]}), example({**ONE, "P": [[1]]}), example({**ONE, "Phi": [[2]], "lam": 2}), CORNERED],
       note="Real lambda, 1 or -1; alpha_k is n'P_a(t_k)n. The existence of v is not stated here.")
 
 claim("D71-S65", "growth along a random walk mode",
       always(k, T(nd)*Pa[k]*nd == T(nd)*Pa0*nd + k*(T(nd)*Ha*nd)),
       sizes=["n", "p"], over=ACTUAL, where=RUN, given=WALK,
-      by=[induction(), example({**ONE, "Phi": [[2]]}), example({**ONE, "P": [[1]]}), example({**ONE, "Phi": [[2]], "lam": 2}), CORNERED],
+      by=[part("real lambda"), induction(), example({**ONE, "Phi": [[2]]}), example({**ONE, "P": [[1]]}), example({**ONE, "Phi": [[2]], "lam": 2}), CORNERED],
       note="So it grows without bound if n'H_a n > 0, and stays where it is if n'H_a n = 0.")

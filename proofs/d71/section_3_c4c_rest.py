@@ -11,7 +11,7 @@ y_22 = 0.
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import evaluation, example, instances, order, within
+from exactkf.evidence import evaluation, example, instances, order, part, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -50,7 +50,8 @@ not_checked("D71-T3.25", "the actual covariance converges", "a limit along two r
 claim("D71-E3.253", "the Lyapunov function",
       pd(S) & (T(B*x)*S*(B*x) - T(x)*S*x == T(x)*(T(B)*S*B - S)*x) & (T(A*x)*S*(A*x) - T(x)*S*x == -(T(x)*x)), sizes=["n"],
       over={**VECTORS["over"], B: matrix(n, n)}, given=[LYAPUNOV, given("A is stable", schur(A))],
-      by=[order([I], [], [], inside=[within(0, stein=T(A))]), example(n=1, A=[[2]], S=[["-1/3"]], x=[1], B=[[1]]),
+      by=[restated("Negative definite forms stay so under small changes, and P_k tends to P_e."),
+          order([I], [], [], inside=[within(0, stein=T(A))]), example(n=1, A=[[2]], S=[["-1/3"]], x=[1], B=[[1]]),
           example(n=1, A=[["1/2"]], S=[[-1]], x=[1], B=[[1]]),
           example(n=1, A=[["1/2"]], S=[[1]], x=[1], B=[[1]]), instances(4, n=(1, 2), made_by={A: Zero(n, n), S: I}),
           instances(4, n=(1, 2), made_by={A: I/2, S: rational("4/3")*I}),
@@ -60,7 +61,8 @@ claim("D71-E3.253", "the Lyapunov function",
 claim("D71-E3.258", "how fast the function falls",
       si*(T(A*x)*S*(A*x)) <= less*(T(x)*S*x), sizes=["n"], over={**VECTORS["over"], si: positive()}, where=[let(less, si - 1)],
       given=[LYAPUNOV, given("S <= sigma", loewner(si*I, S))],
-      by=[order([T(x)*(si*I - S)*x]), example(n=1, A=[[2]], S=[[1]], x=[1], sigma=1), example(n=1, A=[["1/2"]], S=[["4/3"]], x=[1], sigma="7/6"),
+      by=[part("one step of the limit matrix"),
+          order([T(x)*(si*I - S)*x]), example(n=1, A=[[2]], S=[[1]], x=[1], sigma=1), example(n=1, A=[["1/2"]], S=[["4/3"]], x=[1], sigma="7/6"),
           example(n=1, A=[["1/2"]], S=[["4/3"]], x=[1], sigma="4/3"),
           instances(4, n=(1, 2), made_by={A: I/2, S: rational("4/3")*I, si: rational("4/3")}),
           example(n=2, A=[[0, 2], [0, 0]], S=[[1, 0], [0, 5]], x=[1, 1], sigma=5)],
@@ -83,31 +85,31 @@ def near(value, printed, tolerance):
 
 LARGE = (rows([[64, 0], [0, 64]]), rows([[49, 0], [0, 49]]))
 NOTHING = (Zero(2, 2), I2)
-claim("D71-X3.3", "the modes of Example 3.3", modes(rational("3/2")), where=GROWING, by=[evaluation()],
+claim("D71-X3.3", "the modes of Example 3.3", modes(rational("3/2")), where=GROWING, by=[part("the modes, not the equilibria"), evaluation()],
       note="The stable mode 1/2 is driven, as H(0, 1) is not zero, the unstable mode 3/2 is not, as H(3, -2) = 0; M sees both eigenvectors. The two "
            "equilibria are D71-E3.262 and D71-E3.263.")
 
 claim("D71-F3.8", "both traces approach that of the stable equilibrium",
       forall(k, 16, 20, near(P[k], "25.02438", "1/1000") & near(Pa[k], "25.02438", "1/1000")) & (trace(P[1]) > 26) & (trace(Pa[1]) > 26),
-      where=[*GROWING, *run(*LARGE)], by=[evaluation()],
+      where=[*GROWING, *run(*LARGE)], by=[part("the samples 1 and 16 to 20"), evaluation()],
       note="25.02438 is the trace of (3.262) as printed. The samples 16 to 20 are within 1/1000 of it.")
 
 claim("D71-F3.9", "the computed trace approaches that of the unstable equilibrium, the actual one grows",
       forall(k, 0, 12, (P[k]*NULL == Zero(2, 1)) & (T(NULL)*Pa[k]*NULL == rows([[13]])*Xk[k])) & near(P[12], "14.72617", "1/1000"),
-      where=[*GROWING, rec(Xk, k, 1, Xk[k]*rational("9/4")), *run(*NOTHING)], by=[evaluation()],
+      where=[*GROWING, rec(Xk, k, 1, Xk[k]*rational("9/4")), *run(*NOTHING)], by=[part("the first twelve samples, without round-off"), evaluation()],
       note="For exact computation, and the first twelve samples: P_kn = 0 with n = (3, -2), and n'P_an = 13(9/4)^k. That round-off ends this is not stated "
            "here. 14.72617 is the trace of (3.263) as printed.")
 
 claim("D71-F3.10", "both traces approach the only equilibrium",
       forall(k, 1, 19, (trace(P[k + 1]) < trace(P[k])) & (trace(P[k]) > rational("14.726")))
       & forall(k, 4, 20, (trace(P[k]) - trace(Pa[k]) < rational("2/5")) & (trace(P[k]) > trace(Pa[k])))
-      & (trace(P[20]) - trace(Pa[20]) < rational("1/60")), where=[*WALKING, *run(*LARGE)], by=[evaluation()],
+      & (trace(P[20]) - trace(Pa[20]) < rational("1/60")), where=[*WALKING, *run(*LARGE)], by=[part("the first twenty samples"), evaluation()],
       note="For the first twenty samples: from 128 and 98 at the start, the traces are 0.4 apart after four samples and 1/60 after twenty, and the one of "
            "P_k falls towards 14.726.")
 
 claim("D71-F3.11", "the actual trace stays above the computed one",
       forall(k, 0, 12, (P[k]*NULL == Zero(2, 1)) & (T(NULL)*Pa[k]*NULL == rows([[13]]))) & near(P[12], "14.72617", "1/1000") & near(Pa[12], "20.434", "1/100"),
-      where=[*WALKING, *run(*NOTHING)], by=[evaluation()],
+      where=[*WALKING, *run(*NOTHING)], by=[part("the first twelve samples"), evaluation()],
       note="P_kn = 0 and n'P_an = 13, here for twelve samples; the traces are 14.726 and 20.434 after twelve samples.")
 
 # --- Example 3.5 -----------------------------------------------------------------------------------------------------------
@@ -116,17 +118,17 @@ SECOND = rows([[40, 60], [60, 90]])
 WALK = [*COORDINATES, let(H, Zero(2, 2))]
 claim("D71-X3.5", "the process of Example 3.5",
       (step(P) == P) & (Phi*(I2 - gain()*M) == Phi) & ((Phi - I2)*(Phi - I2) == Zero(2, 2)) & (rank(Phi - I2) == 1), where=[*WALK, let(P, Zero(2, 2))],
-      by=[evaluation()],
+      by=[part("0 is an equilibrium, and its linear equation; not that it is the only one"), evaluation()],
       note="B - PD is Phi at P = 0, with the double eigenvalue 1 in one Jordan block. That there is no other equilibrium is not stated here.")
 
 claim("D71-F3.13", "the second case",
       forall(k, 1, 19, (trace(P[k + 1]) < trace(P[k])) & (k*trace(P[k]) <= 13)) & forall(k, 6, 20, trace(Pa[k]) > 2*k**2), where=[*WALK, *run(SECOND, E11)],
-      by=[evaluation()],
+      by=[part("the first twenty samples"), evaluation()],
       note="For the first twenty samples: the trace of P_k is at most 13/k, that of P_a(t_k) more than 2k^2 from the sixth on.")
 
 claim("D71-F3.14", "the third case",
       (trace(Pa[10]) > 50*trace(Pa[40])) & (trace(Pa[40]) < 2*trace(P[40])) & (trace(Pa[100]) > 2*trace(P[100])) & (trace(Pa[100]) > trace(Pa[80])),
-      where=[*WALK, *run(E11/100, I2, E11/500000)], by=[evaluation()],
+      where=[*WALK, *run(E11/100, I2, E11/500000)], by=[part("four samples"), evaluation()],
       note="P_a(t_k) first grows, comes back to less than twice P_k at the sample 40, and leaves it again; at the sample 100 it is more than twice and grows.")
 
 SIXTH = {y11: scalar(), y12: scalar(), y22: nonneg(), x0: nonneg()}

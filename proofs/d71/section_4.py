@@ -11,7 +11,7 @@ where the definition has that nothing of the mode is orthogonal to it.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, induction, instances, order, steps
+from exactkf.evidence import example, induction, instances, order, part, steps
 from exactkf.language import (
     Identity,
     T,
@@ -66,7 +66,7 @@ claim("D71-S69", "the equation cited for the limit of the actual covariance",
       repair=repair("cross-reference", "P_ae is the solution of (3.246); (3.101) is the remainder R in the proof of Theorem 3.17",
                     AROUND, sizes=["n", "p"], over={**SYSTEM, Pae: symmetric_matrix(n)}, where=[*COEFFICIENTS, *RUN],
                     given=[EQUILIBRIUM, given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE)],
-                    by=[induction(), example({**ONE, "Pae": [[1]]}), example({**ONE, "Pae": [[0]]}),
+                    by=[part("P_k = P_e"), induction(), example({**ONE, "Pae": [[1]]}), example({**ONE, "Pae": [[0]]}),
                         instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), c: vector(n)},
                                   made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + c[i]**2), 0))*inv(E),
                                            M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
@@ -85,7 +85,8 @@ def stable_equilibrium():
     return repair("missing hypothesis", SLOPE_ONE, one_state.STABLE,
                   over={**one_state.ANY, one_state.r: nonneg()}, where=[one_state.GRAPH, let(one_state.e, one_state.upper)],
                   given=[one_state.EXISTS, given("not an undriven random walk", ~((one_state.h == 0) & (one_state.phi**2 == 1))), one_state.IS_ROOT],
-                  by=[steps("D71-E3.8", facts=["A differentiable map is stable at a fixed point where its slope is below one in absolute value."],
+                  by=[part("one state"),
+                      steps("D71-E3.8", facts=["A differentiable map is stable at a fixed point where its slope is below one in absolute value."],
                             prose="The equilibria have product -hv/m^2 and the larger one has the smaller slope; the slopes multiply to one."),
                       example(phi=1, m=1, v=1, h=0, r=0), instances(made_by=one_state.FROM_Q, using={one_state.q: scalar()})])
 
@@ -109,34 +110,34 @@ claim("D71-S74", "the two equilibria beside an undriven unstable mode",
 # --- the variance of a random walk mode ------------------------------------------------------------------------------------
 
 nd, v, s, b, r, P0, Var = symbols("nd v s b r P0 Var")
-MODE = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), P0: positive_semidefinite(n), nd: vector(n),
-        v: vector(n), s: scalar()}
-WALK = [given("random walk", s**2 == 1), given("undriven", (T(Phi)*nd == s*nd) & (H*nd == Zero(n, 1))),
-        given("unobservable", (Phi*v == s*v) & (M*v == Zero(p, 1)))]
+MODE = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p), P0: positive_semidefinite(n), nd: matrix(n, q),
+        v: matrix(n, q), s: matrix(q, q)}
+WALK = [given("undriven", (T(Phi)*nd == nd*T(s)) & (H*nd == Zero(n, q))), given("unobservable", (Phi*v == v*s) & (M*v == Zero(p, q)))]
 SOLUTION = [rec(P, k, P0, step(P[k])), let(Var, T(nd)*P0*nd)]
 CONSTANT = always(k, T(nd)*P[k]*nd == Var)
 CORRELATED = {"n": 2, "p": 1, "Phi": [[1, 0], [0, "1/2"]], "H": [[0, 0], [0, 0]], "M": [[0, 1]], "V": [[1]], "P0": [[1, "1/2"], ["1/2", 1]],
-              "nd": [1, 0], "v": [1, 0], "s": 1}
-PLAIN = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[0]], "V": [[1]], "P0": [[3]], "nd": [1], "v": [1], "s": 1, "b": 3}
+              "q": 1, "nd": [[1], [0]], "v": [[1], [0]], "s": [[1]]}
+PLAIN = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[0]], "V": [[1]], "P0": [[3]], "q": 1, "nd": [[1]], "v": [[1]], "s": [[1]], "b": [[3]]}
 REST = n - 1
 
 claim("D71-S72", "the variance of a random walk mode that is neither driven nor measured",
-      CONSTANT, sizes=["n", "p"], over=MODE, where=SOLUTION, given=WALK,
-      by=[example(CORRELATED), instances(n=(1,), p=(1,), horizon=2)],
+      CONSTANT, sizes=["n", "p", "q"], over=MODE, where=SOLUTION, given=[*WALK, given("random walk", s*T(s) == Identity(q))],
+      by=[example(CORRELATED), instances(n=(1,), p=(1,), q=(1,), horizon=2)],
       repair=repair(
-          "missing hypothesis", "the variance falls if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
+          "missing hypothesis", "the variance may fall if the estimate of the mode is correlated with what is measured; it is constant if P_0 n is a multiple of "
                                 "the vector of the mode",
-          always(k, (P[k]*nd == b*v) & (T(nd)*P[k]*nd == Var)), sizes=["n", "p"], over={**MODE, b: scalar()}, where=SOLUTION,
-          given=[*WALK, given("uncorrelated", P0*nd == b*v)],
-          by=[induction(), example({**CORRELATED, "b": 1}), example({**PLAIN, "Phi": [[2]], "s": 2}), example({**PLAIN, "H": [[1]]}),
+          always(k, T(nd)*P[k]*nd == Var), sizes=["n", "p", "q"], over={**MODE, b: matrix(q, q)}, where=SOLUTION,
+          given=[*WALK, given("random walk", s*b*T(s) == b), given("uncorrelated", P0*nd == v*b)],
+          by=[induction(also=[P[k]*nd == v*b]), example({**CORRELATED, "b": [[1]]}), example({**PLAIN, "Phi": [[2]], "s": [[2]]}), example({**PLAIN, "H": [[1]]}),
               example({**PLAIN, "M": [[1]]}),
-              example({**PLAIN, "b": 2}),
-              instances(6, n=(2, 3), p=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
-                        made_by={s: 1, Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E),
+              example({**PLAIN, "b": [[2]]}),
+              instances(6, n=(2, 3), p=(1,), q=(1,), horizon=2, using={E: nonsingular(n), X: nonsingular(REST), c: matrix(1, REST), D: matrix(REST, REST), r: scalar()},
+                        made_by={s: Identity(1), Phi: E*block([[Identity(1), Zero(1, REST)], [Zero(REST, 1), X]])*inv(E),
                                  nd: inv(T(E))*matrix_of(i, j, n, 1, when(i == 1, 1, 0)),
-                                 v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), b: r**2, H: Zn, M: hstack(Zero(1, 1), c)*inv(E),
+                                 v: E*matrix_of(i, j, n, 1, when(i == 1, 1, 0)), b: r**2*Identity(1), H: Zn, M: hstack(Zero(1, 1), c)*inv(E),
                                  P0: E*block([[r**2*Identity(1), Zero(1, REST)], [Zero(REST, 1), D*T(D)]])*T(E)})]),
-      note="The variance of the mode is n'P_k n with Phi'n = sn, s = 1 or -1. In the counterexample the other mode, 1/2, is measured, and the first "
+      note="The variance of the mode is n*P_k n with Phi'n = s*n and |s| = 1. s and b stand on the right as matrices, so that they may be complex: numbers are "
+           "2 x 2 matrices that commute, and s b s* = b says |s| = 1. In the counterexample the other mode, 1/2, is measured, and the first "
            "measurement lowers the variance from 1 to 7/8. That the equilibria form a continuum is not stated here.")
 
 # --- the definition that is recalled --------------------------------------------------------------------------------------

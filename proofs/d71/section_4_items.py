@@ -7,7 +7,7 @@ state moves by phi^2 p + h, which is unstable for phi^2 > 1 and grows for phi^2 
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, instances
+from exactkf.evidence import example, instances, part
 from exactkf.language import always, given, nonneg, rec, scalar, symbols, to_expr
 from proofs.d71.notation import k
 
@@ -20,7 +20,7 @@ not_checked("D71-S68", "summary of the results", SUMMARY.format("the theorems of
 claim("D71-S70", "slightly indefinite covariances return",
       always(k, (x[k] <= 0) & (to_expr(2)**k*x[k] >= p0)), over={p0: scalar()}, where=[rec(x, k, p0, x[k]/4/(x[k] + 1))],
       given=[given("slightly negative", 2*p0 >= -1), given("negative", p0 <= 0)],
-      by=[example(p0="-1/2"), example(p0="-1/10"), example(p0=-2), example(p0="-99/100"), example(p0=1),
+      by=[part("one state and phi = 1/2"), example(p0="-1/2"), example(p0="-1/10"), example(p0=-2), example(p0="-99/100"), example(p0=1),
           instances(made_by={p0: -1/(2 + y**2)}, using={y: scalar()})],
       note="For one state, phi = 1/2, h = 0, m = v = 1, whose only nonnegative equilibrium 0 is stable: from a negative p_0 >= -1/2 the solution returns to "
            "0, and is at least p_0/2^k. That this is so near every singular equilibrium of a regular process is Theorem 3.22.")
@@ -28,7 +28,7 @@ claim("D71-S70", "slightly indefinite covariances return",
 claim("D71-S71", "unobservable modes that are unstable, or driven random walks",
       always(k, (x[k] - y[k] == phi**(2*k)*(p0 - q0)) & (gap[k] == p0 + k*h)), over={p0: scalar(), q0: scalar(), phi: scalar(), h: nonneg()},
       where=[rec(x, k, p0, phi**2*x[k] + h), rec(y, k, q0, phi**2*y[k] + h), rec(gap, k, p0, gap[k] + h)],
-      by=[instances(12, horizon=5)],
+      by=[part("one state"), instances(12, horizon=5)],
       note="For one state with m = 0: the difference of two solutions x and y grows like phi^{2k} if phi^2 > 1; for a random walk, whose solution is called "
            "gap, the variance is p_0 + kh, which is unbounded if h > 0.")
 
