@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -150,7 +150,7 @@ claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2
             z: vector(p), L1: matrix(n, n), L2: matrix(n, p)},
       where=[*BAYES, let(UB, T(hstack(I_n - K * C, K))), let(L, hstack(L1, L2))],
       given=[given(GAIN_LS, K * (C * P * T(C) + N) == P * T(C)), UNBIASED],
-      by=[instances(made_by={"S0": one_inverse(C * P * T(C) + N),
+      by=[restated("the least squares estimate of jointly Gaussian x and z is m + K(z - Cm)", "the best linear unbiased estimate is the maximum likelihood estimate"), instances(made_by={"S0": one_inverse(C * P * T(C) + N),
                              K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
                              L1: I_n - L2 * C},
                     using={X: matrix(n, p)}, n=(1, 2), p=(1, 2))],

@@ -26,7 +26,7 @@ complex matrix X + iY by its real form [X, -Y; Y, X], of twice the rank.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, induction, instances, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, induction, instances, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -332,7 +332,7 @@ SCALAR = {"l": 1, "p": 1, "n": 1, A: [[2]], Q: [[0]], S: [[0]], R: [[0]], Le: [[
 claim("NWL92-E4.18", "the Lyapunov equation has at most one solution, which is nonnegative",
       (Ps == Pt) & psd(Ps), sizes=["l", "p", "n"], over={**OBSERVER, Ps: symmetric_matrix(n), Pt: symmetric_matrix(n)},
       given=[system.NOISE, STABLE, LYAPUNOV, LYAPUNOV_2],
-      by=[order([], [NOISE_FORM], inside=[within(0, unique=(Le * A, T(Le * A))), within(1, stein=Le * A)]),
+      by=[restated("a linear map of matrices that is one to one is onto"), order([], [NOISE_FORM], inside=[within(0, unique=(Le * A, T(Le * A))), within(1, stein=Le * A)]),
           *[example({**SCALAR, A: [[x]], Q: [[q_]], Ps: [[y]], Pt: [[z]]}) for x, q_, y, z in ((1, 0, 1, 0), (2, 3, -1, -1), (0, 0, 0, 1), (0, 0, 1, 0), (1, 0, -1, -1))],
           MEMORY, NO_MEMORY],
       note="The map X -> X - (Le A)X(Le A)' is linear; as it takes different X to different values, there is a solution.")
@@ -342,7 +342,7 @@ LIMIT_OVER = {**OBSERVER, Ps: symmetric_matrix(n), W0: positive_semidefinite(n)}
 ERROR_IS = W[t] - Ps == Pow[t] * (W0 - Ps) * T(Pow[t])
 claim("NWL92-E4.17", "the error covariance of the stable filter tends to the solution of the Lyapunov equation",
       always(t, ERROR_IS), sizes=["l", "p", "n"], over=LIMIT_OVER, where=ERROR_REC, given=[LYAPUNOV],
-      by=[induction(), example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
+      by=[restated("the powers of a stable matrix tend to zero", "a linear map of matrices that is one to one is onto"), induction(), example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note=("W[t] is the error covariance at t from any W0, by (4.16) and as u(k), r(k) are independent of the error at k; Pow[t] is the power of Le A, which tends "
             "to zero as Le A is stable."))
 
@@ -351,7 +351,7 @@ CLOSED_LA = T(T(Le * A))
 claim("NWL92-E4.5", "the error covariance of the stable filter stays bounded and has a limit",
       always(t, ERROR_IS) & always(t, psd(W[t])) & always(t, loewner(Ps + BOUND_W, W[t])), sizes=["l", "p", "n"],
       over={**LIMIT_OVER, Ps: positive_semidefinite(n)}, where=ERROR_REC, given=[system.NOISE, LYAPUNOV],
-      by=[induction(base=[order(), order([W0]), order([Ps])],
+      by=[restated("the powers of a stable matrix tend to zero", "a linear map of matrices that is one to one is onto"), induction(base=[order(), order([W0]), order([Ps])],
                     step=[order(), order([CLOSED_LA * W[t] * T(CLOSED_LA), NOISE_FORM]), order([CLOSED_LA * (Ps + BOUND_W - W[t]) * T(CLOSED_LA)])]),
           example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note="Ps is nonnegative by NWL92-E4.18. The limit is Ps, as the powers Pow[t] of the stable Le A tend to zero (NWL92-E4.17); it is finite.")

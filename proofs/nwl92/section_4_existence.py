@@ -24,7 +24,7 @@ the 3-block matrix invertible for every P >= 0. The paper prints S for -S.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, null_vector, order, steps, within
+from exactkf.evidence import example, induction, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -57,6 +57,7 @@ from exactkf.language import (
 from proofs.nwl92.notation import one_inverse
 from proofs.nwl92.notation_system import (
     BOTTOM,
+    CERTIFICATE_FACT,
     CERTIFICATES,
     CERTIFIED,
     COVARIANCE,
@@ -301,7 +302,7 @@ claim("NWL92-S29", "the right side of (4.20) passes to the limit as the inverse 
       by=[example(CURVE), instances(8, made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=1, p=1, n=1)],
       repair=repair("missing hypothesis", ("the last block is unique but no continuous function of P, and (A.10) contains more than true inverses; the limit is right where "
                                            "(1 - e)P <= P_k <= P with e tending to zero, as for the increasing sequence of Theorem 4.2"),
-                    SANDWICH, sizes=["l", "n", "p"], over=NEAR_OVER, where=NEAR_LETS, given=NEAR_GIVEN, by=[NEAR_PROOF, *NEAR_FOILS, NEAR_DRAWN]),
+                    SANDWICH, sizes=["l", "n", "p"], over=NEAR_OVER, where=NEAR_LETS, given=NEAR_GIVEN, by=[restated("the ranges of an increasing sequence of nonnegative matrices become constant", "what lies between two sequences of one limit tends to it"), NEAR_PROOF, *NEAR_FOILS, NEAR_DRAWN]),
       note=("Read as: if P_k tends to P, the right side of (4.20) at P_k tends to that at P, here along P_k = (V0 + V1/k)(V0 + V1/k)': the coefficient of z^0 at infinity is the "
             "limit for k = z. In the corrected statement Pa is P_k, Pb is P; for e = 0 it is the uniqueness of the block. The limit that Theorem 4.2 takes is right: the "
             "ranges of an increasing sequence that converges are those of its limit from some k on, so that it has this property."))
@@ -332,7 +333,7 @@ EMPTY = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]
 claim("NWL92-S34", "stabilizability gives full row rank, as printed with S for -S",
       rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, PRINTED_ROWS)], given=[NOISE, STABILIZABLE], by=[example(SAME_SIGN), ROWS_DRAWN],
       repair=repair("sign", "S must have the sign it has in Definition 4.1, which (s, t) = (1, 0) gives: with S for -S the rank is another one",
-                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[order(), example(EMPTY), ROWS_DRAWN]),
+                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[CERTIFICATE_FACT, order(), example(EMPTY), ROWS_DRAWN]),
       note=CERTIFICATES)
 
 v0, v1 = null_vector(0), null_vector(1)
@@ -360,7 +361,7 @@ claim("NWL92-S36", "stabilizability makes the 3-block matrix invertible for ever
       (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "n", "p"],
       over={**SYSTEM, **STABILIZER, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)}, where=[OMEGA],
       given=[NOISE, RANK, STABILIZABLE, given("null vector", Om * vstack(lam1, lam2, x) == Zero(l + p + n, 1))],
-      by=[order([], [], LAM_TERMS, [], [], [], [], [inv(GRAM)], lemmas=NULL_STEPS),
+      by=[CERTIFICATE_FACT, order([], [], LAM_TERMS, [], [], [], [], [inv(GRAM)], lemmas=NULL_STEPS),
           *[example({**NULL_ONES, **change}) for change in (
               {lam1: [1]}, {E: [[0]], x: [1], Q: [[1]], R: [[1]], Ma: [[1]], Md: [[1]]}, {E: [[1]], R: [[1]], Na: [[1]], Md: [[1]], x: [1]})], NULL_DRAWN],
       note="Invertible is said as: a null vector (lam1; lam2; x) is zero. So the (1)-inverses in (4.29) and (4.32) are inverses. " + CERTIFICATES)
@@ -375,7 +376,7 @@ CLOSED_NAME = sym("Closed")
 claim("NWL92-T4.3.3", "the steady-state filter is stable",
       schur(CLOSED_NAME), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[OMEGA, OMEGA_INVERSE, *GAINS, let(CLOSED_NAME, L * A)],
       given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[stable_gains((P, INVERSE, L, K)), *STABLE_FOILS, solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))], note=CERTIFICATES)
+      by=[CERTIFICATE_FACT, stable_gains((P, INVERSE, L, K)), *STABLE_FOILS, solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))], note=CERTIFICATES)
 
 UNIQUE_OVER, UNIQUE_LETS = {**TWO_OVER, **STABILIZER}, [*TWO_LETS, *TWO_GAINS]
 UNIQUE_GIVEN = [*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE]

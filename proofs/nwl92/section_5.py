@@ -29,7 +29,7 @@ is said through a left inverse, full row rank through a right inverse.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -66,6 +66,7 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92.notation import lower, one_inverse, upper
+from proofs.nwl92.notation_system import CERTIFICATE_FACT
 
 l, p, n, k = symbols("l p n k")
 A, Q, S, R, E, C = symbols("A Q S R E C")
@@ -183,7 +184,7 @@ claim("NWL92-S43", "detectability in the notation (5.2), and F + zK has full col
             s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
       given=[given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A)), standing("|z| = 1", a * a + b * b == 1),
              given("s is not zero", NOT_ZERO > 0)],
-      by=[order([], [], [1 / NOT_ZERO], [1 / NOT_ZERO], [], [], [], [], [T(nv) * nv, T(nw) * nw], inside=[SAME_KERNEL, ON_CIRCLE_RANK]),
+      by=[CERTIFICATE_FACT, order([], [], [1 / NOT_ZERO], [1 / NOT_ZERO], [], [], [], [], [T(nv) * nv, T(nw) * nw], inside=[SAME_KERNEL, ON_CIRCLE_RANK]),
           example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Le: [[1]], Lc: [[0]], a: -1, b: 0, s1: 1, s2: 0, t1: 0, t2: 0}),
           example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], Le: [[0]], Lc: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
           instances(made_by={Le: inv(T(E) * E + T(C) * C) * T(E), Lc: inv(T(E) * E + T(C) * C) * T(C),
@@ -405,7 +406,7 @@ claim("NWL92-E5.14", "determinants of (5.13)",
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
       t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
-      by=[BOTH_DETERMINANTS, instances(**SIZES)],
+      by=[restated("polynomials that agree where s and t are not zero agree"), BOTH_DETERMINANTS, instances(**SIZES)],
       note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
 
 # ------------------------------------------------------------------ the stable eigenspace
@@ -475,7 +476,7 @@ claim("NWL92-E5.29", "F'Yw = 0 gives w'Y'[F, G] = 0",
 
 claim("NWL92-S47", "stabilizability gives [F, G] full row rank",
       rank(hstack(F, G)) == k, sizes=["k", "n"], over={**PENCIL, **ROW_INVERSE}, given=[STABILIZABLE],
-      by=[example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]], N1: [[0]], N2: [[0]]}),
+      by=[CERTIFICATE_FACT, example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]], N1: [[0]], N2: [[0]]}),
           systems(made_by={}, using={L: matrix(n, k)})], note=CERTIFIED)
 
 claim("NWL92-E5.30", "Yw = 0",
@@ -515,7 +516,7 @@ claim("NWL92-E5.32", "an eigenvector of J on the invariant null space is one of 
       given=[given("basis of the null space", (M * Nb == Zero(n, q)) & (Mb * Nb == Identity(q)) & (Y * M + Nb * Mb == Identity(n))),
              given("invariant", M * J * Nb == Zero(n, q)), given("eigenvector, real part", J1 * y1 == PAIR_1),
              given("eigenvector, imaginary part", J1 * y2 == PAIR_2), given("not zero", hstack(y1, y2) != Zero(q, 2))],
-      by=[order(), example(PLANE), *[example({**PLANE, **change}) for change in (
+      by=[restated("every square matrix with at least one row has a complex eigenvector"), order(), example(PLANE), *[example({**PLANE, **change}) for change in (
               {J: [[1, 0], [1, 1]]}, {y1: [0], y2: [0]}, {J: [[2, 0], [0, 1]], y2: [0]}, {J: [[2, 0], [0, 1]], y1: [0]}, {M: [[1, 0], [0, 0]]})],
           null_spaces(block([[a, -b], [b, a]]), (vstack(1, 0), vstack(0, -1)), n=(2, 3), q=2)],
       note=("M stands for F'Y; the columns of Nb are a basis of its null space: Mb is a left inverse of Nb and every v is NbMb v + YMv. J acts on it as J1. "
@@ -584,7 +585,7 @@ claim("NWL92-S49", "F'Y is invertible",
       invertible(T(F) * Y), sizes=["k", "n"], over={**EIGENSPACE, **CERTIFICATES},
       given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS,
              standing("detectable", (L * F == Identity(n)) & schur(L * K)), standing("stabilizable", (F * N1 + G * N2 == Identity(k)) & schur(K * N1))],
-      by=[INVERTIBLE_PROOF,
+      by=[CERTIFICATE_FACT, INVERTIBLE_PROOF,
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[1]], Y: [[0]], J: [[2]], L: [[1]], N1: [[1]], N2: [[0]]}),
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[0]], Y: [[0]], J: [[0]], L: [[1]], N1: [[1]], N2: [[0]]}),
           STABLE_SPACE], note=CERTIFIED)
