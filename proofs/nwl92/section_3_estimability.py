@@ -60,7 +60,7 @@ from proofs.nwl92.notation_system import (
     noise,
     p,
 )
-from proofs.nwl92.section_3_three_blocks import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
+from proofs.nwl92.section_3_three_blocks import BEST_IS_ML, BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 k, N_STEPS = symbols("k J")
@@ -135,7 +135,7 @@ claim("NWL92-S20", "the 3-block filter follows from Lemma 2.1, as printed",
       repair=repair("cross-reference", ("it is Lemma 2.2: Lemma 2.1 says when the 3-block matrix is invertible, and needs [N, (E; C)] of full row rank, which need not hold; its matrix has a "
                                         "(1)-inverse in any case"),
                     is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
       note="The left side is the hypothesis of Lemma 2.1 for the measurement (3.2), (3.3) that the theorem does not make. The corrected statement is Theorem 3.1 with its sign put right.")
 
 not_checked("NWL92-Q1", "a connection of two Riccati equations of other papers", "a conjecture about equations of other papers, which are not written down here")

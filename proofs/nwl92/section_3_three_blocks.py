@@ -28,7 +28,7 @@ If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order
+from exactkf.evidence import example, identity, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -119,6 +119,10 @@ NOTE = ("Maximum likelihood is said as in NWL92-L2.2: the estimate is linear and
         "M1 A xh + M2 y has a smaller error covariance.")
 
 
+#: what it takes to say that (3.4) is the filtered estimate, beside NWL92-S18, by which the estimate of x(j) takes the place of past data
+BEST_IS_ML = restated("the best linear unbiased estimate is the maximum likelihood estimate")
+
+
 def is_ml(sign):
     """(3.4) is linear in (A xh, y), unbiased and best; its error covariance is the printed block with this sign."""
     unbiased = (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n))
@@ -129,13 +133,13 @@ claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (
       is_ml(1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
       by=[example(SMALL_FILTER), DRAWN],
       repair=repair("sign", SIGN, is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
       note=NOTE)
 
 claim("NWL92-E3.4", "the filter in 3-block form",
       (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n)) & LARGER,
       sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-      by=[filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
+      by=[BEST_IS_ML, filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
 
 claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a minus sign",
       GAIN * N * T(GAIN) == LAST * Oi * BOTTOM,

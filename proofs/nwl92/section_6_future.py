@@ -206,11 +206,15 @@ claim("NWL92-E6.6", "the sum of the rows T_i of the dynamics at j + i",
       note=("W_t is the sum of the T_i u(j+i) with i < t, and x_i stands for x(j+i). Where T_N = 0 and so on, W_N is the whole sum, and what it is equal to "
             "is -T_0 A x(j), which is of the form (6.3)."))
 
-AT_Z = T0 + z * T1 + z ** 2 * T2
+Tz, Dz, Zp = symbols("Tz Dz Zp")
 claim("NWL92-E6.7", "(6.5) as an equation of polynomials",
-      AT_Z * (z * E - A) == -(T0 * A) + z * (T0 * E - T1 * A) + z ** 2 * (T1 * E - T2 * A) + z ** 3 * (T2 * E), sizes=["l", "n", "g"],
-      over={**PENCIL, **ROWS, z: scalar()}, by=[order(), instances(l=(1, 2), n=(1, 2), g=(1, 2))],
-      note=("For T(z) of degree two. T(z)(zE - A) = -T_0 A for all z exactly if the other coefficients vanish, which are those of (6.5) (NWL92-E6.5)."))
+      forall(t, 0, N, Tz[t] * (z * E - A) == -(Tt[0] * A) + Dz[t] + Zp[t] * (Tt[t] * A)), sizes=["l", "n", "g", "N"],
+      over={**PENCIL, Tt: sequence_of(matrix(g, l), 0, N), z: scalar()},
+      where=[rec(Zp, t, 1, z * Zp[t]), rec(Tz, t, Zero(g, l), Tz[t] + Zp[t] * Tt[t]),
+             rec(Dz, t, Zero(g, n), Dz[t] + z * Zp[t] * (Tt[t] * E - Tt[t + 1] * A))],
+      by=[restated("a polynomial is zero exactly if its coefficients are"), induction(), instances(8, l=(1, 2), n=(1, 2), g=(1, 2), N=(1, 2, 3))],
+      note=("Zp_t is z^t, Tz_t the sum of the z^i T_i with i < t, and Dz_t that of the z^(i+1) (T_i E - T_(i+1) A). Where T_t is zero, Tz_t is T(z), and T(z)(zE - A) is "
+            "-T_0 A + Dz_t, whose coefficients are zero exactly if (6.5) holds."))
 
 POLYNOMIAL = T0 + Z * T1 + Z ** 2 * T2
 DRAWN_ROWS = instances(made_by={**NILPOTENT, **MADE_ROWS, T0: row(0), T1: row(1), T2: row(2), F: G * R0},
@@ -459,12 +463,10 @@ SUM_FROM_1, V_FROM_1 = T1 * INPUTS[1] + T2 * INPUTS[2], T1 * Q * T(T1) + T2 * Q 
 claim("NWL92-E6.22", "the measurement that future dynamics amount to, as printed with a sum from i = 1",
       -(T0 * A) * x0 == SUM_FROM_1, sizes=["l", "n", "g"], over={**FINITE, **STATES}, given=[TELESCOPED],
       by=[example({**NOW, x0: [1], x1: [0], x2: [0], x3: [0]}), T_DRAWN],
-      repair=repair("index", INDEX, -(T0 * A) * x0 == T0 * INPUTS[0] + SUM_FROM_1, sizes=["l", "n", "g"], over={**FINITE, **STATES}, given=[TELESCOPED],
-                    by=[order(), *[example({**NOW, **change}) for change in (
-                            {E: [[1]], x0: [0], x1: [1], x2: [0], x3: [0]}, {E: [[1]], A: [[1]], T1: [[1]], x0: [0], x1: [0], x2: [1], x3: [0]},
-                            {E: [[1]], A: [[1]], T1: [[1]], T2: [[1]], x0: [0], x1: [0], x2: [0], x3: [1]})], T_DRAWN]),
-      note=("F = -T_0 A; u(j+i) = E x(j+i+1) - A x(j+i). For p = 2; for any p it is NWL92-E6.6. The letter p is the number of measurements before, and the "
-            "degree of T(z) here."))
+      repair=repair("index", INDEX, forall(t, 0, N, W[t] == -(Tt[0] * A * Xs[0]) + Tt[t] * A * Xs[t]), **LONG, where=[SUM_W], given=[DYNAMICS, ROWS_65],
+                    by=[induction(), *LONG_FOILS, *LONG_DRAWN]),
+      note=("F = -T_0 A; u(j+i) = E x(j+i+1) - A x(j+i). In the print p = 2. In the corrected statement W_t is the sum of the T_i u(j+i) with i < t, for any degree of T(z): "
+            "at t = p + 1, where T_t is zero, it is F x(j). The letter p is the number of measurements before, and the degree of T(z) here."))
 
 ALL_T = hstack(T0, T1, T2)
 NOISE_3 = block([[Q, Zero(l, l), Zero(l, l)], [Zero(l, l), Q, Zero(l, l)], [Zero(l, l), Zero(l, l), Q]])
