@@ -38,13 +38,13 @@ from exactkf.language import (
     hstack,
     iff,
     inv,
-    let,
     loewner,
     matrix,
     nonneg,
     nonsingular,
     positive_semidefinite,
     psd,
+    rank,
     rec,
     scalar,
     schur,
@@ -380,15 +380,24 @@ def stable_gains(*solved_by, unique=None):
 
 
 BOUND = sym("Bound")
-Closed = sym("Closed")
 ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
-STABLE_FOILS = [example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]})]
-claim("NWL92-S37", "LA is stable for every nonnegative solution",
-      schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
-      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[CERTIFICATE_FACT, stable_gains((P, INVERSE, L, K)), *STABLE_FOILS,
-          solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
-      note=CERTIFICATES)
+#: [lam E - A, Q, -S; lam C, -S', R] in real form, and what v(L K) gives with it
+AT_LAM = block([[REAL_PART, NOISE_G, -IMAGINARY_PART, 0 * NOISE_G], [IMAGINARY_PART, 0 * NOISE_G, REAL_PART, NOISE_G]])
+BOTH_ENDS = hstack(v1 * GAIN, v2 * GAIN)
+POINTWISE = given("stabilizable at (lam, 1)", rank(AT_LAM) == 2 * (l + p))
+_lemmas, _needs, _inside = identities_of([(P, INVERSE)], n)
+NO_EIGENVECTOR = {
+    "says": (v1 == Zero(1, n)) & (v2 == Zero(1, n)), "sizes": ["l", "n", "p"], "over": EIGEN_OVER, "where": FILTER,
+    "given": [standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE, POINTWISE],
+    "by": [order(*_needs, [], TERMS, TERMS, [], SQUARES, SQUARES, inside=_inside,
+                 lemmas=[*_lemmas, ALL_TERMS * Identity(1) == Zero(1, 1), v1 * GAIN * NOISE_G == Zero(1, l + p), v2 * GAIN * NOISE_G == Zero(1, l + p),
+                         BOTH_ENDS == Zero(1, l + p + l + p)]),
+           *FOILS, example({**NOISELESS, A: [[1]], a: 1}),
+           solutions(8, before={a: 1 + a0 * a0, b: 0 * a0}, made_by={v1: Zero(1, n), v2: Zero(1, n)}, using={a0: scalar()}, l=(1, 2)),
+           solutions(8, before={a: 1 - b0, b: 1 + b0}, made_by={v1: Zero(1, n), v2: Zero(1, n)}, using={b0: scalar()}, l=(1, 2))]}
+AT_EACH = ("LA is stable if it has no left eigenvector v1 + iv2 other than zero for an eigenvalue lam = a + ib with |lam| >= 1, and stabilizability is full row rank at "
+           "each (lam, 1) of these, here in real form.")
+claim("NWL92-S37", "LA is stable for every nonnegative solution", **NO_EIGENVECTOR, note=AT_EACH)
 
 # ------------------------------------------------------------------ uniqueness
 DIFFERENCE = Pa - Pb
