@@ -172,26 +172,21 @@ def pencil_at(below):
 
 NOT_ZERO = s1 * s1 + s2 * s2
 nv, nw, BOUND = null_vector(0), null_vector(1), sym("Bound")
-SAME_KERNEL = within(0, *(NOT_ZERO * (C * v) == Zero(p, 1) for v in (nv, nw)), *(C * v == Zero(p, 1) for v in (nv, nw)), vector="right")
-ON_CIRCLE_RANK = within(2, nv == -(Le * A * (a * nv - b * nw)), nw == -(Le * A * (b * nv + a * nw)), vector="right",
-                        solutions={BOUND: (T(Le * A), Identity(n))})
+SAME_KERNEL = within(1, *(NOT_ZERO * (C * v) == Zero(p, 1) for v in (nv, nw)), *(C * v == Zero(p, 1) for v in (nv, nw)), vector="right")
+NOTATION_E = [let(F_B, vstack(E, C)), let(K_B, vstack(A, Zero(p, n)))]
 claim("NWL92-S43", "detectability in the notation (5.2), and F + zK has full column rank on the unit circle",
-      iff(rank(X1) == 2 * n, rank(X2) == 2 * n) & (rank(Zz) == 2 * n),
-      where=[let(X1, pencil_at((C, Zero(p, n)))), let(X2, pencil_at((s1 * C, s2 * C))),
-             let(Zz, real_form(vstack(E + a * A, C), vstack(b * A, Zero(p, n))))],
+      (X2 == real_form(s1 * F_B - t1 * K_B, s2 * F_B - t2 * K_B)) & iff(rank(X1) == 2 * n, rank(X2) == 2 * n)
+      & (Zz == real_form(F_B + a * K_B, b * K_B)),
+      where=[*NOTATION_E, let(X1, pencil_at((C, Zero(p, n)))), let(X2, pencil_at((s1 * C, s2 * C))),
+             let(Zz, real_form(vstack(1 * E - (-a) * A, 1 * C), vstack(0 * E - (-b) * A, 0 * C)))],
       sizes=["l", "p", "n"],
-      over={A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Le: matrix(n, l), Lc: matrix(n, p), a: scalar(), b: scalar(),
-            s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
-      given=[given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A)), standing("|z| = 1", a * a + b * b == 1),
-             given("s is not zero", NOT_ZERO > 0)],
-      by=[CERTIFICATE_FACT, order([], [], [1 / NOT_ZERO], [1 / NOT_ZERO], [], [], [], [], [T(nv) * nv, T(nw) * nw], inside=[SAME_KERNEL, ON_CIRCLE_RANK]),
-          example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Le: [[1]], Lc: [[0]], a: -1, b: 0, s1: 1, s2: 0, t1: 0, t2: 0}),
-          example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], Le: [[0]], Lc: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
-          instances(made_by={Le: inv(T(E) * E + T(C) * C) * T(E), Lc: inv(T(E) * E + T(C) * C) * T(C),
-                             A: X0 * (1 / ((1 + trace(X0 * T(X0))) * (1 + trace(Le * T(Le))))), **POINT},
-                    using={X0: matrix(l, n), t0: scalar()}, l=(1, 2), p=(1, 2), n=(1, 2))],
-      note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], Mz is F + zK, in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
-            "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. " + CERTIFIED))
+      over={A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), a: scalar(), b: scalar(), s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
+      given=[given("s is not zero", NOT_ZERO > 0)],
+      by=[order([], [], [], [1 / NOT_ZERO], [1 / NOT_ZERO], inside=[SAME_KERNEL]),
+          example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
+          instances(l=(1, 2), p=(1, 2), n=(1, 2))],
+      note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
+            "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. Mz is sF - tK at (1, -z), where |s| = |t| if |z| = 1, and it is F + zK."))
 
 Gre, Gim = symbols("Gre Gim")
 claim("NWL92-E5.7", "with Gam = zK + F the lower right block of (5.6) is z Gam*",
