@@ -12,6 +12,7 @@ import click
 from exactkf._errors import BadInput
 from exactkf.files import reaching
 from exactkf.kernel.files import one_line, parsed
+from exactkf.kernel.limits import SECONDS, patiently
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 from exactkf.progress import Meter
 
@@ -21,7 +22,7 @@ _MOST_BYTES = 256 << 20
 _PROOFS = ("evaluation", "identity", "combination", "induction", "membership", "order", "word induction", "generic index", "positivity")
 
 
-def check_paths(paths: Iterable[Path]) -> int:
+def check_paths(paths: Iterable[Path], seconds: float = SECONDS) -> int:
     """Replay every certificate; exit status 0, 1 or 2 as the command has it. What one takes for granted is said."""
     files = _files(paths)
     rejected, strange = 0, 0
@@ -30,7 +31,8 @@ def check_paths(paths: Iterable[Path]) -> int:
         for file in files:
             try:
                 certificate = read_certificate(file)
-                replay(certificate)
+                with patiently(seconds):
+                    replay(certificate)
                 if needed := rests_on(certificate):
                     granted[file] = needed
                 elif certificate["kind"] in _PROOFS:

@@ -177,14 +177,15 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
 
 @main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
-def check(paths: Sequence[Path]) -> int:
+@click.option("--time-limit", type=_Seconds(), default=600, show_default=True, metavar="S", help="Seconds for one certificate; past them it is refused.")
+def check(paths: Sequence[Path], time_limit: float) -> int:
     """Replay certificates: files, or all .json files of folders.
 
     Exit status: 0 if every one replays, 1 if one does not, 2 if one is no certificate.
     """
     from exactkf.check import check_paths
 
-    return check_paths(paths)
+    return check_paths(paths, time_limit)
 
 
 @main.command(short_help="Show a claim: statement, verdict, what was checked.")
@@ -253,8 +254,8 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
     return report_command(Session.open(setup, words, how), output, kept)
 
 
-@main.command(short_help="Decide what the gain of a filter does.")
-@click.argument("file", required=False, type=click.Path(path_type=Path))
+@main.command(short_help="Decide what the gain of a filter does, or of many.")
+@click.argument("files", metavar="[FILE]...", nargs=-1, type=click.Path(path_type=Path))
 @click.option("--alpha", help="Coordinates alpha_1, ..., alpha_n, separated by commas.")
 @click.option("--gamma", help="Schur parameters gamma_0, ..., gamma_{n-1}.")
 @click.option("--a", help="With --g: a_1, ..., a_n. With --b: all coefficients of a(z), leading one first.")
@@ -265,20 +266,26 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--after", type=_Steps(), metavar="T", help="Also the state after T steps, such as 10^12, without stepping.")
 @click.option("--digits", type=click.IntRange(min=1, max=100000), default=20, show_default=True, help="Decimal digits of numbers shown.")
 @click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON.")
-@click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE", help="Write the certificate, for 'exactkf check'.")
+@click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE",
+              help="Write the certificate, for 'exactkf check'; many filters: a folder.")
 @click.option("--latex", "latex_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the derivation as LaTeX.")
 @click.option("--picture", "pictures", multiple=True, metavar="KIND=FILE",
               help="Draw plane, gamma, alpha or spectrum as .png or .svg; may be repeated.")
 @click.option("--steps", type=click.IntRange(min=1, max=10000), default=60, show_default=True, help="Steps of the orbit in pictures.")
-@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S", help="Seconds; what is not found by then is said to be open.")
-def analyze(file: Path | None, **how: Any) -> int:
+@click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S",
+              help="Seconds for a filter; what is not found by then is said to be open.")
+@click.option("--jobs", "-j", type=click.IntRange(min=1), help="Many filters: worker processes [default: one per processor].")
+def analyze(files: Sequence[Path], **how: Any) -> int:
     """Decide what the gain of a filter does: converge, escape, repeat or wander.
 
     The filter comes in a .toml or .json FILE or in options. Numbers are fractions, decimals taken exactly,
     sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
 
-    Exit status: 0 if the orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong.
+    Many filters come in several files, or in one: .jsonl with an object a line, .csv with columns such as alpha_1, alpha_2, gamma_0,
+    gamma_1, a list in .json, or [[filter]] in .toml. Each is answered in a line; --json FILE.jsonl writes an object a line.
+
+    Exit status: 0 if every orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong or a filter is refused.
     """
     from exactkf.dynamics.command import analyze_command
 
-    return analyze_command(file, **how)
+    return analyze_command(files, **how)

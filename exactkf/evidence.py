@@ -187,7 +187,7 @@ def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: 
 
 
 def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
-    """A lemma that turns a determinant, an inverse, a characteristic polynomial or coefficients at infinity into terms that can be opened.
+    """A lemma that turns a determinant, an inverse, a characteristic polynomial, coefficients at infinity or a product into terms that can be opened.
 
     ======================================  ========================================================  ================================
     kind                                    says                                                      by
@@ -196,6 +196,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``solve``                               inv(M) * v == x, or inv(M) == x
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
     ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
+    ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.

@@ -32,7 +32,8 @@ class Meter:
         if sys.stderr.isatty():
             self._bar = Progress(
                 TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(),
-                TextColumn("{task.fields[last]}"), console=Console(stderr=True), transient=True)
+                TextColumn("{task.fields[last]}"), console=Console(stderr=True), transient=True,
+                redirect_stdout=sys.stdout.isatty())  # lines go above the bar, but never into it what is kept in a file
             self._task = self._bar.add_task(what, total=total, last="")
 
     def __enter__(self) -> Meter:

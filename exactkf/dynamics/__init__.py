@@ -8,7 +8,7 @@ Main definitions
 ``decide``               a state (a, g) of any order
 ``decide_order_one``     a point (alpha, gamma)
 ``decide_riccati_one``   the Riccati equation of order one
-``decide_many``          many points of order one, in several processes
+``decide_many``          many filters of any orders, in several processes
 ``limit_digits``         digits of a limit
 ``state_ahead``          the exact state far ahead
 ``digits_ahead``         its digits
@@ -20,8 +20,9 @@ from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.answer import BEHAVIOURS, Answer, Fact
 from exactkf.dynamics.every_order import decide, limit_digits
 from exactkf.dynamics.filter import Filter
+from exactkf.dynamics.many import decide_many
 from exactkf.dynamics.numbers import number, numbers
-from exactkf.dynamics.order_one import decide_many, decide_order_one, decide_riccati_one
+from exactkf.dynamics.order_one import decide_order_one, decide_riccati_one
 
 __all__ = [
     "BEHAVIOURS", "Answer", "Fact", "Filter", "analyze", "decide", "decide_many", "decide_order_one", "decide_riccati_one", "digits_ahead",

@@ -5,7 +5,7 @@ Main definitions
 ----------------
 ``analyze``       the decision about the filter in a mapping, a file or keyword arguments
 ``filter_from``   the filter that a mapping describes
-``read_data``     a TOML or JSON file as such a mapping
+``read_data``     a file with one filter as such a mapping
 
 Notation
 --------
@@ -28,8 +28,6 @@ one, asks about the Riccati equation started there.
 
 from __future__ import annotations
 
-import json
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from types import NoneType
@@ -37,17 +35,13 @@ from typing import Any
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.files import FORMS, OPTIONS, read_filters
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.numbers import number
 from exactkf.exact._messages import bad
 from exactkf.exact.compositum import together
 
-__all__ = ["FORMS", "analyze", "filter_from", "read_data"]
-
-#: Sets of keys that describe a filter.
-FORMS = (("alpha", "gamma"), ("a", "g"), ("b", "a"), ("covariances",), ("F", "g", "h"), ("system",))
-_OPTIONS = ("floats", "order", "pi0")
-
+__all__ = ["analyze", "filter_from", "read_data"]
 
 def filter_from(data: Mapping[str, Any]) -> Filter:
     """Return the filter that the keys of a mapping describe.
@@ -62,7 +56,7 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     >>> filter_from({"alpha": ["1/2"], "gamma": ["1/3"]}).a
     (1/6,)
     """
-    keys = set(data) - set(_OPTIONS)
+    keys = set(data) - set(OPTIONS)
     if tuple(sorted(keys)) not in {tuple(sorted(form)) for form in FORMS}:
         forms = "; ".join(", ".join(form) for form in FORMS)
         what = f"no filter is described by {' and '.join(repr(k) for k in sorted(keys))}" if keys else "no filter is given"
@@ -86,35 +80,19 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
 
 
 def read_data(path: str | Path) -> dict[str, Any]:
-    """Return the mapping in a file that ends in .toml or .json.
+    """Return the mapping in a file with one filter; see `exactkf.dynamics.files`.
 
     Floats in the file are kept as the decimals that are written there.
 
     Raises
     ------
     BadInput
-        If the file cannot be read, is not of its kind, or holds no mapping.
+        If the file cannot be read, is not of its kind, or holds no filter or several.
     """
-    path = Path(path)
-    if path.suffix.lower() not in (".toml", ".json"):
-        raise bad("FILE", "ends in neither .toml nor .json", str(path), "pass a file that does")
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise bad("FILE", "cannot be read", str(path), f"pass a text file that you may read ({getattr(error, 'strerror', None) or 'not UTF-8'})") from None
-    try:
-        if path.suffix.lower() == ".toml":
-            data = tomllib.loads(text, parse_float=str)
-        else:
-            data = json.loads(text, parse_float=str, parse_constant=str)
-    except (ValueError, RecursionError) as error:
-        raise bad("FILE", f"is not {path.suffix[1:].upper()} ({' '.join(str(error).split())})", str(path), "mend it") from None
-    if not isinstance(data, dict):
-        raise bad("FILE", "holds no table of keys", str(path), 'write alpha = ["1/2"], gamma = ["1/3"] or the like')
-    unknown = set(data) - {key for form in FORMS for key in form} - set(_OPTIONS)
-    if unknown:
-        raise bad("FILE", f"has the unknown key {min(unknown)!r}", str(path), "leave it out")
-    return data
+    filters = read_filters(path)
+    if len(filters) > 1:
+        raise bad("FILE", f"holds {len(filters)} filters", str(path), "pass it to decide_many, or to the command exactkf analyze")
+    return filters[0][1]
 
 
 def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **given: Any) -> Answer:

@@ -5,7 +5,6 @@ Main definitions
 ----------------
 ``Fact``     one sentence of the derivation, in words and in LaTeX
 ``Answer``   the decision about one orbit
-``later``    a value of an answer that is computed when it is first asked for
 
 Notation
 --------
@@ -24,14 +23,11 @@ from typing import Any
 
 from exactkf._errors import BadInput
 
-__all__ = ["BEHAVIOURS", "Answer", "Fact", "later"]
+__all__ = ["BEHAVIOURS", "Answer", "Fact"]
 
 #: What an orbit can do.  ``eventually periodic``: it repeats, but never comes back to its start.  ``dense`` (order one): it fills its hyperbola,
 #: or the line, densely.
 BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "not convergent, not periodic", "undecided")
-
-
-_LATER = ("limit", "facts", "certificate")
 
 
 @dataclass(frozen=True)
@@ -50,22 +46,11 @@ class Fact:
     latex: str
 
 
-class _Later:
-    """A value not computed yet, from the answer that it belongs to."""
-
-    __slots__ = ("make",)
-
-    def __init__(self, make: Callable[[Answer], Any]) -> None:
-        self.make = make
-
-
-def later(make: Callable[[Answer], Any]) -> Any:
-    """Return a stand-in for the limit, the facts or the certificate of an answer; `make` is called with the answer at the first look."""
-    return _Later(make)
-
-
 def _none() -> None:
     return None
+
+
+_NOT_OF_THE_CLASS: dict[str, Callable[[], Any]] = {"limit": _none, "facts": tuple, "certificate": dict}  # so that __getattr__ is asked for them
 
 
 @dataclass(frozen=True)
@@ -115,7 +100,7 @@ class Answer:
     behaviour: str
     escape: int | None = None
     never_escapes: bool = False
-    limit: dict[str, Any] | None = field(default_factory=_none)  # without a value in the class, so that __getattr__ is asked
+    limit: dict[str, Any] | None = field(default_factory=_none)
     rate: Any = None
     monotone_from: int | None = None
     region: str = ""
@@ -130,17 +115,19 @@ class Answer:
     def __post_init__(self) -> None:
         if self.behaviour not in BEHAVIOURS:
             raise BadInput(f"behaviour = {self.behaviour!r} is not a behaviour of orbits; pass one of {', '.join(BEHAVIOURS)}")
-        self.__dict__["_later"] = {k: self.__dict__.pop(k).make for k in _LATER if isinstance(self.__dict__[k], _Later)}
 
     @classmethod
     def of_entries(cls, order: int, entries: Mapping[str, Any], later: Mapping[str, Callable[[Answer], Any]], start: Any) -> Answer:
         """An answer with some entries, the rest as by default; quicker than the constructor.
 
-        Facts and certificate are made by functions that all answers may share: `start` is what they need to know of this one.
+        Limit, facts and certificate may be left for later: functions of a module make them when they are asked for, and
+        `start` is what these need to know of this answer. Another process gets it without what was not asked for.
         """
         made = object.__new__(cls)
         made.__dict__.update(entries, order=order, _later=later, _start=start)  # other defaults are those of the class
-        made.__dict__.setdefault("limit", None)
+        for name, default in _NOT_OF_THE_CLASS.items():
+            if name not in later:
+                made.__dict__.setdefault(name, default())
         return made
 
     def __getattr__(self, name: str) -> Any:
@@ -152,7 +139,15 @@ class Answer:
         return value
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Answer, tuple(getattr(self, f.name) for f in fields(self))
+        if "_later" not in self.__dict__:
+            return Answer, tuple(getattr(self, f.name) for f in fields(self))
+        entries = {k: v for k, v in self.__dict__.items() if k != "order" and not k.startswith("_")}
+        return Answer.of_entries, (self.order, entries, self.__dict__["_later"], self.__dict__["_start"])
+
+    def as_found(self, reason: str = "") -> Answer:
+        """Return the same with nothing left for later: what was not asked for is missing, and `reason` says why."""
+        known = {k: v for k, v in self.__dict__.items() if k != "order" and not k.startswith("_")}
+        return Answer.of_entries(self.order, {**known, "reason": reason or self.reason}, {}, None)
 
     def decided(self) -> dict[str, Any]:
         """Return the fields that the certificate vouches for: all but the facts, the reason and the certificate."""

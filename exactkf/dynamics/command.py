@@ -13,21 +13,33 @@ import click
 from exactkf._errors import BadInput
 from exactkf.bounded import Ended, OutOfTime, bounded
 from exactkf.cli import INTERRUPTED
-from exactkf.dynamics.analyze import read_data
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.files import is_of_many, read_filters, split_list
 from exactkf.dynamics.stages import Request, Told, carry_out
 from exactkf.exact._messages import bad
 from exactkf.files import check_target, dump_json, reaching, write_text
 from exactkf.progress import Meter
 
-__all__ = ["analyze_command", "split_list"]
+__all__ = ["analyze_command"]
 
 _PICTURES = ("plane", "gamma", "alpha", "spectrum")
 
 
-def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, digits: int, json_file: Path | None, certificate: Path | None,
-                    latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, **vectors: str | None) -> int:
-    """Decide, print, write; exit status 0, or 1 if the orbit is undecided or not all that is asked for was found."""
+def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None, digits: int, json_file: Path | None, certificate: Path | None,
+                    latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, jobs: int | None, **vectors: str | None) -> int:
+    """Decide, print, write; exit status 0, or 1 if the orbit is undecided or not all that is asked for was found; `batch_command` if there are many."""
+    filters = _filters(given, vectors)
+    if pi0 is not None:
+        for _, data in filters:
+            data["pi0"] = pi0
+    if len(filters) > 1 or any(map(is_of_many, given)):
+        from exactkf.dynamics.batch import batch_command
+        from exactkf.workers import default_jobs
+
+        for name, value in (("--after", after), ("--latex", latex_file), ("--picture", pictures or None)):
+            if value is not None:
+                raise BadInput(f"argument {name} goes with one filter, and there are {len(filters)}; leave it out, or name a file with one")
+        return batch_command(filters, jobs=jobs or default_jobs(), time_limit=time_limit, json_file=json_file, certificate=certificate)
     targets = {"json": json_file, "certificate": certificate, "latex": latex_file}
     files = {name: check_target(path, f"--{name}") for name, path in targets.items() if path is not None}
     drawings = tuple(_picture(text) for text in pictures)
@@ -35,10 +47,7 @@ def analyze_command(file: Path | None, *, pi0: str | None, after: int | None, di
         from exactkf.dynamics.pictures import require_matplotlib
 
         require_matplotlib()
-    data = _data(file, vectors)
-    if pi0 is not None:
-        data["pi0"] = pi0
-    found = _carried_out(Request(data, after, digits, steps, tuple(files), drawings), time_limit)
+    found = _carried_out(Request(filters[0][1], after, digits, steps, tuple(files), drawings), time_limit)
     click.echo("\n".join(found.shown()))
     for name, text in found.texts().items():
         if name in files:
@@ -125,42 +134,15 @@ def _carried_out(request: Request, time_limit: float) -> _Found:
     return found
 
 
-def _data(file: Path | None, vectors: dict[str, str | None]) -> dict[str, Any]:
-    """The mapping that describes the filter, from a file or from options."""
-    given: dict[str, Any] = {key: split_list(key, text) for key, text in vectors.items() if text is not None}
-    if file is not None:
-        if given:
-            raise BadInput(f"argument --{min(given)} comes beside FILE = {str(file)!r}; give the filter once")
-        return read_data(file)
-    if not given:
-        raise BadInput("argument FILE is missing; name a .toml or .json file, or give --alpha and --gamma, --a and --g, --b and --a, or --covariances")
-    return given
-
-
-def split_list(name: str, text: str) -> list[str]:
-    """Split at the commas outside parentheses.
-
-    Raises
-    ------
-    BadInput
-        If an entry is empty.
-
-    Examples
-    --------
-    >>> split_list("alpha", "1/2, root(x^2 - 2, 1, 2)")
-    ['1/2', 'root(x^2 - 2, 1, 2)']
-    """
-    parts, depth = [""], 0
-    for c in text:
-        depth += (c == "(") - (c == ")")
-        if c == "," and depth == 0:
-            parts.append("")
-        else:
-            parts[-1] += c
-    parts = [p.strip() for p in parts]
-    if not all(parts):
-        raise bad(f"--{name}", "has an empty entry", text, "separate numbers by single commas")
-    return parts
+def _filters(files: Sequence[Path], vectors: dict[str, str | None]) -> list[tuple[str, dict[str, Any]]]:
+    """The filters, from files or from options, with labels."""
+    options: dict[str, Any] = {key: split_list(f"--{key}", text) for key, text in vectors.items() if text is not None}
+    if files and options:
+        raise BadInput(f"argument --{min(options)} comes beside FILE = {str(files[0])!r}; give the filter once")
+    if not files and not options:
+        raise BadInput("argument FILE is missing; name a .toml, .json, .jsonl or .csv file, or give --alpha and --gamma, --a and --g, --b and --a, "
+                       "or --covariances")
+    return [x for file in files for x in read_filters(file)] if files else [("", options)]
 
 
 def _picture(text: str) -> tuple[str, Path]:

@@ -35,7 +35,7 @@ BLZ94 Theorem 7.1, Corollary 7.2, Lemmas 6.7-6.12, Proposition 8.1.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
@@ -44,9 +44,10 @@ from typing import Any, NamedTuple
 from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.answer import Answer, Fact, later
+from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
+from exactkf.dynamics.sieve import places_of_signs
 from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
@@ -54,11 +55,11 @@ from exactkf.dynamics.wandering import (
     aperiodic_place,
     apparent_orders,
     common_period,
+    convergence_modulo,
     escape_seen,
     escapes_before,
     irreducible_at,
     modulus_without_escape,
-    more_places_without_escape,
     no_escape_modulo,
     places_without_escape,
 )
@@ -197,20 +198,36 @@ def _describe(case: _Case, shape: str) -> None:
 
 
 # ---------------------------------------------------------------------- answers
-def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | Callable[[], dict[str, Any]], reason: str = "", **fields: Any) -> Answer:
-    n = len(case.a)
-    def sealed(answer: Answer) -> dict[str, Any]:
-        found = evidence() if callable(evidence) else evidence
-        return seal("orbit", "orbit", {"question": _question(case), "answer": answer.decided()}, found)
-
-    return Answer(n, behaviour, facts=tuple(case.facts), reason=reason, certificate=later(sealed), **fields)
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | None, reason: str = "", **fields: Any) -> Answer:
+    """The answer; without evidence it converges, and the limit, which is the evidence, is found when it is asked for."""
+    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, **fields}
+    later = {"certificate": _sealed} if evidence is not None else {"limit": _limit, "certificate": _sealed}
+    return Answer.of_entries(len(case.a), entries, later, (case.a, case.g, evidence))
 
 
-def _question(case: _Case) -> dict[str, Any]:
-    if case.rational:
-        return {"order": len(case.a), "a": [str(x) for x in case.a], "g": [str(x) for x in case.g], "field": None}
-    field = case.a[0].field
-    return {"order": len(case.a), "a": [element_json(x) for x in case.a], "g": [element_json(x) for x in case.g], "field": field_json(field)}
+def _sealed(answer: Answer) -> dict[str, Any]:
+    a, g, evidence = answer.__dict__["_start"]
+    return seal("orbit", "orbit", {"question": _question(a, g), "answer": answer.decided()}, _found(answer).evidence if evidence is None else evidence)
+
+
+def _limit(answer: Answer) -> dict[str, Any]:
+    return _found(answer).limit
+
+
+def _found(answer: Answer) -> _Limit | EnclosedLimit:
+    """The limit, which may take long to find, kept for the certificate."""
+    if "_found" not in answer.__dict__:
+        a, g, _ = answer.__dict__["_start"]
+        case = _case(a, g)
+        exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
+        answer.__dict__["_found"] = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
+    return answer.__dict__["_found"]
+
+
+def _question(a: Sequence[Any], g: Sequence[Any]) -> dict[str, Any]:
+    if not isinstance(a[0], RealNumber):
+        return {"order": len(a), "a": [str(x) for x in a], "g": [str(x) for x in g], "field": None}
+    return {"order": len(a), "a": [element_json(x) for x in a], "g": [element_json(x) for x in g], "field": field_json(a[0].field)}
 
 
 def _escaped(case: _Case, t: int) -> Answer:
@@ -231,9 +248,7 @@ def _convergent(case: _Case, max_steps: int) -> Answer:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
-    found: Any = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
-    return _answer(case, "converges", lambda: found.evidence, limit=later(lambda _: found.limit), **fields)
+    return _answer(case, "converges", None, **fields)
 
 
 class _Limit:
@@ -308,7 +323,7 @@ def _enters(Q: list, S: list, common: list, late: bool) -> bool:
         Q, S = _quotient(Q, common), _quotient(S, common)
     elif not late:
         Q, S = coprime(Q, S)
-    if isinstance(Q[0], RealNumber):
+    if any(isinstance(x, RealNumber) for x in Q):  # a zero of a quotient is none
         return is_positive_real(Q, S)
     return len(Q) == 1 or count_roots(fmpq_poly(Q).numer()).inside == len(Q) - 1 and _sign(spectral_polynomial(Q, S)) in ("+", "0+")
 
@@ -361,7 +376,7 @@ def _returning(case: _Case, period: int) -> Answer:
                                f"$\\deg (a, b)$ grows until step ${start}$, so no state before it comes back."))
     evidence: dict[str, Any] = {}
     if not case.rational:
-        reduced = reduce_pair(*start_pair(_question(case)))
+        reduced = reduce_pair(*start_pair(_question(case.a, case.g)))
         evidence["bits"] = next(bits for k in range(12) if does_not_escape(reduced.Q, reduced.S, period, bits := (256 + 4 * period) << k))
     if start:
         return _answer(case, "eventually periodic", evidence, never_escapes=True, period=period, preperiod=start)
@@ -418,14 +433,28 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
             case.facts.append(Fact(f"The orbit does not escape modulo {modulus}, so it never does.",
                                    f"$1 - \\gamma_t^2$ is no multiple of ${modulus}$, so it is never zero."))
             return {"modulus": modulus}
-    places = places_without_escape(pair, before) or more_places_without_escape(pair, before)
-    if places is None:
-        return None
-    shown = ", ".join(str(p) for p, *_ in places)
     apart = f", apart from {', '.join(str(-k) for k in before)}, where it would have escaped before the start" if before else ""
-    case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
-                           f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
-    return {"places": places, "before": before}
+    places = places_without_escape(pair, before)
+    if places is not None:
+        shown = ", ".join(str(p) for p, *_ in places)
+        case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
+                               f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
+        return {"places": places, "before": before}
+    reduced = case.reduced
+    if pair.integral is not None and (settled := convergence_modulo(_fractions(reduced.Q), _fractions(reduced.S), pair.integral)):
+        prime, after = settled
+        case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {prime}, and there is no escape before: the orbit never escapes.",
+                               f"$\\gamma_t$ is a multiple of ${prime}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
+        return {"modulus": prime, "after": after}
+    signs = places_of_signs(pair, before)
+    if signs is None:
+        return None
+    first, second = (", ".join(str(p) for p, *_ in places) for places in signs)
+    case.facts.append(Fact(f"The determinants whose zeros are the escapes have zeros of two kinds: modulo powers of {first} there is no time for one of the "
+                           f"first kind{apart}, and modulo powers of {second} none for one of the second: the orbit never escapes.",
+                           f"$X_t u = 0$ and $Y_t u = Ku$ modulo powers of ${first}$, or $Y_t u = -Ku$ modulo powers of ${second}$, "
+                           "has no solution $t \\ge 0$, $u \\ne 0$ that lifts."))
+    return {"signs": signs, "before": before}
 
 
 def _is_simple(D: Sequence[Any]) -> bool:

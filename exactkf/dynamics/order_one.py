@@ -11,7 +11,6 @@ Main definitions
 ----------------
 ``decide_order_one``     what the filter does
 ``decide_riccati_one``   what the solution of the Riccati equation does
-``decide_many``          many starts, in several processes
 
 Main statements
 ---------------
@@ -77,12 +76,7 @@ BLM91 (3.10), (3.13), (4.7), (4.11), (5.1), Theorems 3.5, 3.7, 4.1, Corollaries 
 
 from __future__ import annotations
 
-import gc
-import marshal
-import multiprocessing
-import threading
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from flint import fmpq
@@ -96,7 +90,7 @@ from exactkf.exact import RealNumber, rational
 from exactkf.kernel.replay import seal
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["decide_many", "decide_order_one", "decide_riccati_one"]
+__all__ = ["decide_order_one", "decide_riccati_one"]
 
 
 class Course(NamedTuple):
@@ -209,14 +203,15 @@ def _answer(scalars: tuple[Scalar, ...], decision: _Decision) -> Answer:
 
 def _told(answer: Answer) -> tuple[Fact, ...]:
     """The derivation; to decide again is quicker than to keep what thousands of answers might be asked."""
-    scalars = _scalars(answer.__dict__["_start"])
+    scalars = answer.__dict__["_start"]
     field = field_of(*scalars)
-    return (*([] if field is None else [facts.of_field(field)]), *_decision(scalars).facts())
+    decision = _filter(*scalars) if len(scalars) == 2 else _riccati(*scalars)
+    return (*([] if field is None else [facts.of_field(field)]), *decision.facts())
 
 
 def _sealed(answer: Answer) -> dict[str, Any]:
     """The certificate of an answer."""
-    scalars = _scalars(answer.__dict__["_start"])
+    scalars = answer.__dict__["_start"]
     alpha, gamma, *pi = scalars
     question = {"order": 1, "system": "riccati" if pi else "filter", "field": field_json(field_of(*scalars)),
                 "alpha": [element_json(alpha)], "gamma": [element_json(gamma)], **({"pi": element_json(pi[0])} if pi else {})}
@@ -337,109 +332,3 @@ def _riccati_at_zero(square: Scalar, pi: Scalar) -> _Decision:
     entries.update(behaviour="converges", never_escapes=True, limit={"pi": number_json(square)}, monotone_from=0,
                    period=1 if pi == square else None, rate=None if pi == square else "0")
     return _Decision(entries, lambda: facts.riccati_axis(square))
-
-
-# ---------------------------------------------------------------------- many starts
-def decide_many(starts: Iterable[Sequence[Any]], jobs: int = 1) -> list[Answer]:
-    r"""Decide many starts.
-
-    Parameters
-    ----------
-    starts : iterable of sequences
-        Each :math:`(\alpha_0, \gamma_0)` of the filter, or :math:`(\alpha_0, \gamma_0, \pi_0)` of the Riccati equation.
-    jobs : int
-        The number of processes.
-
-    Returns
-    -------
-    list of Answer
-        In the order of the starts.
-
-    Raises
-    ------
-    BadInput
-        If a start does not have two or three entries, or `jobs` is not a positive integer.
-    """
-    listed = [tuple(s) for s in starts]
-    if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1:
-        raise BadInput(f"jobs = {jobs!r}: not a number of processes; pass a positive integer")
-    wrong = next((k for k, s in enumerate(listed) if len(s) not in (2, 3)), None)
-    if wrong is not None:
-        raise BadInput(f"starts[{wrong}] = {listed[wrong]}: not (alpha0, gamma0) or (alpha0, gamma0, pi0); pass two or three numbers")
-    with _no_garbage():
-        return _decide_all(listed) if jobs == 1 else _shared(listed, jobs)
-
-
-def _shared(starts: list[tuple], jobs: int) -> list[Answer]:
-    """This process works too.  The others send back what they decided and nothing that can be made from it, piece by piece, so that reading is shared work."""
-    size = max(1, len(starts) // (64 * jobs))
-    # a fork of a process with threads can hang; without threads it saves the start of an interpreter, and the copying of the starts
-    forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1
-    context: Any = multiprocessing.get_context("fork" if forks else "spawn")
-    turn, workers = context.Value("l", 0), []
-    for _ in range(jobs - 1):
-        receiver, sender = context.Pipe(duplex=False)
-        process = context.Process(target=_work, args=(starts, size, turn, sender), daemon=True)
-        process.start()
-        sender.close()
-        workers.append((process, receiver))
-    found: dict[int, list[Answer]] = {}
-
-    def read(receiver: Any, *, to_the_end: bool) -> None:
-        with suppress(EOFError, OSError):  # the work of a process that died is done again here
-            while to_the_end or receiver.poll():
-                k, entries = marshal.loads(receiver.recv_bytes())
-                found[k] = [Answer.of_entries(1, e, _LATER, s) for s, e in zip(starts[k : k + size], entries, strict=True)]
-
-    for k in _turns(turn, size, len(starts)):
-        found[k] = _decide_all(starts[k : k + size])
-        for _, receiver in workers:
-            read(receiver, to_the_end=False)
-    for process, receiver in workers:
-        read(receiver, to_the_end=True)
-        receiver.close()
-        process.join()
-    return [answer for k in range(0, len(starts), size) for answer in (found[k] if k in found else _decide_all(starts[k : k + size]))]
-
-
-def _turns(turn: Any, size: int, stop: int) -> Iterator[int]:
-    """The pieces that this process gets: every process takes the next one when it is ready."""
-    while True:
-        with turn.get_lock():
-            k, turn.value = turn.value, turn.value + size
-        if k >= stop:
-            return
-        yield k
-
-
-def _work(starts: list[tuple], size: int, turn: Any, sender: Any) -> None:
-    """What another process does.  A start that is refused ends its piece, and is refused again by the process that asked."""
-    gc.disable()
-    for k in _turns(turn, size, len(starts)):
-        with suppress(Exception):
-            sender.send_bytes(marshal.dumps((k, [_decision(_scalars(s)).entries for s in starts[k : k + size]])))
-    sender.close()
-
-
-def _scalars(start: tuple) -> tuple[Scalar, ...]:
-    return tuple(_one_field(**dict(zip(("alpha0", "gamma0", "pi0"), start, strict=False))))
-
-
-def _decision(scalars: tuple[Scalar, ...]) -> _Decision:
-    return _filter(*scalars) if len(scalars) == 2 else _riccati(*scalars)
-
-
-@contextmanager
-def _no_garbage() -> Iterator[None]:
-    """No search for cycles for a while: answers have none, and thousands of them make the search slow."""
-    was = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was:
-            gc.enable()
-
-
-def _decide_all(starts: list[tuple]) -> list[Answer]:
-    return [_answer(scalars, _decision(scalars)) for scalars in map(_scalars, starts)]

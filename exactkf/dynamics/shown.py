@@ -10,14 +10,14 @@ from exactkf.dynamics.every_order import limit_digits
 from exactkf.dynamics.exact_json import polynomial_words
 from exactkf.exact.numberfield import RealField
 
-__all__ = ["decision_lines", "number_lines", "shown_number"]
+__all__ = ["decision_lines", "headline", "number_lines", "shown_number"]
 
 _LONGEST = 800  # characters of a line
 
 
 def decision_lines(answer: Answer) -> list[str]:
     """What the orbit does, and why."""
-    return [f"order {answer.order}: {_headline(answer)}", "", *(f"  {_short(line)}" for line in answer.words().splitlines())]
+    return [f"order {answer.order}: {headline(answer)}", "", *(f"  {_short(line)}" for line in answer.words().splitlines())]
 
 
 def _short(line: str) -> str:
@@ -47,7 +47,8 @@ def number_lines(answer: Answer, digits: int) -> list[str]:
     return ["", *(f"  {label:<{width}}  {value}" for label, value in rows)] if rows else []
 
 
-def _headline(answer: Answer) -> str:
+def headline(answer: Answer) -> str:
+    """What the orbit does, in one line."""
     match answer.behaviour:
         case "escapes":
             return f"the orbit escapes at step {answer.escape}"

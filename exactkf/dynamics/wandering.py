@@ -4,9 +4,9 @@ r"""Searches for orbits that neither converge nor repeat; what they find, the ch
 Main definitions
 ----------------
 ``places_without_escape``  primes that together show that the orbit never escapes
-``more_places_without_escape``  more of them, with larger periods
 ``aperiodic_place``        a prime that shows that the zeros of `D` are not distinct roots of unity
 ``modulus_without_escape``  one small prime that shows it
+``convergence_modulo``     a prime modulo which gamma vanishes from some step on
 ``escapes_before``         the times before the start at which the orbit would have escaped
 ``Readings``               a pair and its `D` modulo primes
 
@@ -31,8 +31,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
-from itertools import takewhile
-from math import gcd, isqrt, lcm, prod
+from math import gcd, isqrt, lcm
 from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly, nmod_mat, nmod_poly
@@ -40,16 +39,17 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_sieve import intersected, step_matrix
+from exactkf.kernel.orbit_n import states
+from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "escape_seen", "escapes_before", "irreducible_at", "modulus_without_escape",
-           "more_places_without_escape", "no_escape_modulo", "places_without_escape", "primes"]
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before", "irreducible_at",
+           "is_alone", "least", "modulus_without_escape", "no_escape_modulo", "place", "places_without_escape", "primes", "step_matrix_at", "unit",
+           "zeros_at"]
 
 _LARGE = 10**15
 _SMALL, _PRIME_BOUND, _PRIME_BOUND_ALONE = 100, 30_000, 300
-_PRIME_BOUND_MANY, _LONGEST, _MARGIN, _MOST_LEFT_OF_MANY = 1000, (10_000, 30_000, 100_000, 300_000), 1, 50_000
-_MOST_READ = 1_500_000
+_FEW_STEPS, _SOME = 60, 5
 _MOST_ZEROS, _MOST_LEFT, _MOST_STEPS, _SOON = 12, 10_000, 200_000, 10_000
 _Taken = tuple[int, int | None, int, set[int]]
 
@@ -108,12 +108,14 @@ class Readings(NamedTuple):
         return sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
 
     def read(self, values: Sequence[Any], p: int, root: int | None, power: int = 1) -> list[int] | None:
-        """The values modulo `p` or its square; None if a denominator is no unit."""
+        """The values modulo a power of `p`; None if a denominator is no unit."""
         N = p**power
         if power > 1 and self.field is not None and root is not None:
             f = self.field.minpoly
-            value, slope = f(fmpq(root)), f.derivative()(fmpq(root))
-            root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
+            slope = f.derivative()(fmpq(root))
+            for _ in range(power - 1):
+                value = f(fmpq(root))
+                root = (root - int(value.p) * pow(int(value.q), -1, N) * pow(int(slope.p) * pow(int(slope.q), -1, p), -1, p)) % N
         out = []
         try:
             for x in values:
@@ -142,7 +144,7 @@ def irreducible_at(field: RealField) -> int | None:
     return None
 
 
-def _place(p: int, root: int | None, *entries: int) -> list[Any]:
+def place(p: int, root: int | None, *entries: int) -> list[Any]:
     """A place as evidence names it."""
     return [p, *entries] if root is None else [p, *entries, root]
 
@@ -158,6 +160,22 @@ def modulus_without_escape(Q: Sequence[Fraction], S: Sequence[Fraction], bound: 
                 return p
         except Undefined:
             continue
+    return None
+
+
+def convergence_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], D: fmpz_poly, steps: int = _FEW_STEPS) -> tuple[int, int] | None:
+    """Return a prime and a step from which on S = 0 modulo the prime and no denominator has it, so that gamma = 0, or None.
+
+    If the prime divides all coefficients of `D` but the middle one, no zero of `D` has the p-adic modulus one, and the orbit tends to a rest in
+    the p-adic numbers as it does in the real ones if `D` is positive.
+    """
+    common = gcd(*(int(D[i] // D.content()) for i in range(D.degree() // 2)))
+    wanted = [p for p in _small_primes() if common % p == 0][:_SOME]
+    for t, (q, s) in zip(range(steps if wanted else 0), states(list(Q), list(S)), strict=False):
+        for p in wanted:
+            power = p ** exponent(int(q[-1]), p)
+            if all(x % power == 0 for x in q) and all(x % (power * p) == 0 for x in s):
+                return p, t
     return None
 
 
@@ -190,11 +208,11 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
             return None
         for root in pair.roots(p):
             L = _short_order(pair, p, root)
-            found = None if L is None else _zeros_modulo(pair, p, root, L)
+            found = None if L is None else zeros_at(pair, p, root, L)
             if found is None or L is None:
                 continue
             steps += L
-            found -= {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, root, L)}
+            found -= {-k % L for k in before if L > k and -k % L in found and is_alone(pair, k, p, root, L)}
             if len(found) > _MOST_ZEROS:
                 continue
             one = (p, root, L, found)
@@ -202,107 +220,10 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
             period, left = intersected(period, left, L, found)
             taken.append(one)
             if few or not left:
-                return [_place(p, root, L) for p, root, L, _ in _needed(few or taken)]
+                return [place(p, root, L) for p, root, L, _ in _needed(few or taken)]
             if len(left) > _MOST_LEFT or period > 1 << 60 and min(left) < _SOON:  # an escape, it seems
                 return None
     return None
-
-
-def more_places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] | None:
-    """Return places as `places_without_escape` does, of larger periods and more of them, or None.
-
-    Places with periods L_i and a part q_i of the residues leave about lcm(L_i) prod q_i times, as far as chance goes.  So those are taken whose
-    periods have much in common, the shorter the better; q_i is about 1/p_i before it is known.
-    """
-    some = takewhile(lambda p: p < _PRIME_BOUND_MANY, primes(5 if before else 2))
-    candidates = [(p, root, L) for p in some for root in pair.roots(p)[:1] if (L := _order(pair, p, root))]
-    known: dict[int, _Taken] = {}
-    for most in _LONGEST:
-        within = [c for c in candidates if c[2] <= most]
-        chosen = _with_much_in_common(within, known)
-        while _expected(chosen, known) < _MARGIN and (unknown := [c for c in chosen if c[0] not in known]):
-            if sum(L for _, _, L, _ in known.values()) + sum(L for _, _, L in unknown) > _MOST_READ:
-                return None
-            for p, root, L in unknown:
-                known[p] = p, root, L, _read_zeros(pair, p, root, L, before)
-            chosen = _with_much_in_common(within, known)
-        if _expected(chosen, known) < _MARGIN:
-            taken = _few_left([known[p] for p, _, _ in chosen])
-            for one in sorted(taken or [], key=lambda x: -x[2]):
-                taken = _few_left([x for x in taken or [] if x is not one]) or taken
-            if taken:
-                return [_place(p, root, L) for p, root, L, _ in taken]
-    return None
-
-
-def _read_zeros(pair: Readings, p: int, root: int | None, L: int, before: list[int]) -> set[int]:
-    """The times that a place leaves."""
-    found = _zeros_modulo(pair, p, root, L)
-    if found is None:
-        return set(range(L))
-    return found - {-k % L for k in before if L > k and -k % L in found and _is_alone(pair, k, p, root, L)}
-
-
-_Place = tuple[int, int | None, int]
-
-
-def _part(place: _Place, known: dict[int, _Taken]) -> Fraction:
-    """The part of the residues that a place leaves, or about that."""
-    p, _, L = place
-    return Fraction(len(known[p][3]), L) if p in known else Fraction(1, p)
-
-
-def _expected(places: list[_Place], known: dict[int, _Taken]) -> Fraction:
-    """How many times are left, as far as chance goes."""
-    return lcm(*(L for _, _, L in places)) * prod((_part(x, known) for x in places), start=Fraction(1))
-
-
-def _with_much_in_common(places: list[_Place], known: dict[int, _Taken]) -> list[_Place]:
-    """Leave out, one after the other, places that add more to the common period than they take from the times left."""
-    while len(places) > 1:
-        full = lcm(*(L for _, _, L in places))
-        added, worst = max((full // lcm(*(x[2] for x in places if x is not one)) * _part(one, known), one) for one in places)
-        if added < 1:
-            return places
-        places = [x for x in places if x is not worst]
-    return places
-
-
-def _few_left(taken: list[_Taken]) -> list[_Taken] | None:
-    """The places in an order in which few times are left on the way to none, or None if some are left."""
-    period, left, order = 1, [0], []
-    while taken and left:
-        one = min(taken, key=lambda x: (Fraction(len(x[3]), gcd(period, x[2])), x[2]))
-        taken = [x for x in taken if x is not one]
-        if len(left) * len(one[3]) > _MOST_LEFT_OF_MANY * gcd(period, one[2]):
-            return None
-        period, left = intersected(period, left, one[2], one[3])
-        order.append(one)
-    return None if left else order
-
-
-def _order(pair: Readings, p: int, root: int | None) -> int | None:
-    """The order of z modulo `D` at a place, if it is not too large."""
-    d = pair.read(pair.D, p, root)
-    if d is None:
-        return None
-    f = nmod_poly(d, p)
-    if f.degree() < len(pair.D) - 1:
-        return None
-    exponent, repeated = 1, 1
-    for g, k in f.factor()[1]:
-        n = g.degree()
-        own = n % 2 == 0 and nmod_poly(g.coeffs()[::-1], p) * g[n] == g * g[0]  # with a zero 1/z for each zero z
-        exponent = lcm(exponent, p ** (n // 2) + 1 if own else p**n - 1)
-        while repeated < k:
-            repeated *= p
-        if exponent > 100 * _LONGEST[-1]:
-            return None
-    z = nmod_poly([0, 1], p)
-    if z.pow_mod(exponent * repeated, f) != 1:
-        return None
-    order = _least(z, f, exponent * repeated)
-    return order if order <= _LONGEST[-1] else None
 
 
 def _needed(taken: list[_Taken]) -> list[_Taken]:
@@ -339,9 +260,9 @@ def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
     z = nmod_poly([0, 1], p)
     power = z.pow_mod(p - 1, f)
     if power == 1:
-        return _least(z, f, p - 1)
+        return least(z, f, p - 1)
     if power * z % f * z % f == 1:
-        return _least(z, f, p + 1)
+        return least(z, f, p + 1)
     if p > _SMALL:
         return None
     exponent = lcm(*(p ** g.degree() - 1 for g, _ in f.factor()[1]))
@@ -349,36 +270,36 @@ def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
         exponent *= p
         if z.pow_mod(exponent, f) != 1:
             return None
-    order = _least(z, f, exponent)
+    order = least(z, f, exponent)
     return order if order <= _MOST_ZEROS * p // 2 else None  # about one in p of the determinants vanishes
 
 
-def _least(z: nmod_poly, f: nmod_poly, order: int) -> int:
+def least(z: nmod_poly, f: nmod_poly, order: int) -> int:
     for q, _ in fmpz(order).factor():
         while order % int(q) == 0 and z.pow_mod(order // int(q), f) == 1:
             order //= int(q)
     return order
 
 
-def _zeros_modulo(pair: Readings, p: int, root: int | None, L: int) -> set[int] | None:
+def zeros_at(pair: Readings, p: int, root: int | None, L: int) -> set[int] | None:
     """The t below `L` with a singular X_t at a place, as `exactkf.kernel.orbit_sieve.zeros_modulo`, or None."""
-    S = _step_matrix(pair, p, root)
-    if S is None or S**L != _unit(S.nrows(), S.nrows(), p):
+    S = step_matrix_at(pair, p, root)
+    if S is None or S**L != unit(S.nrows(), S.nrows(), p):
         return None
     m, size = S.nrows() // 2, isqrt(L) + 1
-    tops, power = [], _unit(m, 2 * m, p)
+    tops, power = [], unit(m, 2 * m, p)
     for _ in range(size):
         tops.append(power)
         power = power * S
     found: set[int] = set()
-    leap, columns = S**size, _unit(2 * m, m, p)
+    leap, columns = S**size, unit(2 * m, m, p)
     for start in range(0, L, size):
         found.update(start + i for i, top in enumerate(tops) if not (top * columns).det())
         columns = leap * columns
     return {t for t in found if t < L}
 
 
-def _step_matrix(pair: Readings, p: int, root: int | None, power: int = 1) -> nmod_mat | None:
+def step_matrix_at(pair: Readings, p: int, root: int | None, power: int = 1) -> nmod_mat | None:
     """S_m modulo `p` or its square."""
     values = pair.read([*pair.q, *pair.g], p, root, power)
     if values is None:
@@ -390,13 +311,13 @@ def _step_matrix(pair: Readings, p: int, root: int | None, power: int = 1) -> nm
         return None
 
 
-def _unit(rows: int, columns: int, p: int) -> nmod_mat:
+def unit(rows: int, columns: int, p: int) -> nmod_mat:
     return nmod_mat(rows, columns, [int(i == j) for i in range(rows) for j in range(columns)], p)
 
 
-def _is_alone(pair: Readings, k: int, p: int, root: int | None, L: int) -> bool:
+def is_alone(pair: Readings, k: int, p: int, root: int | None, L: int) -> bool:
     """Whether det X_{L - k} is not zero modulo p^2; see `exactkf.kernel.orbit_sieve`, statement 3."""
-    S = _step_matrix(pair, p, root, 2)
+    S = step_matrix_at(pair, p, root, 2)
     if S is None:
         return False
     m, power = S.nrows() // 2, S ** (L - k)
@@ -415,13 +336,13 @@ def escape_seen(pair: Readings, steps: int) -> int | None:
 
 
 def _modulo_large_prime(pair: Readings) -> nmod_mat:
-    return next(S for p in primes(_LARGE) for root in pair.roots(p) if (S := _step_matrix(pair, p, root)) is not None)
+    return next(S for p in primes(_LARGE) for root in pair.roots(p) if (S := step_matrix_at(pair, p, root)) is not None)
 
 
 def _singular(S: nmod_mat, steps: int) -> Iterator[bool]:
     """Whether the upper block of S^k (I; 0) is singular, k = 1, 2, ..."""
     m, p = S.nrows() // 2, int(S.modulus())
-    top, columns = _unit(m, 2 * m, p), _unit(2 * m, m, p)
+    top, columns = unit(m, 2 * m, p), unit(2 * m, m, p)
     for _ in range(steps):
         columns = S * columns
         yield not (top * columns).det()
@@ -451,7 +372,7 @@ def aperiodic_place(pair: Readings) -> list[Any] | None:
             if read is None:
                 continue
             if nmod_poly([0, 1], p).pow_mod(N, nmod_poly(read, p)) != 1:
-                return _place(p, root)
+                return place(p, root)
             tried += 1
             if tried == 2:
                 return None

@@ -6,6 +6,7 @@ from __future__ import annotations
 import sys
 
 from exactkf.kernel.files import one_line, parsed
+from exactkf.kernel.limits import patiently
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, rests_on
 
 
@@ -16,7 +17,8 @@ def main(paths: list[str]) -> int:
         try:
             with open(path, encoding="utf-8") as file:
                 certificate = parsed(file.read())
-            replay(certificate)
+            with patiently():
+                replay(certificate)
             if needed := rests_on(certificate):
                 print(one_line(f"{path}: replays assuming {needed} for its parametrisation to reach everything"))
         except Rejected as error:

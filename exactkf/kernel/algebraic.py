@@ -13,7 +13,8 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Any
 
-from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown
+from exactkf.kernel.limits import DEGREE, within
+from exactkf.kernel.numbers import FieldElement, Laurent, Ratio, Undefined, Unknown, fraction
 from exactkf.kernel.roots import count_real, divmod_poly, gcd_poly
 
 __all__ = ["Algebraic", "AlgebraicField"]
@@ -33,6 +34,13 @@ class AlgebraicField:
             raise Undefined("the interval of a number field must isolate one root")
         self.lo, self.hi, self.irreducible = lo, hi, irreducible
         self.take(modulus)
+
+    @classmethod
+    def of(cls, data: Any) -> AlgebraicField:
+        """From a certificate: a list of coefficients and two ends of an interval."""
+        modulus, lo, hi = data
+        within(len(modulus) - 1, DEGREE, "the degree of a number field")
+        return cls([fraction(c) for c in modulus], fraction(lo), fraction(hi))
 
     def take(self, modulus: list) -> None:
         """Compute modulo this polynomial from now on: in integers, up to a factor."""

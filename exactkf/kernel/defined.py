@@ -173,11 +173,13 @@ class Witness:
     def _opaque(self, key: tuple) -> Fraction | None:
         """One for the determinant of a matrix with ones on and zeros above its diagonal; zero for a product with a column that is zero.
 
-        Square matrices are the identity at the point, so that their powers have values, whatever the exponents.
+        Square matrices are the identity at the point, so that their powers have values, whatever the exponents. A product of matrices
+        that have values has a value, and so it is zero with a column that is, whatever the others are.
         """
         tree, env = json.loads(key[1]), dict[str, Form]()
-        if tree[0] == "*" and (kinds := [self._factor(x) for x in tree[1:]]) and all(kinds) and "zero" in kinds:
-            return Fraction(0)
+        kinds = [self._factor(x) for x in (tree[1:] if tree[0] == "*" else [tree])]
+        if all(kinds):
+            return Fraction(0) if "zero" in kinds else None
         if tree[0] != "det":
             raise Unknown("no value of a term that is not opened")
         for number in range(len(key) - 2):
@@ -207,9 +209,13 @@ class Witness:
         return self.found[name]
 
     def _factor(self, tree: Any) -> str:
-        """What a factor is at the point: a column of zeros, the identity, or nothing that is known."""
+        """What a factor is at the point: a column of zeros, the identity, a matrix that has a value, or nothing that is known."""
         if isinstance(tree, int):
             return ""
+        if tree[0] == "at" and tree[1] in self.recursions:
+            if tree[1] not in self.found:
+                self._find(tree[1])
+            return "value"
         if tree[0] == "T" or tree[0] == "^" and self._factor(tree[1]) == "one":
             return self._factor(tree[1])
         kind = next((kind for name, kind in self.statement["over"] if tree[:1] == ["sym"] and tree[1] == name), None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Determinants, inverses, characteristic polynomials and coefficients at infinity of generic size.
+"""Determinants, inverses, characteristic polynomials, coefficients at infinity and products of generic size.
 
 Each fact turns such a term into one that can be opened; a certificate says why:
 
@@ -15,6 +15,7 @@ fact           follows from
 ``laurent``    N/D = x_0 + x_1/z + .. + x_K/z^K + .. at infinity, if D is monic of degree d, N of degree d at most, and
                D_d x_k + .. + D_(d-k) x_0 = N_(d-k) for k = 0, .., K: these equations have one solution, as D_d = 1;
                the same for all k >= 0
+``product``    A_i1 B_1j + .. + A_ip B_pj = (AB)_ij, if A has p columns and B as many rows, at places that AB has
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -207,6 +208,32 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
     proof.close(region.and_({k: 1}, *least), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
 
 
+def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
+    says, bound = lemma["says"], dict(env)
+    while says[0] in ("forall", "always"):
+        if proof.is_bound(says[1], bound):
+            raise Rejected(f"{name}: index {says[1]!r} bound twice")
+        index: Form = {says[1]: 1}
+        terms = Terms(proof.statement, region)
+        ends = [plus(index, terms.index(says[2], bound), -1), plus(terms.index(says[3], bound), index, -1)] if says[0] == "forall" else [index]
+        region, bound, says = region.and_(*ends), {**bound, says[1]: index}, says[-1]
+    left, right = says[1], says[2]
+    if says[0] != "=" or len(says) != 3 or left[0] != "sum" or right[0] != "entry" or len(right) != 4 or right[1][0] != "*" or len(right[1]) != 3:
+        raise Rejected(f"{name}: the fact is sum(k, 1, p, A[i, k]*B[k, j]) == (A*B)[i, j]")
+    _, k, low, high, body = left
+    (_, a, b), i, j = right[1:]
+    if body != ["*", ["entry", a, i, ["sym", k]], ["entry", b, ["sym", k], j]] or k in _mentioned([a, b, i, j]) or proof.is_bound(k, bound):
+        raise Rejected(f"{name}: the fact is sum(k, 1, p, A[i, k]*B[k, j]) == (A*B)[i, j]")
+    terms = Terms(proof.statement, region)
+    (rows, width), (height, cols) = terms.shape(a, bound), terms.shape(b, bound)
+    if low != 1 or region.reduce(plus(terms.index(high, bound), width, -1)) or region.reduce(plus(width, height, -1)):
+        raise Rejected(f"{name}: the sum is not over all columns of A, or B has another number of rows")
+    for place, last in ((terms.index(i, bound), rows), (terms.index(j, bound), cols)):
+        if not region.empty and not all(region.decide(x) is True for x in (plus(place, _ONE, -1), plus(last, place, -1))):
+            raise Rejected(f"{name}: perhaps AB has no entry there")
+
+
 def _mentioned(tree: Any) -> set[str]:
     if not isinstance(tree, list):
         return {tree} if isinstance(tree, str) else set()
@@ -215,5 +242,5 @@ def _mentioned(tree: Any) -> set[str]:
 
 #: name of a fact -> how it is shown for every index in the region
 FACTS: dict[str, Callable[[Any, Mapping[str, Any], dict[str, Form], Region, str], None]] = {
-    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent,
+    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product,
 }

@@ -32,10 +32,7 @@ def read_number(text: Any, field: AlgebraicField | None) -> Any:
 
 def read_instance(statement: Mapping[str, Any], data: Mapping[str, Any], number: Callable[[Any], Any] | None = None) -> dict[str, Any]:
     """Values of sizes and variables from JSON; shapes are checked here, the rest of a type in `admissible`."""
-    field = None
-    if data.get("field"):
-        modulus, lo, hi = data["field"]
-        field = AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
+    field = AlgebraicField.of(data["field"]) if data.get("field") else None
     read = number or (lambda x: read_number(x, field))
     values: dict[str, Any] = {}
     for name in statement["sizes"]:

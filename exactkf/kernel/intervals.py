@@ -12,6 +12,7 @@ from math import ceil, floor, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.limits import WORK, within
 from exactkf.kernel.numbers import Undefined
 
 __all__ = ["Interval", "around", "does_not_escape", "enclosed", "generator", "is_schur", "minus", "product", "stable_factor"]
@@ -187,8 +188,9 @@ def _rational(x: Any, bits: int) -> Interval:
 
 def does_not_escape(Q: list, S: list, steps: int, bits: Any) -> bool:
     """Whether 1 - g^2 excludes zero at all steps before the given one, for a monic pair; see `exactkf.kernel.orbit_n`."""
-    if type(bits) is not int or not 0 < bits < 10**6:
+    if type(bits) is not int or bits <= 0:
         raise Undefined("the number of bits is not a positive integer")
+    within(bits * steps, WORK, "bits of the intervals of an orbit")
     one = 1 << bits
 
     q, s = ([around(x, bits) for x in p] for p in (Q, S))

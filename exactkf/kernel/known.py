@@ -176,7 +176,7 @@ def _mentions_z(tree: Any, in_z: set[str]) -> bool:
         return _mentions_z(tree[2], in_z)
     if tree[0] in ("charpoly", "rev") or tree == ["z"] or (tree[0] in ("sym", "at") and tree[1] in in_z):
         return True
-    return any(_mentions_z(x, in_z) for x in tree[1:])
+    return any(_mentions_z(x, in_z) for x in tree)  # the first too: of a row of a block it is no operation
 
 
 def inverts(tree: Any, inverting: set[str]) -> bool:

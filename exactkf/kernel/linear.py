@@ -308,14 +308,16 @@ def char_coefficients(matrix: Matrix) -> list:
 
 def block(rows: list[list[Any]]) -> Matrix:
     """Matrix of blocks; scalars are 1x1."""
-    out: list[list] = []
+    out, widths = list[list](), set[int]()
     for row in rows:
         parts = [b if isinstance(b, Matrix) else Matrix([[b]]) for b in row]
         if len({p.nrows for p in parts}) != 1:
             raise Undefined("blocks of one row have different heights")
         out.extend([sum((p.rows[i] for p in parts), []) for i in range(parts[0].nrows)])
-    width = sum(b.ncols if isinstance(b, Matrix) else 1 for b in rows[0])
-    return Matrix(out, width)
+        widths.add(sum(p.ncols for p in parts))
+    if len(widths) != 1:
+        raise Undefined("rows of blocks have different widths")
+    return Matrix(out, *widths)
 
 
 def symplectic_form(d: int) -> Matrix:

@@ -23,6 +23,7 @@ from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.cosines import cosine
+from exactkf.kernel.limits import BITS
 from exactkf.kernel.linear import Matrix, block, char_coefficients, echelon, inertia, null_basis, similar, symplectic_form
 from exactkf.kernel.numbers import Laurent, Ratio, Undefined, Unknown, divide, rational, sign
 from exactkf.kernel.roots import circle_sign, count_circle, count_real, gcd_poly
@@ -192,6 +193,8 @@ class World:
             if definition[0] == "rec":
                 self._climb(definition, args)
             result = self._define(definition, args)
+            if isinstance(result, (int, Fraction)) and result.numerator.bit_length() + result.denominator.bit_length() > BITS:
+                raise Unknown(f"too large a value of {name}")
         except _TooDeep:
             raise
         except RecursionError:

@@ -78,4 +78,4 @@ def with_names(tree: Any) -> Any:
 def _names(tree: Any) -> set[str]:
     if not isinstance(tree, list):
         return set()
-    return {tree[1]} if tree[:1] == ["sym"] else set().union(*(_names(x) for x in tree[1:]))
+    return {tree[1]} if tree[:1] == ["sym"] else set().union(*(_names(x) for x in tree))

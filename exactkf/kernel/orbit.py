@@ -59,10 +59,7 @@ def check_order_one(question: Mapping[str, Any], answer: Mapping[str, Any]) -> s
     system = question["system"]
     if set(question) != {"order", "system", "field", "alpha", "gamma"} | ({"pi"} if system == "riccati" else set()) or question["order"] != 1:
         return "the question is not one of order one"
-    field = None
-    if question["field"] is not None:
-        polynomial, lo, hi = question["field"]
-        field = AlgebraicField([fraction(c) for c in polynomial], fraction(lo), fraction(hi))
+    field = None if question["field"] is None else AlgebraicField.of(question["field"])
     (alpha,), (gamma,) = ([_read(x, field) for x in question[name]] for name in ("alpha", "gamma"))
     if system == "filter":
         found, limits, rate = _filter(alpha, gamma, answer, field)

@@ -33,8 +33,8 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    the last one that is not zero, a part of an invariant isotropic subspace, which 1 forbids;
    so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.  The states before the reduced
    pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
-6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N,
-   which is finite, 1 - g^2 is never zero.  Other congruences are in `exactkf.kernel.orbit_sieve`.
+6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N from some step on, where N divides no denominator,
+   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`.
 
 References
 ----------
@@ -50,6 +50,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product
+from exactkf.kernel.limits import BITS, ORDER, STEPS, WORK, within
 from exactkf.kernel.numbers import Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
@@ -117,10 +118,7 @@ def _number(x: Any, field: AlgebraicField | None) -> Any:
 
 
 def _field(data: Any) -> AlgebraicField | None:
-    if data is None:
-        return None
-    modulus, lo, hi = data
-    return AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
+    return None if data is None else AlgebraicField.of(data)
 
 
 def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
@@ -129,6 +127,7 @@ def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
     field = _field(question.get("field"))
     a, g = ([_number(x, field) for x in question[k]] for k in ("a", "g"))
     _need(len(a) == len(g) > 0, "a and g are of different or zero length")
+    within(len(a), ORDER, "the order")
     _need(question.get("order", len(a)) == len(a), "the order is not the length of a")
     one = _number("1", field)
     return [x + y for x, y in zip(a, g, strict=True)][::-1] + [one], g[::-1] + [one - one]
@@ -148,8 +147,11 @@ def states(Q: list, S: list) -> Iterator[tuple[list, list]]:
     Rational pairs are kept as integers: after a step without fractions the leading coefficient
     before the last divides everything, which is tested and not assumed.
     """
+    work = 0
     if any(isinstance(x, Algebraic) for x in Q):
         while True:
+            work += sum(map(_bits, [*Q, *S]))
+            within(work, WORK, "bits of the states of the orbit")
             yield Q, S
             g = S[-2] / Q[-1]
             if g * g == 1:
@@ -159,6 +161,8 @@ def states(Q: list, S: list) -> Iterator[tuple[list, list]]:
     Q, S = [int(x * d) for x in Q], [int(x * d) for x in S]
     divisor, following = 1, 1
     while True:
+        work += sum(map(_bits, [*Q, *S]))
+        within(work, WORK, "bits of the states of the orbit")
         yield Q, S
         if Q[-1] ** 2 == S[-2] ** 2:
             return
@@ -271,9 +275,9 @@ def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
 
 def coprime(Q: list, S: list) -> tuple[list, list]:
     q, s = ([Fraction(x) if isinstance(x, int) else x for x in p] for p in (Q, S))
-    common = gcd_poly(q, s)
-    q = divmod_poly(q, common)[0]
-    return q, _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))
+    common, zero = gcd_poly(q, s), q[-1] - q[-1]
+    q = [zero + x for x in divmod_poly(q, common)[0]]
+    return q, [zero + x for x in _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))]
 
 
 def is_positive_real(Q: list, S: list) -> bool:
@@ -288,7 +292,7 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     if "center" in evidence:
         _enclosed_limit(reduced, D, limit, evidence)
         return
-    field = _field(evidence.get("field"))
+    field = next((x.field for x in D if isinstance(x, Algebraic)), None) or _field(evidence.get("field"))
     one = _number("1", field)
     w = [_number(x, field) for x in evidence["factor"]]
     _need(len(w) == len(reduced.Q) and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
@@ -359,7 +363,16 @@ def power_of_z(k: int, modulus: list) -> list:
         if bit == "1":
             out = [0, *out]
         out = divmod_poly([Fraction(x) if isinstance(x, int) else x for x in out], modulus)[1]
+        # they do not grow where the zeros are roots of unity; a search with faster types looks out for itself
+        within(sum(_bits(x) for x in out if isinstance(x, (Fraction, Algebraic))), BITS, "bits of a power of z")
     return out
+
+
+def _bits(x: Any) -> int:
+    """About as many as an exact number is written with."""
+    if isinstance(x, Algebraic):
+        return sum(map(int.bit_length, x.whole)) + x.below.bit_length()
+    return int(x.numerator).bit_length() + int(x.denominator).bit_length()
 
 
 def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
@@ -371,10 +384,17 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
     if "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
+        if "after" in evidence:
+            Q, S = _at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
+            Q, S = ([Fraction(x) / Q[-1] for x in p] for p in (Q, S))
         check_never_escapes(Q, S, evidence["modulus"])
     elif "order" in evidence:
         _need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
+    elif "signs" in evidence:
+        read: dict[Any, set[int]] = {}
+        for sign, places in zip((1, -1), evidence["signs"], strict=True):
+            check_never_singular(reduced.Q, reduced.S, places, evidence["before"], sign, read)
     else:
         check_never_singular(reduced.Q, reduced.S, evidence["places"], evidence["before"])
     if answer["torus_dimension"] is not None:
@@ -398,8 +418,7 @@ def _nonconvergent(Q: list, S: list) -> Reduced:
 
 def _undecided(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
     """No escape in the steps searched, seen modulo N; where the answer calls D indefinite, it is."""
-    steps, N = evidence["searched"], evidence.get("modulus")
-    _need(type(steps) is int and steps >= 0, "the number of steps searched is not a number")
+    steps, N = _step_number(evidence["searched"], "searched"), evidence.get("modulus")
     if N is None:
         count = sum(1 for _ in zip(range(steps + 1), states(Q, S), strict=False))
         _need(count == steps + 1 and (steps == 0 or not _is_escape(Q, S, steps - 1)), "the orbit escapes in the steps searched")
@@ -423,6 +442,7 @@ _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
 
 def _step_number(x: Any, name: str) -> int:
     _need(type(x) is int and x >= 0, f"{name} is not a number of steps")
+    within(x, STEPS, name)
     return x
 
 

@@ -15,6 +15,7 @@ from fractions import Fraction
 from math import ceil
 from typing import Any
 
+from exactkf.kernel.limits import STEPS, within
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_sieve import backward
@@ -22,14 +23,13 @@ from exactkf.kernel.roots import count_real, divmod_poly, squarefree
 
 __all__ = ["check_by_polynomials"]
 
-_LONGEST = 10**4
-
 
 def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
     """Accept if no det X_t, t >= 0, of a reduced rational pair is zero, N being a common order of the zeros of D."""
     parts = squarefree(D)
     size = (len(Q) - 1) * (max(k for _, k in parts) - 1) + 1
-    _need(type(N) is int and 0 < N * size <= _LONGEST, "an order is a positive integer, not too large")
+    _need(type(N) is int and N > 0, "an order is a positive integer")
+    within(N * size * len(Q) ** 3, STEPS, "determinants, times the cube of their size")
     one = D[-1] / D[-1]
     unity = [-one, *[one - one] * (N - 1), one]
     _need(all(not divmod_poly(unity, f)[1] for f, _ in parts), f"a zero of D is no root of unity of order {N}")

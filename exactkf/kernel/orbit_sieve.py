@@ -5,8 +5,11 @@ Main definitions
 ----------------
 `check_never_singular`  no X_t, t >= 0, is singular
 `zeros_modulo`          the t at which det X_t vanishes modulo a prime
+`exponent`              how often a prime divides a number
+`intertwiner`           the matrix K of statement 6
+`has_null_vector`       whether columns are dependent modulo a power of a prime
 `intersected`           what two periodic sets of integers have in common
-`reading`               numbers modulo a prime or its square
+`reading`               numbers modulo a power of a prime
 `check_irreducible`     the modulus of a field is irreducible
 
 Main statements
@@ -25,31 +28,43 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
 4. *Algebraic data.*  theta is a zero of an irreducible polynomial F, monic and p-integral, and r a zero of F modulo p.  A p-integral polynomial
    that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
    If r is a simple zero it lifts to the p-adic integers, and the homomorphism with it.
-5. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
+5. *Powers of a prime.*  If S_m^L = I modulo p then S_m^{L p^a} = I modulo p^{a+1}: (I + p^j A)^p = I + p^{j+1} (...) for j > 0.  So det X_t
+   modulo p^{a+1} depends on t modulo L p^a only.  If the common period of several primes is a multiple of that, as L' of another may have the factor p, each
+   time that is left can be tested modulo p^{a+1}: one in p^a or so stays.
+6. *Two kinds of zeros.*  Let K be the matrix with K A'^i h = A^i g.  Then AK = KA', K' = K (h'A^j g = g'A'^j h), Kh = g, and K is regular, as
+   (A, g) is reachable.  With R: (x; y) -> (K^-1 y; Kx) this gives S_m R S_m = R, block by block, and S_m^t R S_m^t = R.  So if S_m^t (u; 0) = (0; w), R applied
+   to both and exchanged gives S_m^t (K^-1 w; 0) = (0; Ku): K^-1 Y_t is an involution of ker X_t.  If det X_t = 0, there is a rational u, not zero, with
+   X_t u = 0 and Y_t u = Ku or Y_t u = -Ku, p-integral and not zero modulo p.  Hence it is enough that for either sign e, for every t >= 0, the matrix
+   (X_t; Y_t - eK) has full rank over the rational numbers; if it has not, there is a vector, not zero modulo p, that it takes to zero modulo p^{a+1}.
+   Modulo p that is so for one t in p or so, where det X_t vanishes for two.
+7. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
    less than H + 1.  If F = GK then |G(n)|, |K(n)| > c for an integer n > H + 1 + c.  So if F(n) is c times a prime, F is irreducible (Murty).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from fractions import Fraction
-from math import gcd, isqrt, lcm
+from itertools import islice
+from math import comb, gcd, isqrt, lcm
 from operator import mul
 from struct import iter_unpack
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.limits import MINORS, STEPS, WORK, within
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_irreducible", "check_never_singular", "intersected", "reading", "step_matrix", "zeros_modulo"]
+__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "reading", "step_matrix",
+           "zeros_modulo"]
 
-_LONGEST, _MOST = 10**6, 10**5
+_MOST = 10**5  # times that several primes leave
 
 
-def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
-    """Accept if no det X_t, t >= 0, of a reduced pair is zero.
+def check_never_singular(Q: list, S: list, places: Any, before: Any, sign: int = 0, read: dict[Any, set[int]] | None = None) -> None:
+    """Accept if no det X_t, t >= 0, of a reduced pair is zero; with a sign, if none is for the kind of statement 6 that it names.
 
     Parameters
     ----------
@@ -58,15 +73,30 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any) -> None:
         ``[p, L]`` or, for algebraic data, ``[p, L, r]``.
     before : list
         The k of statement 3.
+    sign : int
+        1 or -1, or 0 for both kinds at once.
+    read : dict
+        Zeros modulo primes that are known from a call for the other sign with the same pair.
     """
+    read = {} if read is None else read
     _need(bool(places), "no prime is named")
-    m, period, left = len(Q) - 1, 1, [0]
-    for p, L, root in map(_place, places):
-        _need(type(p) is int and 1 < p < _LONGEST and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
-        _need(type(L) is int and 0 < L < _LONGEST, "a period is not a positive integer")
+    m, period, left, work = len(Q) - 1, 1, [0], 0
+    depths: dict[int, int] = {}
+    for i, (p, L, root) in enumerate(map(_place, places)):
+        _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        _need(type(L) is int and 0 < L < STEPS, "a period is not a positive integer")
         values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
-        period, left = intersected(period, left, L, zeros_modulo(values[:m], values[m:], p, L))
+        if (p, L, root) not in read:
+            work += comb(2 * m, m) * L
+            within(work, 5 * WORK, "minors")
+            read[p, L, root] = zeros_modulo(values[:m], values[m:], p, L)
+        found = read[p, L, root]
+        period, left = intersected(period, left, L, _deeper(Q, S, found, p, L, root, 0, sign) if sign else found, _MOST)
         _need(len(left) < _MOST, "too many times are left")
+        for j, (r, K, residue) in enumerate(map(_place, places[:i + 1])):
+            a = exponent(period // K, r)
+            if a > depths.get(j, 0):
+                left, depths[j] = _deeper(Q, S, left, r, K, residue, a, sign), a
     if left:
         singular = _singular_before(Q, S, before)
         alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
@@ -78,19 +108,89 @@ def _place(data: Any) -> tuple[Any, Any, Any]:
     return data[0], data[1], data[2] if len(data) == 3 else None
 
 
-def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int]) -> tuple[int, list[int]]:
-    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues."""
+def intersected(M: int, first: Iterable[int], L: int, second: Iterable[int], most: int | None = None) -> tuple[int, list[int]]:
+    """The integers congruent to one of the first modulo M and to one of the second modulo L: a period and residues, at most so many."""
     common = gcd(M, L)
     by_rest: dict[int, list[int]] = {}
     for t in second:
         by_rest.setdefault(t % common, []).append(t)
     u = pow(M // common, -1, L // common) if L > common else 0
-    return M // common * L, [s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ())]
+    left = (s + M * ((t - s) // common * u % (L // common)) for s in first for t in by_rest.get(s % common, ()))
+    return M // common * L, list(islice(left, most))
+
+
+def exponent(n: int, p: int) -> int:
+    """How often p divides n."""
+    a = 0
+    while n % p == 0:
+        n, a = n // p, a + 1
+    return a
+
+
+def _deeper(Q: list, S: list, left: Collection[int], p: int, L: int, root: int | None, a: int, sign: int) -> list[int]:
+    """The times with det X_t = 0, or with X_t u = 0 and Y_t u = sign Ku, also modulo p^{a+1}, where S_m^L = I modulo p; see statements 5 and 6.
+
+    S^t is a product of powers S^{d 32^i}, 0 <= d < 32, from a table.
+    """
+    N, m, period = p ** (a + 1), len(Q) - 1, L * p**a
+    within(len(left) * 4 * m**3 * (1 + period.bit_length() // 5), 5 * WORK, "products of matrices")
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, a + 1)
+    base, table = step_matrix(values[:m], values[m:], N), []
+    for _ in range(0, period.bit_length(), 5):
+        columns = [list(c) for c in zip(*base, strict=True)]
+        powers = [[[int(i == j) for j in range(2 * m)] for i in range(2 * m)]]
+        for _ in range(32):
+            powers.append(_product(powers[-1], columns, N))
+        base = powers.pop()
+        table.append(powers)
+    K = intertwiner(values[:m], values[m:], N)
+
+    def vanishes(t: int) -> bool:
+        t, columns = t % period, [[int(i == j) for j in range(2 * m)] for i in range(m)]
+        for powers in table:
+            t, d = divmod(t, 32)
+            columns = _product(columns, powers[d], N) if d else columns
+        if not sign:
+            return _minors([column[:m] for column in columns], N)[0] == 0
+        less = [[*column[:m], *((y - sign * k) % N for y, k in zip(column[m:], row, strict=True))] for column, row in zip(columns, K, strict=True)]
+        return has_null_vector(less, p, N)
+
+    return [t for t in left if vanishes(t)]
+
+
+def intertwiner(q: list[int], g: list[int], N: int) -> list[list[int]]:
+    """The symmetric K of statement 6 modulo N: Ke_1 = g, and e_{i+1} = A'e_i + q_i e_1, so Ke_{i+1} = AKe_i + q_i g."""
+    image, rows = list(g), list[list[int]]()
+    for i in range(len(q)):
+        rows.append(image)
+        moved = [(x - q[k] * image[0]) % N for k, x in enumerate([*image[1:], 0])]
+        image = [(x + q[i] * y) % N for x, y in zip(moved, g, strict=True)]
+    return rows
+
+
+def has_null_vector(columns: list[list[int]], p: int, N: int) -> bool:
+    """Whether a combination of the columns, not all coefficients divisible by p, is zero modulo a power N of p: the last elementary divisor is zero."""
+    columns = [list(c) for c in columns]
+    power = 1
+    while columns:
+        pivot = next(((k, i) for k, c in enumerate(columns) for i, x in enumerate(c) if x % (power * p)), None)
+        if pivot is None:  # every entry that is left is divisible by the next power
+            power *= p
+            if power == N:
+                return True
+            continue
+        k, i = pivot
+        first = columns.pop(k)
+        inverse = pow(first[i] // power, -1, N)
+        for c in columns:
+            u = c[i] // power * inverse
+            c[:] = [(x - u * y) % N for x, y in zip(c, first, strict=True)]
+    return False
 
 
 # ---------------------------------------------------------------------- modulo N
 def reading(values: list, p: int, root: int | None = None, power: int = 1) -> list[int]:
-    """Numbers modulo a prime or its square; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
+    """Numbers modulo a power of a prime; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
     field = next((x.field for x in values if isinstance(x, Algebraic)), None)
     if field is None:
         _need(root is None, "rational data have no generator")
@@ -105,12 +205,13 @@ def reading(values: list, p: int, root: int | None = None, power: int = 1) -> li
     if power > 1:  # Hensel's lemma
         slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
         _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
-        root = (root - value * pow(slope, -1, p)) % p**power
+        for _ in range(power - 1):  # each time for one more power
+            root = (root - _horner(modulus, root, p**power) * pow(slope, -1, p)) % p**power
     return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
 
 
 def check_irreducible(field: AlgebraicField, n: Any) -> None:
-    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 5."""
+    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 7."""
     common = lcm(*(Fraction(c).denominator for c in field.modulus))
     F = [int(c * common) for c in field.modulus]
     content = gcd(*F)
@@ -158,6 +259,8 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     """
     S, size = step_matrix(q, g, p), isqrt(L) + 1
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
+    within(comb(2 * m, m) * size, MINORS, "minors")
+    _need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
     top, rows = [_minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
     power = eye[:m]
     for _ in range(size - 1):
@@ -165,7 +268,6 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
         top.append(_minors(power, p))
     leap = _power(S, size, p)
     _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
-    _need(len(top[0]) * p * p < 1 << 64, "the minors are too many")
     packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):

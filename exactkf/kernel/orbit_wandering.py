@@ -20,14 +20,12 @@ from math import gcd, lcm
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
+from exactkf.kernel.limits import STEPS, within
 from exactkf.kernel.numbers import Undefined, divide, fraction
 from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree, times_poly
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
 __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
-
-
-_LONGEST = 10**6  # states of an orbit modulo N
 
 
 def _residue(x: Any, N: int) -> int:
@@ -50,13 +48,14 @@ def modular_step(Q: list[int], S: list[int], N: int) -> tuple[list[int], list[in
 
 def check_never_escapes(Q: list, S: list, N: Any) -> None:
     """The orbit modulo N comes back to a state it had, and 1 - g^2 is a unit all the way."""
-    q, s = modular(Q, N), modular(S, N)
-    seen = set()
-    while (state := (*q, *s)) not in seen:
-        seen.add(state)
-        _need(len(seen) < _LONGEST, "too long an orbit")
-        _need(gcd(1 - s[-2] * s[-2], N) == 1, f"1 - g^2 is no unit modulo {N}")
-        q, s = modular_step(q, s, N)
+    state, kept, steps = (modular(Q, N), modular(S, N)), None, 0
+    while state != kept:
+        if steps & (steps - 1) == 0:  # the last of a power of two is remembered (Brent)
+            kept = state
+        g, steps = state[1][-2], steps + 1
+        within(steps * len(Q), STEPS, "steps of the orbit modulo N, times its order")
+        _need(gcd(1 - g * g, N) == 1, f"1 - g^2 is no unit modulo {N}")
+        state = modular_step(*state, N)
 
 
 def _modular_power(base: list[int], k: int, modulus: list[int], p: int) -> list[int]:
@@ -86,6 +85,7 @@ def _modular_rest(f: list[int], modulus: list[int], p: int) -> list[int]:
 def _orders(degree: int) -> tuple[int, ...]:
     """The orders of all roots of unity of at most this degree."""
     stop = 2 * degree * degree + 3  # phi(k) >= sqrt(k/2)
+    within(stop, 10 * STEPS, "orders of roots of unity")
     totient = list(range(stop))
     for p in range(2, stop):
         if totient[p] == p:

@@ -449,13 +449,13 @@ def _index_only(tree: Any, index: str) -> bool:
         return tree[1] != index
     if tree and tree[0] == "at":
         return all(not _mentions(a, index) or _is_shift(a, index) for a in tree[2:])
-    return all(_index_only(x, index) for x in tree[1:] if not isinstance(x, str))
+    return all(_index_only(x, index) for x in tree)  # the first too: of a row of a block it is no operation
 
 
 def _mentions(tree: Any, index: str) -> bool:
     if isinstance(tree, (int, str)):
         return False
-    return tree[:2] == ["sym", index] or any(_mentions(x, index) for x in tree[1:])
+    return tree[:2] == ["sym", index] or any(_mentions(x, index) for x in tree)
 
 
 def _is_shift(tree: Any, index: str) -> bool:

@@ -96,6 +96,8 @@ def count_real(p: list, lo: Any, hi: Any) -> int:
     p = _trim(p)
     if not p:
         raise Undefined("the zero polynomial has no root count")
+    if hi <= lo:
+        return 0
     chain = _sturm_chain(p)
     if len(chain[-1]) > 1:  # multiple roots: the chain divided by the last is one of the square-free part
         chain = [divmod_poly(q, chain[-1])[0] for q in chain]

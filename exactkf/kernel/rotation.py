@@ -55,9 +55,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from math import gcd, isqrt, lcm
+from operator import mul
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.limits import WORK, within
 from exactkf.kernel.numbers import Undefined
 
 __all__ = ["coefficients", "first_zero", "height", "least_height", "modulus", "order", "sign_at", "value", "zero_bound"]
@@ -88,7 +90,7 @@ def value(x: Any, a: Any, t: int) -> Any:
 # ---------------------------------------------------------------------- modulo a prime
 def coefficients(x: Any) -> list[Fraction]:
     """From theta^0 up."""
-    return x.c if isinstance(x, Algebraic) else [Fraction(x)]
+    return x.field.element(x.c).c if isinstance(x, Algebraic) else [Fraction(x)]
 
 
 def modulus(field: AlgebraicField | None) -> list[Fraction]:
@@ -103,6 +105,11 @@ class _Residues:
         self.q = q
         self.tail = self.read([c / modulus[-1] for c in modulus[:-1]], len(modulus) - 1)
         self.d = len(modulus) - 1
+        self.width = (2 * q.bit_length() + (2 * self.d).bit_length() + 7) // 8  # bytes for a sum of 2d products
+        self.powers, row = list[int](), [-c % q for c in self.tail]  # theta^d, theta^(d + 1), ..., packed
+        for _ in range(self.d - 1):
+            self.powers.append(self._packed(row))
+            row = [(a - row[-1] * c) % q for a, c in zip([0, *row[:-1]], self.tail, strict=True)]
 
     def read(self, coefficients: list[Fraction], d: int) -> list[int]:
         """Undefined if q divides a denominator."""
@@ -114,16 +121,17 @@ class _Residues:
     def multiply(self, u: list[int], v: list[int]) -> list[int]:
         if self.d == 1:
             return [u[0] * v[0] % self.q]
-        d, q = self.d, self.q
-        out = [0] * (2 * d - 1)
-        for i, a in enumerate(u):
-            for j, b in enumerate(v):
-                out[i + j] += a * b
-        for k in range(2 * d - 2, d - 1, -1):
-            top = out[k] % q
-            for j, c in enumerate(self.tail):
-                out[k - d + j] -= top * c
-        return [c % q for c in out[:d]]
+        whole, bits = self._packed(u) * self._packed(v), 8 * self.width * self.d
+        high = self._unpacked(whole >> bits, self.d - 1)
+        return self._unpacked((whole & (1 << bits) - 1) + sum(map(mul, high, self.powers)), self.d)
+
+    def _packed(self, u: list[int]) -> int:
+        """One integer, `width` bytes for each: a product of such integers holds the coefficients of the product."""
+        return int.from_bytes(b"".join(a.to_bytes(self.width, "little") for a in u), "little")
+
+    def _unpacked(self, n: int, count: int) -> list[int]:
+        data, w = n.to_bytes(count * self.width, "little"), self.width
+        return [int.from_bytes(data[k:k + w], "little") % self.q for k in range(0, count * w, w)]
 
     def subtract(self, u: list[int], v: list[int]) -> list[int]:
         return [(a - b) % self.q for a, b in zip(u, v, strict=True)]
@@ -173,6 +181,7 @@ def _first(x: Any, start: tuple[Any, Any], shift: Any, wanted: list[int], field:
 
 def first_zero(x: Any, a: Any, stop: int, field: AlgebraicField | None) -> int | None:
     """The first t with 2 <= t <= stop and y_t = 0."""
+    within(stop * (len(modulus(field)) - 1), WORK // 4, "terms of the sequence, times the degree")
     return _first(x, (a, Fraction(1)), Fraction(0), list(range(2, stop + 1)), field, lambda t: value(x, a, t) == 0)
 
 
@@ -229,6 +238,7 @@ def zero_bound(x: list[Fraction], a: list[Fraction], modulus: list[Fraction]) ->
 
 def least_height(degree: int) -> int:
     """An N such that numbers of at most this degree, neither 0 nor roots of unity, have a height to base 2 of at least 1/N (statement 6)."""
+    within(degree, WORK, "the degree of a number")
     p = 4 * degree - 1
     for _ in range(degree.bit_length()):  # floor(log D) + 1 primes
         p += 1

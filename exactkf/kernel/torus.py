@@ -39,6 +39,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import generator
+from exactkf.kernel.limits import within
 from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import chebyshev
 from exactkf.kernel.rotation import least_height
@@ -158,7 +159,7 @@ def is_relation(numbers: CircleNumbers, chosen: Sequence[int], exponents: Sequen
     """Whether prod l_i^{e_i} = 1; see statement 1."""
     size, s = sum(map(abs, exponents)), len(chosen)
     close = numbers.degree(s) * (size * numbers.log_norm() + 2) // 2 + 1
-    _need(close < _MOST_BITS, "the relation is too large to be checked")
+    within(close, _MOST_BITS, "bits of a relation")
     w = close + size.bit_length() + 64
     product = _Point(1 << w, 0, 0)
     for i, e in zip(chosen, exponents, strict=True):
@@ -176,7 +177,8 @@ def bound_of_relations(numbers: CircleNumbers, s: int) -> int:
 def check_independent(numbers: CircleNumbers, chosen: Sequence[int], bits: Any, basis: Any) -> None:
     """Accept if no product of powers of the chosen numbers is a root of unity; see statement 2."""
     s = len(chosen)
-    _need(type(bits) is int and 0 < bits < _MOST_BITS, "the number of bits is not a positive integer")
+    _need(type(bits) is int and bits > 0, "the number of bits is not a positive integer")
+    within(bits, _MOST_BITS >> 2, "bits of an angle")
     rows = [[_integer(x) for x in row] for row in basis]
     _need(len(rows) == s + 1 and all(len(row) == s + 1 for row in rows), "the basis is not square")
     angles = [angle(numbers, i, bits) for i in chosen]

@@ -9,7 +9,8 @@ A stationary process is handled through its covariances. Random variables are
 rows of coefficients over the independent variables x_0, v_0, w_0, v_1, ...;
 with their covariance matrix ``G`` the product E{xi eta'} is xi G eta'. For a
 proof for every n and every time the coefficients of x_0, v_s and w_s are kept
-apart, and E{xi eta'} is a sum over s. The covariance of the state is ``P``;
+apart, and E{xi eta'} is a sum over s; an estimate is the row of its weights on
+the outputs. The covariance of the state is ``P``;
 stationarity makes the noise covariances Q = P - F P F', S = g - F P h,
 R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
 every symmetric P.
@@ -91,8 +92,8 @@ def output(t):
     return T(h) * XX0[t], T(h) * XV(s, t), when(s == t, 1, 0)
 
 
-def covariance(x, y, noise=NOISE, cov=P):
-    """E{x y'} for noise (v_s, w_s) of covariance [[q, r], [r', w]], s <= m, and x_0 of covariance ``cov``."""
+def covariance(x, y, noise=NOISE, cov=P, last=m):
+    """E{x y'} for noise (v_s, w_s) of covariance [[q, r], [r', w]], s <= ``last``, and x_0 of covariance ``cov``."""
     (x0, xv, xw), (y0, yv, yw), (q, sv, w) = x, y, noise
     each = xv * q * T(yv)
     if yw is not None:
@@ -101,7 +102,7 @@ def covariance(x, y, noise=NOISE, cov=P):
         each = each + xw * (T(sv) * T(yv))
     if xw is not None and yw is not None:
         each = each + xw * yw * w
-    return x0 * cov * T(y0) + sum_of(s, 0, m, each)
+    return x0 * cov * T(y0) + sum_of(s, 0, last, each)
 
 
 #: x_t written out; for `generic_index`

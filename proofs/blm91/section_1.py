@@ -15,24 +15,33 @@ For n = 1 what is announced is proved in Sections III and V: convergence where t
 from exactkf.claims import claim, repair
 from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_covariance import (
+    BY_COVARIANCE,
+    BY_RICCATI_OF_COVARIANCE,
+    COVARIANCE,
+    COVARIANCE_LEMMAS,
+    RICCATI_OF_COVARIANCE,
+    SYMMETRIC,
+    cov,
+    moved,
+)
+from proofs.blm91.lemmas_estimate import BY_ESTIMATE, CLOSED, ESTIMATE, ESTIMATE_LEMMAS, FILTER_WEIGHTS, KALMAN, PROJECTED, RICCATI_GAIN, SOME, filtered
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
-from proofs.blm91.section_2_filtering import FAST, FILTER, fk, fks, xh
+from proofs.blm91.section_2_filtering import FAST, fk, fks
 
-Pi, G2, P2, k2, hit, cov, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
-    "Pi G2 P2 K2 hit cov predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
+Pi, G2, P2, k2, hit, stay, back, many, special, hits, far, flag, definite, real, poly, bound, pit, qa, growth, alb, gab, alc, gac = symbols(
+    "Pi G2 P2 K2 hit predicted back divides special hits far region definite real polynomial bound pi_t q growth alpha_2 gamma_2 alpha_3 gamma_3")
 RICCATI = rec(Pi, t, Zero(n, n), F * Pi[t] * T(F) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * T(g - F * Pi[t] * h))
-BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
-SAID = "Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model."
 
 # ---------------------------------------------------------------------- model and filter
 claim("BLM91-E1.1", "the model is stationary, with E y^2 = 1 and E x_(t+1) y_t = g",
       forall(t, 0, m, (covariance(state(t), state(t)) == P) & (covariance(state(t + 1), output(t)) == g) & (covariance(output(t), output(t)) == 1)), sizes=["n", "m"], over=SYSTEM, where=STATE,
       by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2))],
       note="The display is the model; checked is that the noise covariances P - FPF', g - FPh, 1 - h'Ph, white, give it these properties. X_0 and X_v are the coefficients of x_0 and v_s in x_t.")
-claim("BLM91-E1.2", "the Kalman filter", forall(t, 0, m, xh(t + 1) == F * xh(t) + (g - F * Pi[t] * h) * inv(1 - T(h) * Pi[t] * h) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, RICCATI],
-      by=[identity(n=(1, 2), m=(0, 1)), instances(n=(1, 2, 3), m=(1, 2))], note=SAID + " The gain is (1.3).")
+claim("BLM91-E1.2", "the Kalman filter", always(t, filtered(KALMAN(t))), sizes=["n"], over=SYSTEM, where=[*STATE, *ESTIMATE, *RICCATI_GAIN, *FILTER_WEIGHTS], given=SOME,
+      by=[generic_index(*ESTIMATE_LEMMAS, **CLOSED, uses=BY_ESTIMATE), instances(n=(1, 2, 3), horizon=2)], note=PROJECTED + " The gain K_t is (1.3). U serves the proof alone.")
 OTHER = {"noise": (P2 - F * P2 * T(F), g - F * P2 * h, 1 - T(h) * P2 * h), "cov": P2}
 claim("BLM91-S1", "the gain is the same for all realizations",
       forall(t, 0, m, GAIN == 1 / r[t] * covariance(state(t + 1), innovation(t, t), **OTHER)), sizes=["n", "m"],
@@ -43,10 +52,14 @@ claim("BLM91-S1", "the gain is the same for all realizations",
 claim("BLM91-E1.3", "the Kalman gain", forall(t, 0, m, GAIN * (1 - T(h) * Pi[t] * h) == g - F * Pi[t] * h), sizes=["n", "m"], over=SYSTEM, where=[*MODELLED, *FORWARD, *SOLUTION],
       by=[generic_index(*RICCATI_LEMMAS, **BY_RICCATI), instances(n=(1, 2, 3), m=(1, 2))],
       note="The left side is the coefficient of the innovation in the projection, (2.17), multiplied out by the scalar 1 - h'Pi_t h. phi_g, phis_g and Pi_sum serve the proof alone. " + COEFFICIENTS)
-COV = function(cov, [t], xh(t) * G * T(xh(t)))
-claim("BLM91-E1.4", "the Riccati equation of the estimate", (cov(0) == Zero(n, n)) & forall(t, 0, m, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * inv(1 - T(h) * cov(t) * h) * T(g - F * cov(t) * h)),
-      sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV], by=BY, note="cov(t) is the covariance of the projection of x_t on y_0 .. y_(t-1).")
-claim("BLM91-S2", "Pi_t is the covariance of the estimate", forall(t, 0, m, Pi[t] == cov(t)), sizes=["n", "m"], over=SYSTEM, where=[*FILTER, COV, RICCATI], by=BY, note=SAID)
+_ESTIMATED = {"sizes": ["n"], "over": SYSTEM, "where": [*STATE, *ESTIMATE, *COVARIANCE, *RICCATI_GAIN, *FILTER_WEIGHTS], "given": SOME}
+_CLOSED = {"closed": [*CLOSED["closed"], moved]}
+claim("BLM91-E1.4", "the Riccati equation of the estimate",
+      (cov(0) == Zero(n, n)) & always(t, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * T(g - F * cov(t) * h) / (1 - T(h) * cov(t) * h)), **_ESTIMATED,
+      by=[generic_index(*RICCATI_OF_COVARIANCE, **_CLOSED, uses=BY_RICCATI_OF_COVARIANCE), instances(n=(1, 2, 3), horizon=2)],
+      note="cov(t) is the covariance of the estimate. " + PROJECTED + " Pi_t, the solution from zero, K, U and F_g serve the proof alone.")
+claim("BLM91-S2", "Pi_t is the covariance of the estimate", always(t, Pi[t] == cov(t)), **_ESTIMATED,
+      by=[generic_index(*COVARIANCE_LEMMAS, SYMMETRIC, **_CLOSED, uses=BY_COVARIANCE), instances(n=(1, 2, 3), horizon=2)], note=PROJECTED + " K, U and F_g serve the proof alone.")
 
 # ---------------------------------------------------------------------- covariances and spectral density
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (covariance(output(t + i), output(t)) == covariance(output(i), output(0))) & (covariance(output(0), output(0)) == 1))),

@@ -139,6 +139,8 @@ claim("BLM91-E2.5", "Szego polynomials are monic of degree t",
       by=[generic_index(REVERSED, MONIC, supported=[phi, phis], uses=[use(1, t=t)]), instances(n=range(1, 6))],
       note="The display fixes names for the coefficients; checked is that the polynomials of (2.6) are of this form.")
 
+ORTHOGONAL_TO_POWERS = lemma(t, forall(k, 0, t, sum_of(j, 0, t, coeff(phi[t], j) * cc(abs(j - k))) == when(k == t, r[t], 0)),
+                             uses=[use(1, t=t), use(2, t=t, k=k - 1), use(2, t=t, k=t - k)])
 claim("BLM91-E2.6", "the recursions produce the monic orthogonal polynomials",
       forall(t, 0, n, forall(k, 0, t, ip(t, k) == when(k == t, r[t], 0))), sizes=["n"], over=C, where=[*SZEGO, PAIRING],
       by=[generic_index(REVERSED, MONIC, lemma(t, forall(k, 0, t, ip(t, k) == when(k == t, r[t], 0)), uses=[use(1, t=t), use(2, t=t, k=k - 1), use(2, t=t, k=t - k)]),
@@ -217,8 +219,11 @@ claim("BLM91-E2.11", "the linear least-squares prediction",
       note="E(y_n - x_1 y_0 - .. - x_n y_(n-1))^2 is written out; it exceeds the value at the coefficients of (2.11) by a square in the "
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
-      vstack(-inv(Toep(n - 1)) * tau, 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 5))],
+      vstack(-(inv(Toep(n - 1)) * tau), 1) == matrix_of(i, j, n + 1, 1, coeff(phi[n], i - 1)), sizes=["n"], over={c: sequence(1, n)}, where=PREDICT,
+      given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL_TO_POWERS, fact(t, "solve", inv(Toep(n - 1)) * tau == matrix_of(i, j, n, 1, -coeff(phi[n], i - 1)),
+                                                                    uses=[use(1, t=n), use(2, t=n, k=row - 1)]),
+                        supported=[phi, phis], uses=[use(3, t=0, row=row, column=1), use(1, t=n)]), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",

@@ -29,6 +29,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_estimate import PROJECTED, SOME, Gram, filtered, innovation_weights, xh
 from proofs.blm91.lemmas_gain import (
     BACKWARD,
     BY_RICCATI,
@@ -45,34 +46,49 @@ from proofs.blm91.lemmas_gain import (
     innovation,
     sums_with,
 )
+from proofs.blm91.lemmas_innovations import (
+    BY_EXPANSION,
+    BY_GAIN,
+    BY_NOISE,
+    BY_OWN_EXPANSION,
+    EXPANDED,
+    EXPANSION_LEMMAS,
+    EXPANSION_WEIGHTS,
+    GAIN_LEMMAS,
+    INNOVATION_GAIN,
+    NOISE_LEMMAS,
+    OPENED,
+    OWN_EXPANSION_LEMMAS,
+    VALUES,
+    WITH_GAIN,
+    correlation,
+    inverse_r,
+    phi_row,
+)
 from proofs.blm91.notation import *
 
-xh, yt, Ys, kk, ks, Pi, fk, fks, x, y, Fm, Qm = symbols("x_hat y_tilde y_past K K_star Pi K_fast K_fast_star x y F_m Q_m")
+kk, ks, Pi, fk, fks, x, y, Fm, Qm = symbols("K K_star Pi K_fast K_fast_star x y F_m Q_m")
 
 # ---------------------------------------------------------------------- estimates as projections
-FILTER = (*MODEL, REALIZED, *szego(c),
-          function(Ys, [t], matrix_of(i, j, t, width, Y(i - 1)[1, j])),
-          function(xh, [t], when(t == 0, Zero(n, width), X[t] * G * T(Ys(t)) * inv(Ys(t) * G * T(Ys(t))) * Ys(t))),
-          function(yt, [t], sum_of(k, 0, t, coeff(phi[t], k) * Y(k))),
-          function(kk, [t], 1 / r[t] * X[t + 1] * G * T(yt(t))))
-BY = [identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2))]
-SAID = ("Estimates are projections on y_0 .. y_(t-1) in the covariance form of the model; innovations have the coefficients of the Szego "
-        "polynomials of c_k = h'F^(k-1)g.")
-
+_MODEL = {"sizes": ["n"], "over": SYSTEM, "given": SOME}
+_BY = instances(n=(1, 2, 3), horizon=2)
+_NAMES = {inverse_r: "r^{-1}"}
+SAID = PROJECTED + " y~_k is the row phi_row of the coefficients of phi_k, for c_k = h'F^(k-1)g, and cov_xe is E{x_t y~_k}; what comes after phi_row serves the proof alone."
 claim("BLM91-E2.14", "the estimate expanded in innovations",
-      forall(t, 1, m, xh(t) == sum_of(k, 0, t - 1, 1 / r[k] * (xh(t) * G * T(yt(k))) * yt(k))), sizes=["n", "m"], over=SYSTEM, where=FILTER,
-      by=BY, note=SAID)
+      always(t, xh(t + 1) == sum_of(k, 0, t, inverse_r(k) * (T(phi_row(t + 1, k) * Gram(t + 1) * T(xh(t + 1))) * phi_row(t + 1, k)))), **_MODEL,
+      where=[*EXPANDED, *EXPANSION_WEIGHTS], tex=_NAMES, by=[generic_index(*OWN_EXPANSION_LEMMAS, **OPENED, uses=BY_OWN_EXPANSION), _BY],
+      note="At t + 1 in place of t. " + SAID)
 claim("BLM91-E2.15", "the estimate from covariances of the state itself",
-      forall(t, 1, m, xh(t) == sum_of(k, 0, t - 1, 1 / r[k] * (X[t] * G * T(yt(k))) * yt(k))), sizes=["n", "m"], over=SYSTEM, where=FILTER,
-      by=BY, note=SAID)
+      always(t, xh(t + 1) == sum_of(k, 0, t, inverse_r(k) * (correlation(t + 1, k) * phi_row(t + 1, k)))), **_MODEL,
+      where=[*EXPANDED, *EXPANSION_WEIGHTS], tex=_NAMES, by=[generic_index(*EXPANSION_LEMMAS, **OPENED, uses=BY_EXPANSION), _BY], note="At t + 1 in place of t. " + SAID)
 claim("BLM91-S17", "new noise is orthogonal to the past",
-      forall(t, 0, m, (yt(t) == Y(t) - T(h) * xh(t)) & forall(k, 0, t - 1, X[t + 1] * G * T(yt(k)) == F * X[t] * G * T(yt(k)))),
-      sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
-claim("BLM91-E2.16", "the Kalman filter",
-      forall(t, 0, m, xh(t + 1) == F * xh(t) + kk(t) * (Y(t) - T(h) * xh(t))), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY,
-      note=SAID + " The gain is (2.17), the estimate at time 0 is zero.")
+      always(t, (phi_row(t + 1, t) == innovation_weights()) & forall(k, 0, t - 1, correlation(t + 1, k) == F * correlation(t, k))), **_MODEL,
+      where=[*EXPANDED, *VALUES], tex=_NAMES, by=[generic_index(*NOISE_LEMMAS, **OPENED, uses=BY_NOISE), _BY], note=SAID)
+claim("BLM91-E2.16", "the Kalman filter", always(t, filtered(INNOVATION_GAIN)), **_MODEL,
+      where=WITH_GAIN, tex=_NAMES, by=[generic_index(*GAIN_LEMMAS, **OPENED, uses=BY_GAIN), _BY], note=SAID + " The gain is (2.17), the estimate at time 0 is zero.")
 claim("BLM91-E2.29", "the filter driven by the output",
-      forall(t, 0, m, xh(t + 1) == (F - kk(t) * T(h)) * xh(t) + kk(t) * Y(t)), sizes=["n", "m"], over=SYSTEM, where=FILTER, by=BY, note=SAID)
+      always(t, xh(t + 1) == hstack((F - INNOVATION_GAIN * T(h)) * xh(t), Zero(n, 1)) + INNOVATION_GAIN * hstack(Zero(1, t), 1)), **_MODEL,
+      where=WITH_GAIN, tex=_NAMES, by=[generic_index(*GAIN_LEMMAS, **OPENED, uses=BY_GAIN), _BY], note=SAID)
 
 # ---------------------------------------------------------------------- the gain, for every n and t
 claim("BLM91-E2.17", "the gain is that of the Riccati equation",
@@ -141,7 +157,6 @@ claim("BLM91-E2.24", "what the change of variables does: the filter matrix depen
 
 STRIPPED = stripped(g + a, g)
 AG = {a: vector(n), g: vector(n)}
-SOME = [standing("n >= 1", n >= 1)]
 claim("BLM91-E2.25", "the stripped fast algorithm",
       always(t, (q[t] == fk[t] + a) & (qs[t] == fks[t])), sizes=["n"], over=AG, where=[*FORM, *FAST, *STRIPPED], given=SOME,
       by=[generic_index(lemma(t, (q[t] == fk[t] + a) & (qs[t] == fks[t]), rule=True)), instances(n=(1, 2, 3))])

@@ -20,14 +20,16 @@ from exactkf.evidence import fact, lemma, use
 from exactkf.language import Expr, Z, always, coeff, forall, function, laurent, prod, rec, sum_of, symbols, when
 from proofs.blz94.notation import a, g, i, j, k, monic_of, n, s, strict_of, t, u
 
-__all__ = ["AT_START", "AT_TIME", "DELETION", "OPENED_AT_BOTH", "OPENED_AT_START", "QUOTIENTS", "e_of", "later", "schur"]
+__all__ = [
+    "AT_START", "AT_TIME", "DELETION", "NAMES_1", "OPENED_AT_BOTH", "OPENED_AT_START", "QUOTIENTS", "e_of", "later", "pairing", "parameters", "part", "schur",
+]
 
 w, part, e_of, h_of, l, v = symbols("w part e_of h_of l v")
 c0, f0, f0s, r0, schur = symbols("c0 f0 f0s r0 schur")
 c1, f1, f1s, r1, later = symbols("c1 f1 f1s r1 later")
 
 
-def _parameters(at: Any, names: tuple[Expr, ...]) -> tuple:
+def parameters(at: Any, names: tuple[Expr, ...]) -> tuple:
     """(3.11) for v at a time, and its Schur parameters by (3.6)."""
     c, f, fs, r, gamma = names
     return (function(c, [k], laurent(strict_of(g[at]) / monic_of(a[at]), k)),
@@ -35,8 +37,9 @@ def _parameters(at: Any, names: tuple[Expr, ...]) -> tuple:
             function(gamma, [k], 1 / r[k] * sum_of(j, 0, k, coeff(f[k], j) * c(j + 1))))
 
 
+NAMES_0, NAMES_1 = (c0, f0, f0s, r0, schur), (c1, f1, f1s, r1, later)
 #: Schur parameters of v, and of v_s
-AT_START, AT_TIME = _parameters(0, (c0, f0, f0s, r0, schur)), _parameters(s, (c1, f1, f1s, r1, later))
+AT_START, AT_TIME = parameters(0, NAMES_0), parameters(s, NAMES_1)
 
 
 def _sum(high: Expr, term: Expr) -> Expr:
@@ -65,7 +68,7 @@ _STEP = lemma(t, always(u, always(l, (e_of(u, t + 1, l) == 1 / (1 - g[t][1] ** 2
               direct=True, uses=_OPEN)
 
 
-def _pairing(number: int, at: Any, names: tuple[Expr, ...]) -> dict:
+def pairing(number: int, at: Any, names: tuple[Expr, ...]) -> dict:
     """The sums of phi_k and its companion against the coefficients at infinity, as the lemma so numbered."""
     c, f, fs, r, gamma = names
     scale = prod(j, 0, k - 1, 1 - g[at + j][1] ** 2)
@@ -75,4 +78,4 @@ def _pairing(number: int, at: Any, names: tuple[Expr, ...]) -> dict:
                  uses=[use(gamma, k), *(use(number, k=k, l=x) for x in (0, l, l + 1)), use(3, t=at + k, u=at, l=l + 1), use(e_of, at, at + k, 1)], base=start)
 
 
-DELETION = (_AS_SUM, _TIMES_A, _AT_INFINITY, _STEP, _pairing(4, 0, (c0, f0, f0s, r0, schur)), _pairing(5, s, (c1, f1, f1s, r1, later)))
+DELETION = (_AS_SUM, _TIMES_A, _AT_INFINITY, _STEP, pairing(4, 0, NAMES_0), pairing(5, s, NAMES_1))

@@ -19,7 +19,6 @@ from exactkf.language import (
     coeff,
     column,
     function,
-    laurent,
     let,
     matrix_of,
     prod,
@@ -145,27 +144,6 @@ VECTORS = (
     *PHI_T, *PSI_T,
     function(a_of, [t], column(i, n, cot(phi, t, n, i) + sum_of(j, 1, i, alpha[t][j] * cot(phi, t, n - j, i - j)))),
     function(b_of, [t], column(i, n, cot(psi, t, n, i) + sum_of(j, 1, i, alpha[t][j] * cot(psi, t, n - j, i - j)))),
-)
-
-#: (alpha, gamma) back from the vectors a[t], g[t]: c by (3.11), gamma by (3.6), alpha from (3.12a)
-INVERSE = (
-    function(c, [t, k], laurent(strict_of(g[t]) / monic_of(a[t]), k)),
-    function(phi, [t, k], when(k == 0, 1, Z * phi(t, k - 1) - gamma(t, k - 1) * phis(t, k - 1))),
-    function(phis, [t, k], when(k == 0, 1, phis(t, k - 1) - gamma(t, k - 1) * Z * phi(t, k - 1))),
-    function(r, [t, k], prod(j, 0, k - 1, 1 - gamma(t, j) ** 2)),
-    function(gamma, [t, k], 1 / r(t, k) * sum_of(j, 0, k, coeff(phi(t, k), j) * c(t, j + 1))),
-    function(alpha, [t, k], a[t][k] - cot(phi, t, n, k) - sum_of(j, 1, k - 1, alpha(t, j) * cot(phi, t, n - j, k - j))),
-)
-
-#: the fast algorithm from the (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
-phi0, phi0s, psi0, psi0s = symbols("phi0 phi0s psi0 psi0s")
-#: the fast algorithm from the vectors (a, g) of (alpha0, gamma0), with the coordinates of each (a(t), g(t)) found again
-STEP = (
-    rec(phi0, k, 1, Z * phi0[k] - gamma0[k + 1] * phi0s[k]), rec(phi0s, k, 1, phi0s[k] - gamma0[k + 1] * Z * phi0[k]),
-    rec(psi0, k, 1, Z * psi0[k] + gamma0[k + 1] * psi0s[k]), rec(psi0s, k, 1, psi0s[k] + gamma0[k + 1] * Z * psi0[k]),
-    let(a0, column(i, n, coeff(phi0[n], n - i) + sum_of(j, 1, i, alpha0[j] * coeff(phi0[n - j], n - i)))),
-    let(b0, column(i, n, coeff(psi0[n], n - i) + sum_of(j, 1, i, alpha0[j] * coeff(psi0[n - j], n - i)))),
-    let(g0, HALF * (b0 - a0)), *FAST, *INVERSE,
 )
 
 # ---------------------------------------------------------------------- shifted parameters

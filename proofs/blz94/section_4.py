@@ -59,22 +59,21 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
+from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, SCALES, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
     FAST,
     HALF,
-    INVERSE,
     KIMURA,
     NORM,
     ORBIT,
     PHI,
-    PHI_T,
     PI,
     PI_T,
     PSI,
     RHO_T,
-    RICCATI,
     VECTORS,
     A,
     D,
@@ -236,29 +235,24 @@ claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the g
            "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
 
 claim("BLZ94-T4.3.4", "the recursion for the Schur parameters of v",
-      gamma(0, m + n) == -sum_of(i, 1, n, alpha(m + 1, i) * gamma(0, m + n - i)), sizes=["n"],
-      over={a0: vector(n), g0: vector(n), m: integer(0, 2)}, where=[*FAST, *INVERSE],
-      by=[steps("BLZ94-T4.3.2", "BLZ94-L4.2", prose="The last row of (4.4b), with gamma_k(t) = gamma_{t+k}."),
-          instances(n=(1, 2, 3))],
-      note="t = m; gamma(0, k) are the Schur parameters of v, alpha(t, i) the coordinates of v_t.")
+      schur(m + n) == -sum_of(i, 1, n, alpha_next(i) * schur(m + n - i)), sizes=["n", "m"], **_DELETED,
+      where=[*FAST, *AT_START, *ALPHA_NEXT, *QUOTIENTS, *PARTS],
+      by=[generic_index(*UPDATE, **OPENED_FOR_UPDATE, uses=CONCLUDED), instances(n=(1, 2, 3), m=(0, 1, 2))],
+      note="t is the size m, so that it is arbitrary; schur(k) are the Schur parameters (3.6) of v, and alpha(i), by (3.12a), the coordinates of v_{m+1}, "
+           "whose own Schur parameters are later(k). The coefficients w and what comes after them serve the proof alone.")
 
+phi_n, pi_n = symbols("phi_n pi_n")
 claim("BLZ94-T4.3.5", "the gain in the new coordinates",
-      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == Pi[t] * alpha[t] + pi[t] - Phi * alpha0 - a_of),
-      sizes=["n"], over=VECTOR_POINT,
-      where=[*ORBIT, *PHI_T, *VECTORS[2:4], let(a_of, column(i, n, cot(phi, 0, n, i))),
-             let(Phi, matrix_of(i, j, n, n, coeff(phi(0, n - j), n - i))),
-             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i)
-                                                             + coeff(psi(t, n - j), n - i)))),
-             function(pi, [t], column(i, n, HALF * (cot(phi, t, n, i) + cot(psi, t, n, i)))),
-             let(a0, a_of + Phi * alpha0),
-             let(g0, HALF * (column(i, n, cot(psi, 0, n, i)) - a_of
-                             + matrix_of(i, j, n, n, coeff(psi(0, n - j), n - i)
-                                         - coeff(phi(0, n - j), n - i)) * alpha0)),
-             *RICCATI],
-      by=[steps("BLZ94-E2.17", "BLZ94-T4.3.3", prose="Insert a(t) and g(t) into k_t = a(t) + g(t) - a."),
+      always(t, (g0 - F * P[t] * h) / (1 - T(h) * P[t] * h) == Pi[t] * alpha[t] + pi_n[t] - Phi * alpha0 - phi_n),
+      sizes=["n"], over=VECTOR_POINT, given=[standing("n >= 1", n >= 1)],
+      where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *FIRST, *FAST, *RICCATI_FROM_ZERO,
+             let(phi_n, column(i, n, cot(phi, 0, n, i))), let(Phi, matrix_of(i, j, n, n, coeff(phi(0, n - j), n - i))),
+             function(pi_n, [t], column(i, n, HALF * (cot(phi, t, n, i) + cot(psi, t, n, i)))),
+             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i) + coeff(psi(t, n - j), n - i)))), *SCALES],
+      by=[generic_index(*GAIN, **OPENED_FOR_GAIN, uses=[use(10, t=t, i=row), use(8, t=t, i=row), use(9, t=t), use(a_first, row)]),
           instances(n=(2, 3, 4), horizon=3)],
-      note="The gain on the left is that of the Riccati recursion from P_0 = 0; a_F on the right is the vector "
-           "phi_n(gamma).")
+      note="The gain on the left is that of the Riccati recursion from P_0 = 0, in the observer form of the vectors (a, g), here x and y, that have the "
+           "coordinates (alpha, gamma). The fast algorithm, rho, pi_k and r serve the proof alone.")
 
 # ---------------------------------------------------------------------- the invariants
 claim("BLZ94-E4.10", "D is d(z) + d(1/z)", D == d + recip(d), sizes=["n"], over={a: monic(n), b: monic(n)},

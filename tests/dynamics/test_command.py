@@ -15,7 +15,7 @@ from click.testing import CliRunner
 
 from exactkf.cli import main
 from exactkf.dynamics.analyze import analyze
-from exactkf.dynamics.command import split_list
+from exactkf.dynamics.files import split_list
 from exactkf.kernel.replay import replay
 
 

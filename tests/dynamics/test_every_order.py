@@ -290,17 +290,25 @@ def test_an_orbit_that_comes_from_an_escape_is_decided():
 
 
 def test_many_primes_exclude_an_escape_of_order_five():
-    """Where no two primes do, five do together, and all of them are needed; stepping meets no escape."""
+    """Where no two primes do, some do for each kind of zero, and all of them are needed; stepping meets no escape."""
     a, g = ([fmpq(*map(int, x.split("/"))) if "/" in x else fmpq(int(x)) for x in text.split()] for text in ("1/2 -3/4 1/4 -1 6", "1/2 -3 0 5 -5/4"))
     answer = decide(a, g)
     assert (answer.behaviour, answer.torus_dimension) == ("not convergent, not periodic", 2)
     replay(answer.certificate)
     assert first_escape(a, g, 500) is None
-    places = answer.certificate["evidence"]["places"]
-    assert len(places) > 3
-    for k in range(len(places)):
-        with pytest.raises(Rejected):
-            replay(edited(answer.certificate, ("evidence", "places"), places[:k] + places[k + 1:]))
+    signs = answer.certificate["evidence"]["signs"]
+    assert sum(map(len, signs)) > 3
+    for sign, places in enumerate(signs):
+        for k in range(len(places)):
+            with pytest.raises(Rejected):
+                replay(edited(answer.certificate, ("evidence", "signs", sign), places[:k] + places[k + 1:]))
+
+
+def test_undecided_orbits_say_what_is_in_the_way():
+    """A double zero of D at 1 beside zeros that wander: the reason names it, and no escape is met in the steps searched."""
+    answer = decide([fmpq(-1), fmpq(1, 3)], [fmpq(3, 2), fmpq(-5, 3)])
+    assert answer.behaviour == "undecided" and "multiple zeros of D" in answer.reason
+    replay(answer.certificate)
 
 
 def test_related_roots_give_a_smaller_torus():

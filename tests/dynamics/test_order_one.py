@@ -206,19 +206,11 @@ def test_numbers_as_text():
     assert "x^3 + x^2 - 2*x - 1 in" in decide_order_one(x, 1).words()
 
 
-def test_many_starts_in_processes():
-    """Two processes give what one gives, in order."""
-    random = Random(12)
-    starts = [rational_start(random) for _ in range(40)] + [(1, 2, 3), (sqrt_field(3).gen(), 1)]
-    assert [a.to_json() for a in decide_many(starts, jobs=2)] == [a.to_json() for a in decide_many(starts)]
-
-
 @pytest.mark.parametrize(("call", "words"), [
     (lambda: decide_order_one(0.5, 1), "argument 'alpha0' is a float: 0.5"),
     (lambda: decide_order_one(1, "x"), "argument 'gamma0' is not a rational number: 'x'"),
     (lambda: decide_order_one(sqrt_field(2).gen(), sqrt_field(3).gen()), "gamma0 = sqrt(3) is in Q(sqrt(3))"),
     (lambda: decide_riccati_one(1, 2, None), "argument 'pi0' is not a rational number: None"),
-    (lambda: decide_many([(1,)]), "starts[0] = (1,): not"),
     (lambda: decide_many([(1, 2)], jobs=0), "jobs = 0"),
 ])
 def test_bad_input(call, words):

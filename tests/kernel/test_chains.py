@@ -29,6 +29,7 @@ from exactkf.language import (
     matrix_of,
     rec,
     scalar,
+    signal,
     standing,
     substitute,
     sum_of,
@@ -165,6 +166,24 @@ def test_a_recursion_behind_a_power_or_an_inverse_defines_nothing():
         where = [function(Y, [t], when(t == 0, F, step))]
         assert not accepts(Y(1) == F, over={**over, "h": vector(n), "g": vector(n)}, where=where)
         assert not accepts(forall(t, 1, m, Y(t) == step), over={**over, "h": vector(n), "g": vector(n)}, where=where, uses=[use(Y, t)])
+
+
+def test_a_column_of_a_recursion_that_has_values_is_no_denominator():
+    """h'X_t h is zero where h is, so that 1 - h'X_t h is not zero and h'X_t h may be; unless X_t has perhaps no value there."""
+    over = {"F": matrix(n, n), "h": vector(n), "g": vector(n), "s": signal(0)}
+    value = (T(h) * X[t] * h)[1, 1]
+    step = F * X[t] * T(F) + (g - F * X[t] * h) * T(g - F * X[t] * h) / (1 - value)
+    cancels = always(t, (1 - value) / (1 - value) == 1)
+    assert accepts(cancels, over=over, where=[rec(X, t, Zero(n, n), step)])
+    assert accepts(cancels, over=over, where=[rec(X, t, F, F * X[t])])
+    assert not accepts(always(t, value / value == 1), over=over, where=[rec(X, t, Zero(n, n), step)])
+    assert not accepts(always(t, (1 - (T(h) * inv(X[t]) * h)[1, 1]) / (1 - (T(h) * inv(X[t]) * h)[1, 1]) == 1), over=over, where=[rec(X, t, F, F * X[t])])
+    for other in (F * X[t] / value, F * X[t] / (F * X[t] * h)[1], inv(F + X[t]), F * X[t] * inv(F)):  # a division by what is zero there, and inverses
+        assert not accepts(cancels, over=over, where=[rec(X, t, F, other)])
+    nothing = [rec(X, t, Zero(n, n), F * X[t])]  # the only product with h that there is
+    zero = lemma(t, always(k, (T(h) * F**k * X[t] * h)[1, 1] == 0), uses=[use(0, t=t, k=k + 1)])
+    assert accepts(always(t, value == 0), zero, over=over, where=nothing, uses=[use(0, t=t, k=0)])
+    assert not accepts(always(t, s[t] == 0), zero, over=over, where=nothing, uses=[use(0, t=t, k=0, times=s[t] / value)])
 
 
 def test_a_polynomial_of_a_matrix_in_a_product():

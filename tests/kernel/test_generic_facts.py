@@ -181,6 +181,31 @@ def test_what_an_inverse_says_is_not_used_where_there_is_none():
     assert not accepts(x[1] == y[1], generic_index(*both, through, uses=[use(2, t=0)]), **whole)
 
 
+def entries(high, left, right, product):
+    """A fact about products, for the first column."""
+    return forall(i, 1, high, sum_of(k, 1, n, left[i, k] * right[k, 1]) == product[i, 1])
+
+
+def test_a_product_by_its_entries():
+    """A sum over all entries is that of the product; one that is not over all, or of other entries, is not, nor is a multiple by a number."""
+    over = {"sizes": ["n"], "over": {"F": matrix(n, n), "g": vector(n), "h": vector(n)}, "given": SOME}
+    says, at_i = entries(n, F, g, F * g), {"uses": [use(0, t=0, i=i, j=j)]}
+    assert accepts(forall(i, 1, n, sum_of(k, 1, n, F[i, k] * g[k]) == (F * g)[i]), generic_index(fact(t, "product", says), uses=[use(0, t=0, i=i)]), **over)
+    assert not accepts(says, generic_index(), **over)
+    for wrong in (forall(i, 1, n, sum_of(k, 1, n - 1, F[i, k] * g[k, 1]) == (F * g)[i, 1]),
+                  forall(i, 1, n, sum_of(k, 2, n, F[i, k] * g[k, 1]) == (F * g)[i, 1]),
+                  forall(i, 1, n, sum_of(k, 1, n, F[k, i] * g[k, 1]) == (F * g)[i, 1]), entries(n, F, h, F * g), entries(n, F, g, T(F) * g),
+                  entries(n + 1, F, g, F * g), forall(i, 0, n, sum_of(k, 1, n, F[i, k] * g[k, 1]) == (F * g)[i, 1]),
+                  forall(i, 1, n, forall(j, 1, 1, sum_of(k, 1, 1, (T(g) * h)[1, k] * F[k, j]) == ((T(g) * h) * F)[1, j])),
+                  forall(i, 1, n, sum_of(k, 1, n, F[i, k] * (F**k * g)[k, 1]) == (F * (F**i * g))[i, 1]),
+                  always(i, sum_of(k, 1, n, F[i, k] * g[k, 1]) == (F * g)[i, 1])):
+        assert not accepts(wrong, generic_index(fact(t, "product", wrong), **at_i), **over)
+    unlike = {"sizes": ["n", "m"], "over": {"F": matrix(m, n), "g": vector(n)}, "given": SOME}
+    for wrong in (entries(n, F, g, F * g), forall(i, 1, n, sum_of(k, 1, m, T(F)[i, k] * g[k, 1]) == (T(F) * g)[i, 1])):
+        assert not accepts(wrong, generic_index(fact(t, "product", wrong), uses=[use(0, t=0, i=i)]), **unlike)
+    assert accepts(entries(m, F, g, F * g), generic_index(fact(t, "product", entries(m, F, g, F * g)), uses=[use(0, t=0, i=i)]), **unlike)
+
+
 def test_a_rectangular_matrix_has_no_inverse():
     """M x = v does not give inv(M) v = x for other shapes."""
     whole = {"sizes": ["n", "m"], "over": {"x": vector(n)}, "where": [let(M, matrix_of(i, j, m, n, 0))], "given": SOME}

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+import copy
 import random
 from fractions import Fraction
 from itertools import product
 
 import pytest
-from flint import fmpq
+from flint import fmpq, fmpz_mat
 
 from exactkf.dynamics.every_order import decide
 from exactkf.exact import sqrt_field
@@ -16,8 +17,18 @@ from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import reduce_pair, start_pair
-from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, intersected, reading, step_matrix, zeros_modulo
-from exactkf.kernel.replay import replay
+from exactkf.kernel.orbit_sieve import (
+    _deeper,
+    check_irreducible,
+    check_never_singular,
+    has_null_vector,
+    intersected,
+    intertwiner,
+    reading,
+    step_matrix,
+    zeros_modulo,
+)
+from exactkf.kernel.replay import Rejected, digest, replay
 from tests.dynamics.test_every_order import start, stepped
 
 
@@ -164,6 +175,137 @@ def test_an_orbit_that_escapes_is_never_excluded():
         for before in ([], [1], [2]):
             with pytest.raises(Undefined):
                 check_never_singular(reduced.Q, reduced.S, some, before)
+
+
+# ---------------------------------------------------------------------- zeros of two kinds, powers of primes
+#: an order for which no two primes do, and its evidence for either sign
+SIGNS = decide([fmpq(1), fmpq(1, 2), fmpq(1), fmpq(1), fmpq(-5, 4)], [fmpq(5, 4), fmpq(-3, 4), fmpq(3), fmpq(-1), fmpq(-3)])
+#: D without zeros of 2-adic modulus one
+RESTS = decide([fmpq(-1, 4), fmpq(0), fmpq(0)], [fmpq(-2), fmpq(-1), fmpq(-1, 2)])
+
+
+@pytest.mark.parametrize("m", [1, 2, 3, 4])
+def test_reversed_time(m):
+    """K is symmetric, AK = KA', and with R: (x; y) -> (K^-1 y; Kx) the step S has S R S = R, modulo powers of primes."""
+    rng, seen = random.Random(m), 0
+    while seen < 5:
+        p = rng.choice((3, 5, 7))
+        N = p ** rng.randint(1, 3)
+        q, g = [rng.randrange(N) for _ in range(m)], [rng.randrange(N) for _ in range(m)]
+        K = intertwiner(q, g, N)
+        det = int(fmpz_mat(K).det())
+        assert K == [list(row) for row in zip(*K, strict=True)] and K[0] == g
+        if q[-1] % p == 0 or det % p == 0:
+            continue
+        seen += 1
+        inverse = [[int(x * det) * pow(det, -1, N) % N for x in row] for row in fmpz_mat(K).inv().tolist()]
+        zero = [[0] * m for _ in range(m)]
+        R = [[*x, *y] for x, y in zip(zero, inverse, strict=True)] + [[*x, *y] for x, y in zip(K, zero, strict=True)]
+        S = step_matrix(q, g, N)
+        assert times(times(S, R, N), S, N) == R
+        A = [[int(j == i + 1) - (q[i] if j == 0 else 0) for j in range(m)] for i in range(m)]
+        assert times(A, K, N) == times(K, [list(row) for row in zip(*A, strict=True)], N)
+
+
+@pytest.mark.parametrize(("p", "power"), [(2, 1), (2, 3), (3, 1), (3, 2)])
+def test_null_vectors_modulo_powers(p, power):
+    """Found exactly where one of all vectors is one."""
+    rng, seen, N = random.Random(p * power), set(), p**power
+    for _ in range(150):
+        columns = [[rng.choice((1, 1, p)) * rng.randrange(N) % N for _ in range(3)] for _ in range(rng.choice((1, 2)))]
+        some = any(all(sum(u * c[i] for u, c in zip(vector, columns, strict=True)) % N == 0 for i in range(3))
+                   for vector in product(range(N), repeat=len(columns)) if any(u % p for u in vector))
+        assert has_null_vector(columns, p, N) == some
+        seen.add(some)
+    assert seen == {True, False}
+
+
+def test_evidence_for_both_signs_is_needed():
+    """It replays; without a place, with the signs exchanged for one of them, or with one sign only, it does not."""
+    replay(SIGNS.certificate)
+    signs = SIGNS.certificate["evidence"]["signs"]
+    Q, S = parts_of_question(SIGNS)
+    for sign, places in zip((1, -1), signs, strict=True):
+        check_never_singular(Q, S, places, [], sign)
+        for k in range(len(places)):
+            with pytest.raises(Undefined):
+                check_never_singular(Q, S, places[:k] + places[k + 1:], [], sign)
+    assert any(refused(Q, S, places, -sign) for sign, places in zip((1, -1), signs, strict=True))
+    for broken in ([signs[0]], [signs[0], []], [*signs, signs[0]], None):
+        changed = copy.deepcopy(SIGNS.certificate)
+        changed["evidence"]["signs"] = broken
+        changed["digest"] = digest(changed)
+        with pytest.raises(Rejected):
+            replay(changed)
+
+
+def refused(Q, S, places, sign):
+    """Whether the places leave a time for that sign."""
+    try:
+        check_never_singular(Q, S, places, [], sign)
+    except Undefined:
+        return True
+    return False
+
+
+def parts_of_question(answer):
+    """The reduced pair of the question."""
+    reduced = reduce_pair(*start_pair(answer.certificate["statement"]["question"]))
+    return reduced.Q, reduced.S
+
+
+@pytest.mark.parametrize("n", [2, 3])
+def test_an_escape_stays_modulo_every_power(n):
+    """The time of an escape is left, for one of the signs and always the same, modulo every power of every prime, and modulo powers the left are fewer."""
+    rng, compared = random.Random(n), 0
+    while compared < 6:
+        a, g = start(rng, n)
+        escape = stepped(a, g, 6)[1]
+        Q = [Fraction(str(fmpq(x) + fmpq(y))) for x, y in zip(a, g, strict=True)][::-1] + [Fraction(1)]
+        reduced = reduce_pair(Q, [Fraction(str(fmpq(x))) for x in g][::-1] + [Fraction(0)])
+        if not escape or reduced.start or len(reduced.Q) < n + 1 or reduced.escape is not None:
+            continue
+        kinds = {1, -1}
+        for p in (2, 3, 5, 7, 11):
+            try:
+                values = reading([*reduced.Q[-2::-1], *reduced.S[-2::-1]], p)
+                L, found = order_and_zeros(values[:n], values[n:], p)
+            except Undefined:
+                continue
+            if L is None:
+                continue
+            both = {sign: set(_deeper(reduced.Q, reduced.S, found, p, L, None, 0, sign)) for sign in (1, -1)}
+            assert both[1] | both[-1] == found
+            for depth in (0, 1, 2):
+                kinds &= {sign for sign in (1, -1) if _deeper(reduced.Q, reduced.S, [escape + 2], p, L, None, depth, sign)}
+                assert _deeper(reduced.Q, reduced.S, [escape + 2], p, L, None, depth, 0)
+            compared += 1
+        assert kinds
+
+
+def test_times_modulo_a_power_are_those_of_steps():
+    """What is left modulo 25 of all times is what stepping modulo 25 finds."""
+    Q, S, *_ = parts(WANDERS)
+    values = reading([*Q[-2::-1], *S[-2::-1]], 5, None, 2)
+    L, found = order_and_zeros([x % 5 for x in values[:2]], [x % 5 for x in values[2:]], 5)
+    M, expected = order_and_zeros(values[:2], values[2:], 25)
+    assert 5 * L % M == 0
+    every = set(_deeper(Q, S, [t + k * L for t in found for k in range(5)], 5, L, None, 1, 0))
+    assert {t % M for t in every} == expected and every
+
+
+def test_a_rest_modulo_a_prime_is_checked():
+    """From the step on gamma vanishes modulo the prime; another step, another prime, or a step after an escape do not do."""
+    answer = RESTS
+    replay(answer.certificate)
+    evidence = answer.certificate["evidence"]
+    assert set(evidence) >= {"modulus", "after"}
+    for name, value in (("after", evidence["after"] - 1), ("after", -1), ("after", "1"), ("modulus", evidence["modulus"] + 1), ("modulus", 1), ("after", None)):
+        changed = copy.deepcopy(answer.certificate)
+        changed["evidence"][name] = value
+        changed["digest"] = digest(changed)
+        with pytest.raises(Rejected):
+            replay(changed)
 
 
 # ---------------------------------------------------------------------- fields

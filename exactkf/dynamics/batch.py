@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""What ``exactkf analyze`` does with many filters: a line for each as soon as it is decided, and files."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from exactkf.cli import INTERRUPTED
+from exactkf.dynamics.answer import BEHAVIOURS, Answer
+from exactkf.dynamics.many import Outcome, outcomes
+from exactkf.dynamics.shown import headline
+from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
+from exactkf.progress import Meter
+
+__all__ = ["batch_command"]
+
+
+def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, time_limit: float, json_file: Path | None, certificate: Path | None) -> int:
+    """Decide, print, write; exit status 0, 2 if a filter is refused, else 1 if one is undecided or not all that is asked for was found.
+
+    Parameters
+    ----------
+    filters : sequence of (label, data)
+        As `exactkf.dynamics.files.read_filters` returns them.
+    jobs, time_limit
+        As `exactkf.dynamics.many.decide_many` has them.
+    json_file : Path, optional
+        For the answers without their certificates: an object a line if it ends in .jsonl, a list otherwise.
+    certificate : Path, optional
+        A folder for the certificates, numbered as the filters are.
+    """
+    if json_file is not None:
+        check_target(json_file, "--json")
+    if certificate is not None:
+        check_folder(certificate, "--certificate")
+        with reaching("--certificate", certificate):
+            certificate.mkdir(parents=True, exist_ok=True)
+    asked = ("facts", "limit") * (json_file is not None) + ("certificate",) * (certificate is not None)
+    records, seen, status = list[dict[str, Any]](), Counter[str](), 0
+    try:
+        with Meter("analyze", len(filters)) as meter:
+            found = outcomes([data for _, data in filters], jobs=jobs, time_limit=time_limit, asked=asked, idle=meter.tick)
+            for k, ((label, _), outcome) in enumerate(zip(filters, found, strict=True)):
+                status = max(status, _said(label, outcome))
+                seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
+                if json_file is not None:
+                    records.append(_record(label, outcome))
+                if certificate is not None and isinstance(outcome, Answer) and outcome.certificate:
+                    path = certificate / f"{k + 1:0{len(str(len(filters)))}}.json"
+                    with reaching("--certificate", path):
+                        write_text(path, dump_json(outcome.certificate))
+                meter.step(label)
+    except KeyboardInterrupt:
+        click.echo("exactkf: stopped", err=True)
+        raise click.exceptions.Exit(INTERRUPTED) from None
+    if json_file is not None:
+        lines = json_file.suffix.lower() == ".jsonl"
+        with reaching("--json", json_file):
+            write_text(json_file, "".join(dump_json(x, indent=None) for x in records) if lines else dump_json(records))
+    click.echo(f"{len(filters)} filter{'s' * (len(filters) != 1)}: " + "; ".join(f"{x} {seen[x]}" for x in (*BEHAVIOURS, "refused") if seen[x]), err=True)
+    return status
+
+
+def _said(label: str, outcome: Outcome) -> int:
+    """Print one line; return the exit status that it asks for."""
+    if not isinstance(outcome, Answer):
+        click.echo(f"exactkf: {label}: {outcome}", err=True)
+        return 2
+    order = f"order {outcome.order}: " if outcome.order else ""
+    why = f" ({outcome.reason})" if outcome.behaviour == "undecided" else f"; not finished: {outcome.reason}" if outcome.reason else ""
+    click.echo(f"{label}: {order}{headline(outcome)}{why}")
+    return 1 if why else 0
+
+
+def _record(label: str, outcome: Outcome) -> dict[str, Any]:
+    if not isinstance(outcome, Answer):
+        return {"filter": label, "error": str(outcome)}
+    data = {**outcome.without_certificate(), "limit": outcome.limit}
+    del data["certificate"]
+    return {"filter": label, **data}

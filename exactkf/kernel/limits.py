@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+"""How much a certificate may ask for: a short one must not keep its reader busy for hours, nor fill the memory.
+
+What is beyond is refused in one line. Nothing rests on these numbers but patience: each is well above what the decisions and proofs
+of this package ask for.
+
+Main definitions
+----------------
+`within`
+    Refuse an amount that is too large.
+`patiently`
+    Refuse what takes too long, or too much memory, for other reasons, such as sums within sums.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
+
+from exactkf.kernel.numbers import Rejected, Undefined
+
+__all__ = ["BITS", "DEGREE", "MINORS", "ORDER", "SECONDS", "STEPS", "WORK", "patiently", "within"]
+
+ORDER = 200  # of a filter
+DEGREE = 64  # of a number field
+STEPS = 10**6  # of an orbit, or terms of a sum: each is looked at
+BITS = 1 << 20  # of one number
+WORK = 3 * 10**8  # operations with small numbers, or bits of the numbers of an orbit, all steps together
+MINORS = 10**7  # numbers that are kept at a time
+SECONDS = 600  # of the processor, for one certificate
+MEMORY = 4 << 30  # bytes
+
+
+def within(amount: int, most: int, what: str) -> None:
+    """Raise Undefined if the amount is more than that."""
+    if amount > most:
+        raise Undefined(f"{what}: {f'{amount}' if amount < 10**12 else 'a number of more than 12 digits'}, where {most} is the most that is checked")
+
+
+class _Late(BaseException):
+    """Nothing in between takes it for something else."""
+
+
+@contextmanager
+def patiently(seconds: float = SECONDS) -> Iterator[None]:
+    """Raise Rejected if what is done within takes more time or memory than that, as far as the system can tell."""
+    try:
+        import resource
+        from signal import ITIMER_PROF, SIGPROF, setitimer, signal
+
+        def late(*_: Any) -> None:
+            raise _Late
+
+        before, bounds = signal(SIGPROF, late), resource.getrlimit(resource.RLIMIT_AS)
+    except (ImportError, ValueError):  # another system, or not the main thread
+        yield
+        return
+    most = bounds[1] if bounds[1] != resource.RLIM_INFINITY else MEMORY
+    try:
+        with suppress(ValueError, OSError):
+            resource.setrlimit(resource.RLIMIT_AS, (min(most, MEMORY), bounds[1]))
+        setitimer(ITIMER_PROF, min(seconds, 10**8))
+        yield
+    except _Late:
+        raise Rejected(f"given up after {seconds:g} seconds of work") from None
+    except MemoryError:
+        raise Rejected(f"given up, as it takes more than {MEMORY >> 30} GB of memory") from None
+    finally:
+        setitimer(ITIMER_PROF, 0)
+        signal(SIGPROF, before)
+        with suppress(ValueError, OSError):
+            resource.setrlimit(resource.RLIMIT_AS, bounds)

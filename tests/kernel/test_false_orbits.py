@@ -1,0 +1,279 @@
+# SPDX-License-Identifier: MIT
+"""Certificates of orbits with one field edited, and such as ask for too much: what is accepted is true, and nothing takes long to refuse."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+import time
+from fractions import Fraction
+
+import pytest
+from flint import fmpq, fmpq_poly
+
+from exactkf.dynamics import decide_order_one, decide_riccati_one
+from exactkf.dynamics.every_order import decide
+from exactkf.exact import sqrt_field
+from exactkf.exact.balls import precision
+from exactkf.kernel.orbit_sieve import intersected
+from exactkf.kernel.replay import Rejected, digest, replay, seal
+from exactkf.kernel.rotation import _Residues
+from tests.dynamics.starts import algebraic_start, before, on_hyperbola, rational_start
+from tests.dynamics.test_every_order import start
+
+BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "undecided", "not convergent, not periodic")
+WANDERS = "not convergent, not periodic"
+
+
+def accepted(certificate):
+    try:
+        replay({**certificate, "digest": digest(certificate)})
+    except Rejected:
+        return False
+    return True
+
+
+# ---------------------------------------------------------------------- one field edited
+def leaves(x, path=()):
+    """Places of a certificate with what stands there."""
+    if isinstance(x, (dict, list)):
+        for key, value in x.items() if isinstance(x, dict) else enumerate(x):
+            yield from leaves(value, (*path, key))
+    if not isinstance(x, dict) and path:
+        yield path, x
+
+
+def others(key, value):
+    """What could stand in its place."""
+    if key == "behaviour":
+        return [b for b in BEHAVIOURS if b != value]
+    if key == "region":
+        return ["I+", "", "corridor"]
+    if key == "system":
+        return ["filter", "riccati", ""]
+    if value is None or isinstance(value, bool):
+        return [not value, 0, 1, 2, 4, "0", {}, None]
+    if isinstance(value, int):
+        return [value + 1, value - 1, value + 2, 2 * value, 3 * value, 0, 1, -1, -value, None, str(value)]
+    if isinstance(value, list):
+        return [[], value[:-1], value[1:], [*value, *value[-1:]], value[::-1]]
+    x = Fraction(value)
+    return [str(y) for y in (x + 1, -x, 2 * x, x / 2, x + Fraction(1, 10**9), x - Fraction(1, 10**20), 0, 1, -1)] + ["1/0", None]
+
+
+def changed(certificate, path, value):
+    made = copy.deepcopy(certificate)
+    at = made
+    for key in path[:-1]:
+        at = at[key]
+    at[path[-1]] = value
+    return made
+
+
+def same_number(old, new):
+    """An interval that was changed still holds the same zero, and no other; where no polynomial is given it is wider."""
+    (a, b), (c, d) = ([fmpq(*map(int, x.split("/"))) for x in named["interval"]] for named in (old, new))
+    if "minpoly" not in old:
+        return c <= a and b <= d
+    with precision(256):
+        zeros = [z.real.mid().fmpq() for z, _ in fmpq_poly([fmpq(c) if "/" not in c else fmpq(*map(int, c.split("/"))) for c in old["minpoly"]]).numer()
+                 .complex_roots() if z.imag.contains(0)]
+    return [x for x in zeros if a < x < b] == [x for x in zeros if c < x < d] and sum(a < x < b for x in zeros) == 1
+
+
+def is_true(made, original, path, old):
+    """What an edited certificate says is known to be true."""
+    if path[0] == "evidence":
+        return True
+    question, answer = made["statement"]["question"], made["statement"]["answer"]
+    if path[1] == "answer":
+        if path[2] == "torus_dimension":
+            return answer["torus_dimension"] is None
+        if path[2] not in ("limit", "rate"):
+            return False
+        if answer["limit"] is None and "a" in question:  # less is said
+            return True
+        before_, after = original["statement"]["answer"], answer
+        for key in path[2:-2]:
+            before_, after = before_[key], after[key]
+        return path[-2] == "interval" and same_number(before_, after)
+    if question.get("field") is not None or answer["behaviour"] == "undecided":
+        return True  # looked at elsewhere
+    read = [[fmpq(*map(int, x.split("/"))) for x in question[key]] for key in (("a", "g") if "a" in question else ("alpha", "gamma"))]
+    if "a" in question:
+        found = decide(*read, max_steps=60)
+    elif "pi" in question:
+        found = decide_riccati_one(*(x for (x,) in read), fmpq(*map(int, question["pi"].split("/"))))
+    else:
+        found = decide_order_one(*(x for (x,) in read))
+    said = json.loads(json.dumps(found.decided() if "a" not in question else found.certificate["statement"]["answer"]))
+    return {k: v for k, v in said.items() if k not in ("limit", "rate")} == {k: v for k, v in answer.items() if k not in ("limit", "rate")}
+
+
+def answers(rng, count):
+    """Decisions about starts of every kind, of orders one to three, rational and not."""
+    field = sqrt_field(3)
+    for k in range(count):
+        if k % 4 == 0:
+            yield decide_order_one(*(rational_start(rng) if rng.random() < 0.6 else algebraic_start(rng)))
+        elif k % 4 == 1:
+            yield decide_riccati_one(*rational_start(rng), fmpq(rng.randint(-9, 9), rng.randint(1, 5)))
+        else:
+            a, g = start(rng, rng.choice((1, 2, 2, 3)))
+            if k % 8 == 7:
+                a = [field(x) + field.gen() * rng.choice((0, 1)) for x in a]
+                g = [field(x) for x in g]
+            yield decide(a, g, max_steps=40)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_one_field_edited(seed):
+    """Every number, sign and label of a decision at random: with another in its place the certificate is refused, or says something true all the same."""
+    rng, tried, kinds = random.Random(seed), 0, set()
+    for answer in answers(rng, 24):
+        certificate = json.loads(json.dumps(answer.certificate))
+        assert accepted(certificate)
+        kinds.add(answer.behaviour)
+        edits = [(path, old, new) for path, old in leaves({key: certificate[key] for key in ("statement", "evidence")}) for new in others(path[-1], old)
+                 if new != old or type(new) is not type(old)]
+        for path, old, new in rng.sample(edits, min(25, len(edits))):
+            made, tried = changed(certificate, path, new), tried + 1
+            assert not accepted(made) or is_true(made, certificate, path, old), (path, old, new, certificate)
+    assert tried > 300 and {"converges", "escapes"} < kinds
+
+
+# ---------------------------------------------------------------------- nasty starts
+def test_a_late_escape_is_not_hidden():
+    """An orbit that escapes at step 60 never passes for one that does not, nor for one that escapes a step earlier or later."""
+    for alpha in (fmpq(1, 3), fmpq(7, 2), fmpq(-2, 5)):
+        answer = decide_order_one(*before(alpha, fmpq(1), 60))
+        assert answer.escape == 60
+        certificate = json.loads(json.dumps(answer.certificate))
+        for new in (59, 61, 62, 120, None):
+            assert not accepted(changed(certificate, ("statement", "answer", "escape"), new))
+        near = decide_order_one(*(x + fmpq(1, 10**200) for x in before(alpha, fmpq(1), 60)))
+        assert near.escape is None
+        assert not accepted({**certificate, "statement": {**certificate["statement"], "answer": json.loads(json.dumps(near.decided()))}})
+
+
+def test_roots_of_unity_and_their_neighbours():
+    """Rotations by 2 pi / n and by angles close to it: one has the period n, the other none, and neither passes for the other."""
+    from exactkf.exact import cyclotomic_real
+
+    for n in (11, 30):
+        field = cyclotomic_real(n)
+        c = field.two_cos(1) / 2
+        one, near = (decide_order_one(*on_hyperbola(x, field(fmpq(1, 3)))) for x in (c, c + fmpq(1, 10**30)))
+        assert one.period in (n, 2 * n, n // 2) and near.behaviour == "dense"
+        certificates = [json.loads(json.dumps(x.certificate)) for x in (one, near)]
+        for mine, other in (certificates, certificates[::-1]):
+            assert accepted(mine)
+            assert not accepted({**mine, "statement": {**mine["statement"], "answer": other["statement"]["answer"]}})
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_orbit_that_escapes_has_no_other_evidence(seed):
+    """Convergence, a period and wandering are refused for orbits of order two that escape, whatever evidence of others stands with it."""
+    rng = random.Random(seed)
+    pool = [decide(*start(rng, 2), max_steps=40) for _ in range(30)]
+    lies = [json.loads(json.dumps(x.certificate)) for x in pool if x.behaviour in ("converges", "periodic", WANDERS)]
+    tried = 0
+    for answer in pool:
+        if answer.behaviour == "escapes":
+            question = json.loads(json.dumps(answer.certificate))["statement"]["question"]
+            for lie in lies:
+                tried += 1
+                assert not accepted({**lie, "statement": {"question": question, "answer": lie["statement"]["answer"]}})
+    assert tried > 20
+
+
+def test_an_equilibrium_over_a_field_replays():
+    """Its factor is a number of the field of the question."""
+    r = sqrt_field(5).gen()
+    assert accepted(decide([1 - 2 * r], [r.field(0)]).certificate)
+    assert accepted(decide([r, r + 1], [r.field(0), r.field(0)]).certificate)
+
+
+def test_a_quotient_with_a_zero_is_over_the_field():
+    """A pair over a field whose common factor leaves a coefficient zero is decided."""
+    r = sqrt_field(5).gen()
+    a, g = [r.field(fmpq(67, 4)), 2 * r + fmpq(91, 4), r.field(fmpq(-1, 2))], [r.field(-4), r / 2 - 21, r.field(fmpq(1, 2))]
+    answer = decide(a, g)
+    replay(answer.certificate)
+    assert answer.escape == stepped_over(a, g, 40)
+
+
+def stepped_over(a, g, steps):
+    """The escape of an orbit over a field, by stepping."""
+    from exactkf.theory.fast_filter import step_ag
+
+    a, g = tuple(a), tuple(g)
+    for t in range(steps):
+        if g[0] * g[0] == 1:
+            return t
+        a, g = step_ag(a, g)
+    return None
+
+
+# ---------------------------------------------------------------------- too much
+def asked(question, evidence=None, **answer):
+    order = len(question.get("a", question.get("alpha")))
+    blank = dict.fromkeys(("escape", "limit", "rate", "monotone_from", "period", "preperiod", "torus_dimension", "enters_positive_real"))
+    return seal("X", "orbit", {"question": question, "answer": {"order": order, "behaviour": "", "never_escapes": True, "region": "", **blank, **answer}},
+                evidence or {})
+
+
+TWO = {"a": ["-1/2", "1"], "g": ["3", "1/3"]}
+TWELVE = {"a": ["1", "1/3"] * 6, "g": ["2", "5"] * 6}
+FAR = [["-2", *["0"] * 298, "1"], "1", "2"]
+TOO_MUCH = {
+    "escape": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**6),
+    "escape too far": asked(TWO, behaviour="escapes", never_escapes=False, escape=10**9),
+    "steps": asked(TWO, {"searched": 10**9}, behaviour="undecided", never_escapes=False),
+    "steps modulo": asked(TWO, {"searched": 10**1000, "modulus": 2**61 - 1}, behaviour="undecided", never_escapes=False),
+    "period": asked(TWO, behaviour="periodic", period=10**30), "power": asked(TWO, behaviour="periodic", period=10**6),
+    "minors": asked(TWELVE, {"aperiodic": [10**9 + 7], "places": [[101, 1000]], "before": []}, behaviour=WANDERS),
+    "states": asked(TWELVE, {"aperiodic": [10**9 + 7], "modulus": 2**89 - 1}, behaviour=WANDERS),
+    "order": asked({"a": ["1"] * 300, "g": ["2"] * 300}, behaviour="converges", enters_positive_real=0),
+    "degree": asked({"a": [["0", "1"]], "g": [["0", "3"]], "field": FAR}, behaviour="converges", enters_positive_real=0),
+    "degree one": asked({"order": 1, "system": "filter", "field": FAR, "alpha": [["0", "1/3"]], "gamma": [["0", "1"]]}, behaviour="dense", torus_dimension=1),
+    "jump": asked({"order": 1, "system": "filter", "field": None, "alpha": ["2"], "gamma": ["1/7"]}, behaviour="converges", monotone_from=10**4000),
+    "primality": asked({"a": [["0", "1"]], "g": [["0", "3"]], "field": [["-2", "0", "1"], "1", "2"]}, {"irreducible": 10**4000}, behaviour=WANDERS),
+}
+
+
+@pytest.mark.parametrize("name", TOO_MUCH)
+def test_too_much_is_refused_at_once(name):
+    """A few hundred bytes do not keep the checker busy, nor fill the memory: one line says why not."""
+    from exactkf.kernel.limits import patiently
+
+    if name == "escape":  # the states get longer until they are too long: minutes, if nobody looked
+        with pytest.raises(Rejected, match="given up after"), patiently(1):
+            replay(TOO_MUCH[name])
+        return
+    began = time.process_time()
+    with pytest.raises(Rejected) as error:
+        replay(TOO_MUCH[name])
+    assert time.process_time() - began < 20 and "\n" not in str(error.value)
+
+
+def test_times_left_by_two_primes_are_not_all_listed():
+    """Two sets of a hundred thousand residues have ten thousand million in common; so many are not made."""
+    period, left = intersected(10**6 + 1, range(10**5), 10**6, range(10**5), 1000)
+    assert period == 10**6 * (10**6 + 1) and len(left) == 1000
+
+
+def test_products_of_residues():
+    """Packed as integers they are what they are term by term, also for the largest residues."""
+    rng = random.Random(1)
+    for _ in range(400):
+        d, q = rng.randint(1, 8), rng.choice([2, 3, 997, 2**61 - 1, 2**127 - 1])
+        modulus = [rng.choice([0, q - 1, rng.randrange(q)]) for _ in range(d)]
+        u, v = ([rng.choice([0, q - 1, rng.randrange(q)]) for _ in range(d)] for _ in range(2))
+        out = [sum(u[i] * v[k - i] for i in range(d) if 0 <= k - i < d) for k in range(2 * d - 1)]
+        while len(out) > d:
+            top = out.pop()
+            for j, c in enumerate(modulus):
+                out[len(out) - d + j] -= top * c
+        assert _Residues([Fraction(c) for c in [*modulus, 1]], q).multiply(u, v) == [c % q for c in out]
