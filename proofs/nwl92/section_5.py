@@ -470,9 +470,13 @@ claim("NWL92-E5.29", "F'Yw = 0 gives w'Y'[F, G] = 0",
       by=[NULL_ENERGY, *W_FOILS, HALF, spaces({w: Zero(n, 1)})])
 
 claim("NWL92-S47", "stabilizability gives [F, G] full row rank",
-      rank(hstack(F, G)) == k, sizes=["k", "n"], over={**PENCIL, **ROW_INVERSE}, given=[STABILIZABLE],
-      by=[CERTIFICATE_FACT, example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]], N1: [[0]], N2: [[0]]}),
-          systems(made_by={}, using={L: matrix(n, k)})], note=CERTIFIED)
+      rank(hstack(F, G)) == k, sizes=["k", "n"], over=PENCIL,
+      given=[given("stabilizable at (s, t) = (1, 0)", rank(real_form(hstack(1 * F - 0 * K, G), hstack(0 * F - 0 * K, 0 * G))) == 2 * k)],
+      by=[order(inside=[within(0, T(null_vector()) * hstack(F, G) == Zero(1, n + k),
+                               hstack(T(null_vector()), Zero(1, k)) * real_form(hstack(F, G), 0 * hstack(F, G)) == Zero(1, n + k + n + k),
+                               hstack(T(null_vector()), Zero(1, k)) == Zero(1, k + k), vector="left")]),
+          example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]]}), instances(k=(1, 2, 3), n=(1, 2))],
+      note="[sF - tK, G] of Definition 4.1 at the point (1, 0), in real form, as at every complex point; the other points are not used.")
 
 claim("NWL92-E5.30", "Yw = 0",
       Y * w == Zero(k, 1), sizes=["k", "n"], over={F: matrix(k, n), G: positive_semidefinite(k), Y: matrix(k, n), w: vector(n), **ROW_INVERSE},
