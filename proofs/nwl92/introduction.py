@@ -12,7 +12,7 @@ of Ax(k), and it does unless A or the covariance of nu is zero.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, instances, order
+from exactkf.evidence import example, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -46,7 +46,7 @@ claim("NWL92-S1", "with E = I an equation of the future does not change the esti
             y2: vector(n), sym("l1"): vector(n)},
       given=[given("E = I", WITH_I * vstack(la, lb, xa, xb) == vstack(xh, Zero(n, 1), Zero(n, 1), Zero(n, 1))),
              given("E = 0", WITH_0 * vstack(sym("l1"), y2, y1) == vstack(xh, Zero(n, 1), Zero(n, 1)))],
-      by=[order([], [], lemmas=[y2 == inv(A * P * T(A) + Q) * A * xh]),
+      by=[part("one equation of the future, with E = I and with E = 0, and nonsingular Q"), order([], [], lemmas=[y2 == inv(A * P * T(A) + Q) * A * xh]),
           example({"n": 1, A: [[1]], P: [[1]], Q: [[1]], xh: [2], xa: [0], xb: [0], la: [0], lb: [0], sym("l1"): [1], y2: [1], y1: [1]}),
           example({"n": 1, A: [[1]], P: [[1]], Q: [[1]], xh: [2], xa: [2], xb: [2], la: [0], lb: [0], sym("l1"): [1], y2: [1], y1: [0]}),
           instances(made_by={xa: xh, xb: A * xh, la: Zero(n, 1), lb: Zero(n, 1), y2: inv(A * P * T(A) + Q) * A * xh, sym("l1"): T(A) * y2, y1: xh - P * T(A) * y2},

@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -71,10 +71,8 @@ from proofs.nwl92.notation import (
     BLOCKS,
     FULL_COLUMN_RANK,
     GRAM,
-    IMPLIED_GRAM,
     IMPLIED_RANK,
     ONE_INVERSE,
-    OTHER,
     PAIR,
     SECOND,
     SECOND_GIVEN,
@@ -104,8 +102,6 @@ from proofs.nwl92.notation import (
     block_identities,
     chained,
     every_size,
-    excess,
-    excess_term,
     inverses,
     lam,
     likeliest,
@@ -150,7 +146,7 @@ claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2
             z: vector(p), L1: matrix(n, n), L2: matrix(n, p)},
       where=[*BAYES, let(UB, T(hstack(I_n - K * C, K))), let(L, hstack(L1, L2))],
       given=[given(GAIN_LS, K * (C * P * T(C) + N) == P * T(C)), UNBIASED],
-      by=[instances(made_by={"S0": one_inverse(C * P * T(C) + N),
+      by=[restated("the least squares estimate of jointly Gaussian x and z is m + K(z - Cm)", "the best linear unbiased estimate is the maximum likelihood estimate"), instances(made_by={"S0": one_inverse(C * P * T(C) + N),
                              K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
                              L1: I_n - L2 * C},
                     using={X: matrix(n, p)}, n=(1, 2), p=(1, 2))],
@@ -425,22 +421,21 @@ claim("NWL92-E2.20", "every symmetric matrix has a symmetric (1)-inverse, and al
       note=("A definition; what is checked is that it is not empty, and the general form from which the instances of "
             "the other claims are drawn: Gx for any X. The columns of K are a basis of the null space of Z."))
 
-claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
-      (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb) & excess(L, U, R),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p)}, where=PAIR, given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
-      by=[every_size([], [], [excess_term(L, U, R)]),
-          inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note=("Maximum likelihood is stated as smallest error covariance among linear unbiased estimates Ly; "
-            "NWL92-E2.21 states it as a minimum of w'w."))
-
 XH = let(xh, T(lower(p, n)) * Zd * upper(p, n) * y)
 WH = let(wh, T(V) * T(upper(p, n)) * Zd * upper(p, n) * y)
+ML_LETS = [NOISE, *PAIR, let(y, H * x0 + V * w0), XH, WH]
+ML_PROOF = chained(block_identities(R, H, W, U, Tb, n, p), root_identities(R, V, H, W, U, p), ([y == H * xh + V * wh], [[]]))
+ML_DRAWN = inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))
+claim("NWL92-L2.2", "any symmetric (1)-inverse of Z gives the ML estimate and its error covariance",
+      likeliest(xh, wh, y, H, V, w0) & (x0 - xh == inv(HH) * T(H) * V * (wh - w0)) & (T(U) * H == Identity(n)) & (T(U) * R * U == -Tb),
+      sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=ML_LETS, given=[ONE_INVERSE, IMPLIED_RANK], by=[ML_PROOF, ML_DRAWN],
+      note="xh is (2.21), and the first two parts are NWL92-E2.21; the estimate is unbiased, and U'RU is the covariance of its error U'v.")
+
 claim("NWL92-E2.21", "the ML estimate through any symmetric (1)-inverse",
       likeliest(xh, wh, y, H, V, w0) & (x0 - xh == inv(HH) * T(H) * V * (wh - w0)),
-      sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=[NOISE, *PAIR, let(y, H * x0 + V * w0), XH, WH],
+      sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=ML_LETS,
       given=[ONE_INVERSE, IMPLIED_RANK],
-      by=[chained(block_identities(R, H, W, U, Tb, n, p), root_identities(R, V, H, W, U, p), ([y == H * xh + V * wh], [[]])),
-          inverses(p=(1, 2, 3), n=(1, 2), q=(1, 2, 3))],
+      by=[ML_PROOF, ML_DRAWN],
       note=("Of all (x, w) with y = Hx + Vw, (xh, wh) has the smallest w'w, as w0'w0 = wh'wh + |w0 - wh|^2; the last "
             "equation says that no other x goes with wh. V is any square root of R. Full column rank is the "
             "denominator det H'H."))
@@ -487,12 +482,9 @@ claim("NWL92-S9", "if Z is singular, neither W nor U is unique; otherwise both a
             "n >= 1, as h is a unit vector."))
 
 claim("NWL92-E2.24", "the ML estimate is U'y",
-      (T(lower(p, n)) * Zd * upper(p, n) * y == T(U) * y) & excess(L, U, R),
-      sizes=["p", "n"], over={**SETTING, L: matrix(n, p), y: vector(p)}, where=PAIR,
-      given=[ONE_INVERSE, IMPLIED_GRAM, UNBIASED],
-      by=[every_size([], [excess_term(L, U, R)]),
-          inverses(made_by=OTHER, using={X: matrix(n, p)})],
-      note="Second statement: no other unbiased Ly has a smaller error covariance.")
+      (xh == T(U) * y) & likeliest(T(U) * y, wh, y, H, V, w0) & (x0 - T(U) * y == inv(HH) * T(H) * V * (wh - w0)),
+      sizes=["p", "n", "q"], over={**MEASURED, **BLOCKS}, where=ML_LETS, given=[ONE_INVERSE, IMPLIED_RANK], by=[ML_PROOF, ML_DRAWN],
+      note="As for NWL92-E2.21.")
 
 claim("NWL92-S10", "the error covariance -T is the same for all symmetric (1)-inverses",
       eq(T(U) * R * U, -Tb, T(U2) * R * U2),

@@ -18,7 +18,7 @@ the measurement at j + 1 this is one measurement of x(j+1) (Lemmas 2.3, 2.4).
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, order
+from exactkf.evidence import example, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -60,7 +60,7 @@ from proofs.nwl92.notation_system import (
     noise,
     p,
 )
-from proofs.nwl92.section_3_three_blocks import BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
+from proofs.nwl92.section_3_three_blocks import BEST_IS_ML, BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 k, N_STEPS = symbols("k J")
@@ -92,7 +92,7 @@ claim("NWL92-S19", "full column rank of (E_j; C_j) is necessary and sufficient f
                                            "dynamics lead from it to x(j)"),
                     forall(k, 0, N_STEPS, (xs[k] == Zero(n, 1)) & (Es[k + 1] * xs[k + 1] == Zero(l, 1))), sizes=["n", "l", "p", "J"],
                     over=SEQUENCES, given=[*NULL, FULL],
-                    by=[induction(step=order([inv(T(Es[k + 1]) * Es[k + 1] + T(Cs[k + 1]) * Cs[k + 1])])), example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[0]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
+                    by=[restated("what is unknown is estimable exactly if it is zero in every solution for zero data"), induction(step=order([inv(T(Es[k + 1]) * Es[k + 1] + T(Cs[k + 1]) * Cs[k + 1])])), example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[0]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
                         example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[1]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[1]], [[1]], [[1]]]}),
                         example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[0]], [[1]]], Cs: [[[1]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
                         example({"n": 1, "l": 1, "p": 1, "J": 1, Es: [[[1]], [[1]]], Cs: [[[0]], [[0]]], As: [[[1]], [[1]]], xs: [[[0]], [[1]], [[1]]]}),
@@ -120,7 +120,7 @@ claim("NWL92-L3.1", "the estimate of x(j+1) is that from (3.2) and (3.3)",
       over={**VARYING, P: positive_semidefinite(m), l1: vector(m), la: vector(l), lb: vector(p), x0: vector(m), x: vector(n), xh: vector(m), y: vector(p)},
       given=[given("estimate of x(j)", P * l1 + x0 == xh), given("(1.1) and (1.2)", NOISE_G * LAM + vstack(E * x - A * x0, C * x) == vstack(Zero(l, 1), y)),
              given("gradient in x(j)", l1 == T(A) * la)],
-      by=[order(), *[example({"l": 1, "m": 1, "n": 1, "p": 1, A: [[1]], P: [[1]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[1]], l1: [0], la: [0], lb: [0], x0: [0], x: [0],
+      by=[restated("(2.9) characterises the maximum likelihood estimate", "an estimate takes the place of past measurements (NWL92-S18)"), order(), *[example({"l": 1, "m": 1, "n": 1, "p": 1, A: [[1]], P: [[1]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[1]], l1: [0], la: [0], lb: [0], x0: [0], x: [0],
                               xh: [0], y: [0], **change}) for change in ({xh: [1]}, {y: [1]}, {l1: [1], xh: [1]})],
           instances(made_by={l1: T(A) * la, xh: P * l1 + x0, E: (A * x0 - Q * la + S * lb) * T(x) * (1 / (T(x) * x)), y: C * x - T(S) * la + R * lb},
                     l=(1, 2), m=(1, 2), n=(1, 2), p=(1, 2))],
@@ -135,7 +135,7 @@ claim("NWL92-S20", "the 3-block filter follows from Lemma 2.1, as printed",
       repair=repair("cross-reference", ("it is Lemma 2.2: Lemma 2.1 says when the 3-block matrix is invertible, and needs [N, (E; C)] of full row rank, which need not hold; its matrix has a "
                                         "(1)-inverse in any case"),
                     is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
       note="The left side is the hypothesis of Lemma 2.1 for the measurement (3.2), (3.3) that the theorem does not make. The corrected statement is Theorem 3.1 with its sign put right.")
 
 not_checked("NWL92-Q1", "a connection of two Riccati equations of other papers", "a conjecture about equations of other papers, which are not written down here")

@@ -28,7 +28,7 @@ If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order
+from exactkf.evidence import example, identity, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -119,6 +119,10 @@ NOTE = ("Maximum likelihood is said as in NWL92-L2.2: the estimate is linear and
         "M1 A xh + M2 y has a smaller error covariance.")
 
 
+#: what it takes to say that (3.4) is the filtered estimate, beside NWL92-S18, by which the estimate of x(j) takes the place of past data
+BEST_IS_ML = restated("the best linear unbiased estimate is the maximum likelihood estimate")
+
+
 def is_ml(sign):
     """(3.4) is linear in (A xh, y), unbiased and best; its error covariance is the printed block with this sign."""
     unbiased = (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n))
@@ -129,13 +133,13 @@ claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (
       is_ml(1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
       by=[example(SMALL_FILTER), DRAWN],
       repair=repair("sign", SIGN, is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
       note=NOTE)
 
 claim("NWL92-E3.4", "the filter in 3-block form",
       (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n)) & LARGER,
       sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-      by=[filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
+      by=[BEST_IS_ML, filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
 
 claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a minus sign",
       GAIN * N * T(GAIN) == LAST * Oi * BOTTOM,
@@ -183,10 +187,14 @@ WIDE = block([[R, Zero(p, l), C], [Zero(l, p), Sig, E], [T(C), T(E), Zero(n, n)]
 WB_SIZES = {"l": (1, 2), "p": (1, 2), "n": (1, 2)}
 WIDE_LAST = vstack(Zero(p, n), Zero(l, n), Identity(n))
 
-claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible",
-      (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "p", "n"],
+GAIN_WIDE = T(WIDE_LAST) * inv(WIDE) * block([[Identity(p), Zero(p, l)], [Zero(l, p), Identity(l)], [Zero(n, p), Zero(n, l)]])
+ERROR_WIDE = GAIN_WIDE * block([[R, Zero(p, l)], [Zero(l, p), Sig]]) * T(GAIN_WIDE)
+X = ROW_A * inv(Mj) * block([[Sig, Zero(l, n)], [Zero(n, l), INFORMATION]]) * inv(Mj) * COLUMN_A + Q
+SHORT = -(ROW_A * inv(Mj) * COLUMN_A) + Q
+claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block matrix is invertible, and (3.6) follows",
+      (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)) & (A * ERROR_WIDE * T(A) + Q == X), sizes=["l", "p", "n"],
       over={**CLASSICAL, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)},
-      where=[let(Om, block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]]))],
+      where=[let(Sig, A * P * T(A) + Q), M_J, let(Om, block([[A * P * T(A) + Q, Zero(l, p), E], [Zero(p, l), R, C], [T(E), T(C), Zero(n, n)]]))],
       given=[given("(E; C) has full column rank", rank(F_BLOCK) == n), given("(E; C) has full row rank", rank(F_BLOCK) == l + p), NULL_VECTOR],
       by=[order([], [], [], [], [], lemmas=[T(F_BLOCK) * LAM == Zero(n, 1), LAM == Zero(l + p, 1), F_BLOCK * x == Zero(l + p, 1)]),
           example({"l": 1, "p": 1, "n": 3, A: [[0, 0, 0]], P: [[0, 0, 0]] * 3, Q: [[0]], R: [[1]], E: [[1, 0, 0]], C: [[0, 1, 0]], lam1: [0], lam2: [0],
@@ -194,13 +202,9 @@ claim("NWL92-S21", "with R > 0, S = 0 and (E; C) of full row rank the 3-block ma
           example({"l": 1, "p": 1, "n": 1, A: [[0]], P: [[0]], Q: [[0]], R: [[1]], E: [[0]], C: [[1]], lam1: [1], lam2: [0], x: [0]}),
           example({"l": 1, "p": 1, "n": 2, A: [[0, 0]], P: [[0, 0]] * 2, Q: [[0]], R: [[1]], E: [[1, 0]], C: [[0, 1]], lam1: [1], lam2: [0], x: [0, 0]}),
           instances(made_by={lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, n=(2, 3), l=(1, 2), p=(1, 2))],
-      note=("Invertible is said as: a null vector (lam1; lam2; x) is zero. No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). That the results of Wang and "
-            "Bernhard follow is NWL92-E3.9 to NWL92-E3.13."))
+      note=("Invertible is said as: a null vector (lam1; lam2; x) is zero. No redundant perfect information means that this matrix is invertible (NWL92-T3.1.1). The last equation is that of "
+            "Wang and Bernhard, (3.6), for the error covariance of (3.5); NWL92-E3.9 to NWL92-E3.13 are the same in steps."))
 
-GAIN_WIDE = T(WIDE_LAST) * inv(WIDE) * block([[Identity(p), Zero(p, l)], [Zero(l, p), Identity(l)], [Zero(n, p), Zero(n, l)]])
-ERROR_WIDE = GAIN_WIDE * block([[R, Zero(p, l)], [Zero(l, p), Sig]]) * T(GAIN_WIDE)
-X = ROW_A * inv(Mj) * block([[Sig, Zero(l, n)], [Zero(n, l), INFORMATION]]) * inv(Mj) * COLUMN_A + Q
-SHORT = -(ROW_A * inv(Mj) * COLUMN_A) + Q
 #: l = p = n = 1, all of Sigma, E, A, C, R one
 ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[1]], Q: [[1]], R: [[1]], Sig: [[1]]}
 

@@ -26,7 +26,7 @@ complex matrix X + iY by its real form [X, -Y; Y, X], of twice the rank.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, induction, instances, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, induction, instances, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -44,6 +44,7 @@ from exactkf.language import (
     loewner,
     matrix,
     nonsingular,
+    nonzero,
     outside_roots,
     positive_definite,
     positive_semidefinite,
@@ -96,6 +97,11 @@ TIMES = block([[t1 * Identity(n), Zero(n, p), -(t2 * Identity(n)), Zero(n, p)], 
                [t2 * Identity(n), Zero(n, p), t1 * Identity(n), Zero(n, p)], [Zero(p, n), Zero(p, p), Zero(p, n), Identity(p)]])
 DIVIDE = block([[t1 / NORM_T * Identity(n), Zero(n, p), t2 / NORM_T * Identity(n), Zero(n, p)], [Zero(p, n), Identity(p), Zero(p, n), Zero(p, p)],
                 [-(t2 / NORM_T * Identity(n)), Zero(n, p), t1 / NORM_T * Identity(n), Zero(n, p)], [Zero(p, n), Zero(p, p), Zero(p, n), Identity(p)]])
+#: the matrix at (s, 0), s = c + id, and a left inverse
+c, d = symbols("c d")
+T_ZERO = real_form(vstack(c * Identity(n), C), vstack(d * Identity(n), Zero(p, n)))
+NORM_C = c * c + d * d
+AT_INFINITY = real_form(hstack(c / NORM_C * Identity(n), Zero(n, p)), hstack(-(d / NORM_C) * Identity(n), Zero(n, p)))
 MADE_RATIO = {s1: t1 * a - t2 * b, s2: t1 * b + t2 * a}
 CLASSICAL = {A: matrix(n, n), C: matrix(p, n)}
 claim("NWL92-S22", "for E = I full column rank of (sI - A; C) for |s| > 1 is detectability, as printed",
@@ -103,13 +109,14 @@ claim("NWL92-S22", "for E = I full column rank of (sI - A; C) for |s| > 1 is det
       given=[given("full column rank for |s| > 1", outside_roots(charpoly(A + LL * C)) == 0), LARGE, NOT_BOTH],
       by=[example({"n": 1, "p": 1, A: [[1]], C: [[0]], LL: [[0]], s1: 1, s2: 0, t1: 1, t2: 0}), instances(n=(1, 2), p=(1, 2))],
       repair=repair("boundary case", "|s| = |t| belongs to Definition 4.1, so that the condition must hold for |s| >= 1",
-                    (AT_ST == TIMES * AT_RATIO) & (NORM_S == NORM_T * (a * a + b * b)) & (TIMES * DIVIDE == Identity(2 * (n + p))), sizes=["n", "p"],
-                    over={**CLASSICAL, **POINT, a: scalar(), b: scalar()}, given=[T_NOT_ZERO, RATIO],
-                    by=[order(), *[example({"n": 1, "p": 1, A: [[0]], C: [[0]], s1: 1, s2: 0, t1: x, t2: 0, a: x, b: 0}) for x in (0, 2)],
+                    (AT_ST == TIMES * AT_RATIO) & (NORM_S == NORM_T * (a * a + b * b)) & (TIMES * DIVIDE == Identity(2 * (n + p)))
+                    & (AT_INFINITY * T_ZERO == Identity(2 * n)), sizes=["n", "p"],
+                    over={**CLASSICAL, **POINT, a: scalar(), b: scalar(), c: nonzero(), d: scalar()}, given=[T_NOT_ZERO, RATIO],
+                    by=[order(), *[example({"n": 1, "p": 1, A: [[0]], C: [[0]], s1: 1, s2: 0, t1: x, t2: 0, a: x, b: 0, c: 1, d: 0}) for x in (0, 2)],
                         instances(made_by=MADE_RATIO, n=(1, 2), p=(1, 2))]),
       note=("Full column rank for |s| > 1 is said by an L for which A + LC has no eigenvalue outside the closed disc: (sI - A)x = 0 and Cx = 0 make s an eigenvalue of "
             "A + LC. The corrected statement: for t other than zero the matrix at (s, t) is diag(tI, I), "
-            "which is invertible, times that at s/t = a + ib, and |s| >= |t| is |s/t| >= 1. For t = 0 it has the rows sI."))
+            "which is invertible, times that at s/t = a + ib, and |s| >= |t| is |s/t| >= 1. At (s, 0), s = c + id other than zero, it has a left inverse; c is taken other than zero, else s is multiplied by i."))
 
 v1, v2, w1, w2, B0 = symbols("v1 v2 w1 w2 B0")
 
@@ -122,10 +129,13 @@ def stabilizability(Q, S, R):
 
 CLASSICAL_ST = real_form(hstack(s1 * Identity(n) - t1 * A, B), hstack(s2 * Identity(n) - t2 * A, Zero(n, q)))
 ROWS = {v1: matrix(1, n), v2: matrix(1, n), w1: matrix(1, p), w2: matrix(1, p)}
-ANNIHILATES = given("(v, w) annihilates the stabilizability matrix",
-                    hstack(v1, w1, v2, w2) * stabilizability(B * T(B), Zero(n, p), R) == Zero(1, n + n + p + n + n + p))
+r1, r2 = symbols("r1 r2")
+BACK_BLOCK = block([[Identity(n), Zero(n, n), Zero(n, p)], [Zero(q, n), T(B), Zero(q, p)]])
+BACK = real_form(BACK_BLOCK, 0 * BACK_BLOCK)
+STABILIZABILITY_0, NO_COLUMNS = stabilizability(B * T(B), Zero(n, p), R), Zero(1, n + n + p + n + n + p)
+ANNIHILATES = given("(v, w) annihilates the stabilizability matrix", hstack(v1, w1, v2, w2) * STABILIZABILITY_0 == NO_COLUMNS)
 #: not admissible: v, w other than zero
-S23_ONES = {"n": 1, "p": 1, "q": 1, A: [[1]], C: [[1]], B: [[1]], R: [[1]], s1: 1, s2: 0, t1: 1, t2: 0, v1: [[0]], v2: [[0]], w1: [[0]], w2: [[0]]}
+S23_ONES = {"n": 1, "p": 1, "q": 1, A: [[1]], C: [[1]], B: [[1]], R: [[1]], s1: 1, s2: 0, t1: 1, t2: 0, v1: [[0]], v2: [[0]], w1: [[0]], w2: [[0]], r1: [[0]], r2: [[0]]}
 COMPLEX_V = instances(8, made_by={A: B0 * block([[a, -b], [b, a]]) * inv(B0), v1: T(upper(1, 1)) * inv(B0), v2: -(T(lower(1, 1)) * inv(B0)), B: Zero(n, q),
                                   w1: Zero(1, p), w2: Zero(1, p), **MADE_RATIO}, using={B0: nonsingular(2), a: scalar(), b: scalar()}, n=2, p=1, q=1)
 ALONG = Identity(n) - T(v1) * v1 * (1 / (v1 * T(v1)))
@@ -139,15 +149,17 @@ claim("NWL92-S23", "for E = I and R > 0 full row rank of (sI - A, B) for |s| > 1
       by=[example({"n": 1, "p": 1, "q": 1, A: [[2]], C: [[0]], B: [[1]], D: [[1]], K: [[-2]], s1: 2, s2: 0, t1: 1, t2: 0}), instances(n=1, p=1, q=(1, 2))],
       repair=repair("missing hypothesis", ("S must be zero: otherwise what v must annihilate is a factor of Q - SR^-1S', and s(I + SR^-1C) - tA; and the rank must be full for "
                                            "|s| >= 1, as in Definition 4.1"),
-                    (hstack(v1, v2) * CLASSICAL_ST == Zero(1, n + q + n + q)) & (w1 == Zero(1, p)) & (w2 == Zero(1, p)), sizes=["n", "p", "q"],
-                    over={**CLASSICAL, B: matrix(n, q), R: positive_definite(p), **POINT, **ROWS}, given=[ANNIHILATES],
+                    (hstack(v1, v2) * CLASSICAL_ST == Zero(1, n + q + n + q)) & (w1 == Zero(1, p)) & (w2 == Zero(1, p))
+                    & (hstack(r1, Zero(1, p), r2, Zero(1, p)) * STABILIZABILITY_0 == hstack(r1, r2) * CLASSICAL_ST * BACK),
+                    sizes=["n", "p", "q"], over={**CLASSICAL, B: matrix(n, q), R: positive_definite(p), **POINT, **ROWS, r1: matrix(1, n), r2: matrix(1, n)},
+                    given=[ANNIHILATES],
                     by=[order([], [], [inv(R)], [inv(R)], [v1 * B * T(B) * T(v1)], [v2 * B * T(B) * T(v2)], lemmas=[w1 * R == Zero(1, p), w2 * R == Zero(1, p), w1 == Zero(1, p), w2 == Zero(1, p),
                                                                       v1 * B == Zero(1, q), v2 * B == Zero(1, q)]),
                         *[example({**S23_ONES, **change}) for change in ({v1: [[1]]}, {v2: [[1]]}, {w1: [[1]]}, {w2: [[1]]}, {B: [[0]], A: [[0]], v1: [[1]]},
                                                                          {B: [[0]], A: [[0]], v2: [[1]]})],
                         COMPLEX_V, REAL_V]),
       note=("In the print Q = BB', S = BD', R = DD', and full row rank is said by a K with stable A + BK, which makes it full even for |s| >= 1. The corrected statement is for each "
-            "(s, t) and S = 0: a row (v, w) that annihilates the one matrix has w = 0, and v annihilates [sI - tA, B]; the converse is plain. For t = 0 that says v = 0; "
+            "(s, t) and S = 0: a row (v, w) that annihilates the one matrix has w = 0, and v annihilates [sI - tA, B]; by the last equation a row r1 + ir2 that annihilates this gives one with w = 0. For t = 0 that says v = 0; "
             "else the point is s/t (NWL92-S22)."))
 
 # ------------------------------------------------------------------ Lemma 4.1
@@ -332,7 +344,7 @@ SCALAR = {"l": 1, "p": 1, "n": 1, A: [[2]], Q: [[0]], S: [[0]], R: [[0]], Le: [[
 claim("NWL92-E4.18", "the Lyapunov equation has at most one solution, which is nonnegative",
       (Ps == Pt) & psd(Ps), sizes=["l", "p", "n"], over={**OBSERVER, Ps: symmetric_matrix(n), Pt: symmetric_matrix(n)},
       given=[system.NOISE, STABLE, LYAPUNOV, LYAPUNOV_2],
-      by=[order([], [NOISE_FORM], inside=[within(0, unique=(Le * A, T(Le * A))), within(1, stein=Le * A)]),
+      by=[restated("a linear map of matrices that is one to one is onto"), order([], [NOISE_FORM], inside=[within(0, unique=(Le * A, T(Le * A))), within(1, stein=Le * A)]),
           *[example({**SCALAR, A: [[x]], Q: [[q_]], Ps: [[y]], Pt: [[z]]}) for x, q_, y, z in ((1, 0, 1, 0), (2, 3, -1, -1), (0, 0, 0, 1), (0, 0, 1, 0), (1, 0, -1, -1))],
           MEMORY, NO_MEMORY],
       note="The map X -> X - (Le A)X(Le A)' is linear; as it takes different X to different values, there is a solution.")
@@ -342,7 +354,7 @@ LIMIT_OVER = {**OBSERVER, Ps: symmetric_matrix(n), W0: positive_semidefinite(n)}
 ERROR_IS = W[t] - Ps == Pow[t] * (W0 - Ps) * T(Pow[t])
 claim("NWL92-E4.17", "the error covariance of the stable filter tends to the solution of the Lyapunov equation",
       always(t, ERROR_IS), sizes=["l", "p", "n"], over=LIMIT_OVER, where=ERROR_REC, given=[LYAPUNOV],
-      by=[induction(), example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
+      by=[restated("the powers of a stable matrix tend to zero", "a linear map of matrices that is one to one is onto"), induction(), example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note=("W[t] is the error covariance at t from any W0, by (4.16) and as u(k), r(k) are independent of the error at k; Pow[t] is the power of Le A, which tends "
             "to zero as Le A is stable."))
 
@@ -351,7 +363,7 @@ CLOSED_LA = T(T(Le * A))
 claim("NWL92-E4.5", "the error covariance of the stable filter stays bounded and has a limit",
       always(t, ERROR_IS) & always(t, psd(W[t])) & always(t, loewner(Ps + BOUND_W, W[t])), sizes=["l", "p", "n"],
       over={**LIMIT_OVER, Ps: positive_semidefinite(n)}, where=ERROR_REC, given=[system.NOISE, LYAPUNOV],
-      by=[induction(base=[order(), order([W0]), order([Ps])],
+      by=[restated("the powers of a stable matrix tend to zero", "a linear map of matrices that is one to one is onto"), induction(base=[order(), order([W0]), order([Ps])],
                     step=[order(), order([CLOSED_LA * W[t] * T(CLOSED_LA), NOISE_FORM]), order([CLOSED_LA * (Ps + BOUND_W - W[t]) * T(CLOSED_LA)])]),
           example({**SCALAR, Ps: [[1]], W0: [[0]]}), MEMORY, NO_MEMORY],
       note="Ps is nonnegative by NWL92-E4.18. The limit is Ps, as the powers Pow[t] of the stable Le A tend to zero (NWL92-E4.17); it is finite.")

@@ -23,8 +23,10 @@ the 3-block matrix invertible for every P >= 0. The paper prints S for -S.
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, null_vector, order, steps, within
+from exactkf.evidence import example, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -46,8 +48,6 @@ from exactkf.language import (
     rank,
     rec,
     scalar,
-    schur,
-    standing,
     sym,
     symbols,
     symmetric_matrix,
@@ -57,11 +57,10 @@ from exactkf.language import (
 from proofs.nwl92.notation import one_inverse
 from proofs.nwl92.notation_system import (
     BOTTOM,
+    CERTIFICATE_FACT,
     CERTIFICATES,
-    CERTIFIED,
     COVARIANCE,
     F_BLOCK,
-    GAINS,
     GRAM,
     H0,
     IMPLIED_RANK,
@@ -128,26 +127,21 @@ from proofs.nwl92.notation_system import (
     three_block,
 )
 from proofs.nwl92.section_4_steady_state import (
-    ERROR_1,
+    AT_EACH,
     FROM_ZERO,
     LG,
+    NO_EIGENVECTOR,
     ONE_SOLUTION,
     PAIR_OF_SOLUTIONS,
-    RICCATI,
     SAME,
     SOLVED,
     SOLVED_GAINS,
-    STABLE_FOILS,
     UNBIASED,
     ZEROS,
     Pz,
-    best,
     constant_gain,
     error_of,
-    later,
     next_covariance,
-    own_error,
-    stable_gains,
 )
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
@@ -218,7 +212,8 @@ claim("NWL92-E4.24", "the error covariance of the estimate of x(j+1), as printed
                         *[example({**LATER, **change}) for change in ({U1: [[2]]}, {M1: [[0]]})], LATER_DRAWN]),
       note="Pa is P_(j-1), Pb is P_j; the right side of the corrected statement is that of (4.20) for P_j. The measurement is that of (4.23) one step later.")
 
-D0 = sym("D0")
+D0, D1, D2, Fi = symbols("D0 D1 D2 Fi")
+HALF = Fraction(1, 2)
 claim("NWL92-E4.25", "a larger error covariance gives a larger noise covariance",
       loewner(noise(Pb), noise(Pa)), sizes=["l", "n", "p"], over={**SYSTEM, Pa: symmetric_matrix(n), Pb: symmetric_matrix(n)}, given=[given("(4.22)", loewner(Pb, Pa))],
       by=[order([vstack(A, Zero(p, n)) * (Pb - Pa) * T(vstack(A, Zero(p, n)))]),
@@ -227,34 +222,74 @@ claim("NWL92-E4.25", "a larger error covariance gives a larger noise covariance"
 
 Py, Pt = symbols("Py Pt")
 FROM_ONE = rec(Py, t, next_covariance(NOTHING), next_covariance(Py[t]))
-INCREASING = ([psd(Pz[t]), psd(Py[t])], order([], ERROR_1, ERROR_1), order(own_error(Pz), own_error(Py), later(Py[t], Pz[t])))
-claim("NWL92-S33", "the covariances from zero increase",
-      always(t, loewner(Py[t], Pz[t])), sizes=["l", "n", "p"], over=SYSTEM, where=[FROM_ZERO, FROM_ONE], given=[NOISE],
-      by=[induction(also=INCREASING[0], base=INCREASING[1], step=INCREASING[2]), instances(8, made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, horizon=3, **RECURSION_SIZES)],
-      note="Pz[t] is P_t from P_0 = 0 and Py[t] is P_(t+1). Full column rank of (E; C) is part of the invertibility of the 3-block matrices, the denominators.")
+TWO = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
+COVARIANCE_A, COVARIANCE_B = symbols("Ca Cb")
+GAIN_A, GAIN_B = hstack(T(INVERSE[3]), T(INVERSE[4])), hstack(T(OTHER_INVERSE[3]), T(OTHER_INVERSE[4]))
+STATES = vstack(A, Zero(p, n))
+#: by how much the second covariance is larger if P is
+UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(STATES) * T(GAIN_B), error_of(GAIN_B - GAIN_A, Pa)]
+AFTER_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE)),
+              let(COVARIANCE_A, -(LAST * Oia * BOTTOM)), let(COVARIANCE_B, -(LAST * Oib * BOTTOM))]
+MADE_A, FREE_A = made_blocks(Oma)
+MADE_B, FREE_B = made_blocks(Omb, OTHER_INVERSE, Y2)
+#: E = A = Q = R = 1, C = S = 0: the right side is P + 1
+AFTER_ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]], Pa: [[1]], Pb: [[1]],
+              **dict(zip(INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True)),
+              **dict(zip(OTHER_INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True))}
+#: without (2.20), and with P_j below P_(j-1)
+AFTER_FOILS = [{INVERSE[5]: [[-3]]}, {INVERSE[5]: [[1]]}, {OTHER_INVERSE[5]: [[-1]]}, {Pa: [[2]], INVERSE[5]: [[-3]]}]
+EARLIER = given("(4.22)", loewner(Pb, Pa))
+claim("NWL92-S33", "the covariances from zero increase: the first, and each if the one before does",
+      psd(COVARIANCE_A) & loewner(COVARIANCE_B, COVARIANCE_A), sizes=["l", "n", "p"], over=TWO_OVER, where=AFTER_LETS,
+      given=[*TWO_INVERSES, NOISE, IMPLIED_RANK, EARLIER],
+      by=[restated("induction on j"), filter_identities([error_of(GAIN_A, Pa)], UPPER_TERMS, of=TWO), *[example({**AFTER_ONES, **change}) for change in AFTER_FOILS],
+          instances(12, made_by={**RANDOM_NOISE, Pb: Pa + D0, **MADE_A, **MADE_B}, using={**RANDOM_NOISE_FREE, **FREE_A, **FREE_B, D0: positive_semidefinite(n)},
+                    **SIZES)],
+      note="Pa, Pb are P_(j-1), P_j and Ca, Cb what (4.20) makes of them, whichever (1)-inverses are taken; for P_0 = 0 the first part says P_1 >= P_0.")
 
-Ps, Pow = symbols("Ps Pow")
-OBSERVER = [rec(Pt, t, P0, next_covariance(Pt[t])), rec(Wt, t, P0, constant_gain(Wt[t])), rec(Pow, t, Identity(n), L * A * Pow[t])]
+Ps, Wn, Pow = symbols("Ps Wn Pow")
+OBSERVED = given("(4.18)", Ps == constant_gain(Ps))
+LK = {L: matrix(n, l), K: matrix(n, p)}
 CLOSED = T(T(L * A))
+#: A = 0, with any unbiased gains
+NO_MEMORY = {Fi: inv(GRAM), L: Fi * T(E) + D1 - (D1 * E + D2 * C) * Fi * T(E), K: Fi * T(C) + D2 - (D1 * E + D2 * C) * Fi * T(C), A: Zero(l, n),
+             Ps: constant_gain(NOTHING)}
+BOUND_ONES = {"l": 1, "n": 1, "p": 1, A: [[1]], E: [[1]], C: [[1]], Q: [[0]], S: [[0]], R: [[1]], L: [[1]], K: [[0]], P: [[1]], Wn: [[1]], Ps: [[1]], INVERSE[0]: [["1/2"]],
+              INVERSE[1]: [["-1/2"]], INVERSE[2]: [["1/2"]], U1: [["1/2"]], U2: [["1/2"]], INVERSE[5]: [["-1/2"]]}
 claim("NWL92-S30", "the covariances of the stable filter bound those of the optimal one, and tend to P_s",
-      always(t, loewner(Wt[t], Pt[t])) & always(t, Wt[t] - Ps == Pow[t] * (P0 - Ps) * T(Pow[t])), sizes=["l", "n", "p"],
-      over={**LG, P0: positive_semidefinite(n), Ps: symmetric_matrix(n)}, where=OBSERVER, given=[NOISE, UNBIASED, given("(4.18)", Ps == constant_gain(Ps))],
-      by=[induction(also=[[psd(Pt[t])], []], step=[order([error_of(best(Pt[t]), Pt[t])], [CLOSED * (Wt[t] - Pt[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pt[t]), Pt[t])]),
-                                                   order()]),
-          example({"l": 1, "n": 1, "p": 1, A: [[0]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]], L: [[1]], K: [[0]], P0: [[0]], Ps: [[0]]}),
-          instances(8, made_by={**SOLVED_GAINS, Ps: P}, using={**solved()[1]}, horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))],
-      note="L, K are L_e, L_c; both filters start with the covariance P0. The powers Pow[t] of the stable L_e A tend to zero.")
+      loewner(constant_gain(Wn), NEXT) & (constant_gain(Wn) - Ps == (L * A) * (Wn - Ps) * T(L * A)), sizes=["l", "n", "p"],
+      over={**STEP, **LK, Wn: symmetric_matrix(n), Ps: symmetric_matrix(n)}, where=[OMEGA, OMEGA_INVERSE],
+      given=[ONE_INVERSE, NOISE, IMPLIED_RANK, UNBIASED, given("P_k <= P_s(k)", loewner(Wn, P)), OBSERVED],
+      by=[restated("induction on k", "the powers of a stable matrix tend to zero"),
+          filter_identities([CLOSED * (Wn - P) * T(CLOSED), error_of(hstack(L, K) - GAIN, P)], []),
+          *[example({**BOUND_ONES, **change}) for change in ({INVERSE[5]: [[-2]]}, {L: [[0]], Ps: [[0]]}, {P: [[4]], INVERSE[5]: [["-4/5"]], Wn: [["1/2"]], INVERSE[0]: [["1/5"]],
+                                                              INVERSE[1]: [["-1/5"]], INVERSE[2]: [["1/5"]], U1: [["1/5"]], U2: [["4/5"]]}, {K: [[1]], L: [[0]], Ps: [[2]]})],
+          drawn(10, before=NO_MEMORY, made_by={Wn: P + D0}, using={D1: matrix(n, l), D2: matrix(n, p), D0: positive_semidefinite(n)}),
+          solutions(8, made_by={L: T(U1), K: T(U2), Ps: P, Wn: P + D0}, using={D0: positive_semidefinite(n)}, l=(1, 2))],
+      note=("L, K are L_e, L_c; P is P_k and Wn is P_s(k), one step later. Both filters start with one covariance. The difference from P_s goes through the powers of "
+            "the stable L_e A."))
 
-BOUNDED_PROOF = ([psd(Pz[t])], order([], [P]), order(own_error(Pz), [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])]))
-BOTH = induction(also=[INCREASING[0], BOUNDED_PROOF[0]], base=[INCREASING[1], BOUNDED_PROOF[1]], step=[INCREASING[2], BOUNDED_PROOF[2]])
+claim("NWL92-S28", "the covariances from zero increase and are bounded",
+      psd(COVARIANCE_A) & loewner(COVARIANCE_B, COVARIANCE_A) & loewner(Ps, COVARIANCE_B), sizes=["l", "n", "p"],
+      over={**TWO_OVER, **LK, Ps: symmetric_matrix(n)}, where=AFTER_LETS,
+      given=[*TWO_INVERSES, NOISE, IMPLIED_RANK, UNBIASED, EARLIER, given("bounded", loewner(Ps, Pb)), OBSERVED],
+      by=[restated("induction on j", "an increasing bounded sequence of symmetric matrices converges", "its limit satisfies (4.19) (NWL92-S29)"),
+          filter_identities([error_of(GAIN_A, Pa)], UPPER_TERMS, [CLOSED * (Ps - Pb) * T(CLOSED), error_of(hstack(L, K) - GAIN_B, Pb)], of=TWO),
+          *[example({**AFTER_ONES, L: [["1/2"]], K: [["1/2"]], C: [[1]], A: [[0]], Q: [[0]], R: [[4]], Ps: [[1]], Pa: [[0]], Pb: [[0]],
+                     **dict(zip(INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True)),
+                     **dict(zip(OTHER_INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True)), **change})
+            for change in ({INVERSE[5]: [[-1]]}, {INVERSE[5]: [[1]]}, {OTHER_INVERSE[5]: [[1]]}, {OTHER_INVERSE[5]: [[-2]]}, {Ps: [[-1]]})],
+          instances(10, made_by={**RANDOM_NOISE, **NO_MEMORY, Pb: Ps * HALF, Pa: Pb * HALF, **MADE_A, **MADE_B},
+                    using={**RANDOM_NOISE_FREE, **FREE_A, **FREE_B, D1: matrix(n, l), D2: matrix(n, p)}, **SIZES),
+          instances(8, made_by={**SOLVED_GAINS, Ps: P, Pb: P * HALF, Pa: Pb * HALF, **MADE_A, **MADE_B},
+                    using={**solved()[1], **FREE_A, **FREE_B, P: positive_semidefinite(n)}, l=(1, 2), p=(1, 2), n=(1, 2))],
+      note=("Pa, Pb are P_(j-1), P_j and Ca, Cb what (4.20) makes of them, whichever (1)-inverses are taken; Ps is the P_s of the stable filter with L_e = L, L_c = K, "
+            "and not smaller than P_0 = 0 (NWL92-E4.18)."))
+
 MONOTONE = {"sizes": ["l", "n", "p"], "over": {**LG, P: positive_semidefinite(n)}, "where": [FROM_ZERO, FROM_ONE],
             "given": [NOISE, UNBIASED, given("(4.18)", P == constant_gain(P))]}
 BOUNDED_ONES = {"l": 1, "n": 1, "p": 1, A: [[0]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]], L: [[1]], K: [[0]], P: [[0]]}
 MONOTONE_DRAWN = instances(8, made_by=SOLVED_GAINS, using=solved()[1], horizon=3, l=(1, 2), p=(1, 2), n=(1, 2))
-claim("NWL92-S28", "the covariances from zero increase and are bounded",
-      always(t, loewner(Py[t], Pz[t])) & always(t, loewner(P, Pz[t])), **MONOTONE,
-      by=[BOTH, example(BOUNDED_ONES), MONOTONE_DRAWN],
-      note=("P is the P_s of the stable filter with L_e = L, L_c = K. So they converge; that the limit satisfies (4.19) is the corrected NWL92-S29."))
 
 # ------------------------------------------------------------------ the limit
 V0, V1, i = symbols("V0 V1 i")
@@ -265,29 +300,17 @@ AT_INFINITY = next_covariance(ALONG)
 CURVE = {"l": 3, "p": 1, "n": 2, A: [[1, 0], [0, 0], [0, 1]], E: [[1, 0], [0, 1], [0, 0]], C: [[0, 0]], Q: [[0, 0, 0]] * 3, S: [[0], [0], [0]], R: [[1]],
          V0: [[1, 0], [0, 0]], V1: [[0, 0], [1, 0]]}
 e, f = symbols("e f")
-TWO = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
-COVARIANCE_A, COVARIANCE_B = symbols("Ca Cb")
-GAIN_A, GAIN_B = hstack(T(INVERSE[3]), T(INVERSE[4])), hstack(T(OTHER_INVERSE[3]), T(OTHER_INVERSE[4]))
-STATES = vstack(A, Zero(p, n))
 FLIP = block([[Identity(l), Zero(l, p)], [Zero(p, l), -Identity(p)]])
-UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(STATES) * T(GAIN_B), error_of(GAIN_B - GAIN_A, Pa)]
 LOWER_TERMS = [GAIN_A * STATES * (Pa - f * Pb) * T(STATES) * T(GAIN_A), e * (GAIN_A * FLIP * COVARIANCE * FLIP * T(GAIN_A)),
                f * error_of(GAIN_A - GAIN_B, Pb)]
 NEAR = [given("P_k <= P", loewner(Pb, Pa)), given("(1 - e)P <= P_k", loewner(Pa, f * Pb)), given("f = 1 - e", e + f == 1)]
-NEAR_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE)),
-             let(COVARIANCE_A, -(LAST * Oia * BOTTOM)), let(COVARIANCE_B, -(LAST * Oib * BOTTOM))]
 SANDWICH = loewner(COVARIANCE_B, COVARIANCE_A) & loewner(COVARIANCE_A, f * COVARIANCE_B)
 NEAR_OVER = {**TWO_OVER, e: nonneg(), f: nonneg()}
 NEAR_GIVEN = [*TWO_INVERSES, NOISE, IMPLIED_RANK, *NEAR]
-MADE_A, FREE_A = made_blocks(Oma)
-MADE_B, FREE_B = made_blocks(Omb, OTHER_INVERSE, Y2)
 g = sym("g")
 NEAR_DRAWN = instances(12, made_by={**RANDOM_NOISE, f: 1 / (1 + g * g), e: 1 - f, Pa: f * Pb + e * f * Pb, **MADE_A, **MADE_B},
                        using={**RANDOM_NOISE_FREE, **FREE_A, **FREE_B, g: scalar()}, **SIZES)
-#: E = A = Q = R = 1, C = S = 0: the right side is P + 1
-NEAR_ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]], Pa: [[1]], Pb: [[1]], e: 0, f: 1,
-             **dict(zip(INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True)),
-             **dict(zip(OTHER_INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True))}
+NEAR_ONES = {**AFTER_ONES, e: 0, f: 1}
 NEAR_FOILS = [example({**NEAR_ONES, **change}) for change in (
     {INVERSE[5]: [[-3]]}, {OTHER_INVERSE[5]: [[-1]]}, {Pa: [[2]], INVERSE[5]: [[-3]]}, {Pa: [[0]], INVERSE[5]: [[-1]]}, {e: 0, f: 2, Pa: [[2]], INVERSE[5]: [[-3]]},
     {e: 0, f: 0, Pa: [[0]], INVERSE[5]: [[-1]]}, {Q: [[0]], e: 1, f: 2, Pa: [[2]], Pb: [[1]], INVERSE[5]: [[-2]], OTHER_INVERSE[5]: [[-1]]},
@@ -301,7 +324,7 @@ claim("NWL92-S29", "the right side of (4.20) passes to the limit as the inverse 
       by=[example(CURVE), instances(8, made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=1, p=1, n=1)],
       repair=repair("missing hypothesis", ("the last block is unique but no continuous function of P, and (A.10) contains more than true inverses; the limit is right where "
                                            "(1 - e)P <= P_k <= P with e tending to zero, as for the increasing sequence of Theorem 4.2"),
-                    SANDWICH, sizes=["l", "n", "p"], over=NEAR_OVER, where=NEAR_LETS, given=NEAR_GIVEN, by=[NEAR_PROOF, *NEAR_FOILS, NEAR_DRAWN]),
+                    SANDWICH, sizes=["l", "n", "p"], over=NEAR_OVER, where=AFTER_LETS, given=NEAR_GIVEN, by=[restated("the ranges of an increasing sequence of nonnegative matrices become constant", "what lies between two sequences of one limit tends to it"), NEAR_PROOF, *NEAR_FOILS, NEAR_DRAWN]),
       note=("Read as: if P_k tends to P, the right side of (4.20) at P_k tends to that at P, here along P_k = (V0 + V1/k)(V0 + V1/k)': the coefficient of z^0 at infinity is the "
             "limit for k = z. In the corrected statement Pa is P_k, Pb is P; for e = 0 it is the uniqueness of the block. The limit that Theorem 4.2 takes is right: the "
             "ranges of an increasing sequence that converges are those of its limit from some k on, so that it has this property."))
@@ -323,7 +346,7 @@ Rows = sym("Rows")
 SAME_SIGN = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[1]], Na: [["1/2"]], Nb: [["1/2"]], Ma: [["1/2"]], Mb: [["-1/2"]], Mc: [[0]],
              Md: [[0]]}
 ROWS_OVER = {**SYSTEM, **STABILIZER}
-FIRST_L, LAST_P, Fi = hstack(Identity(l), Zero(l, p)), hstack(Zero(p, l), Identity(p)), sym("Fi")
+FIRST_L, LAST_P = hstack(Identity(l), Zero(l, p)), hstack(Zero(p, l), Identity(p))
 #: A = 0, and a certificate from any left inverse of (E; C)
 ROWS_MADE = {**RANDOM_NOISE, A: Zero(l, n), Fi: inv(GRAM), Na: Fi * T(E), Nb: Fi * T(C), H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(Na, Nb)),
              Ma: FIRST_L * H0 * T(FIRST_L), Mb: FIRST_L * H0 * T(LAST_P), Mc: LAST_P * H0 * T(FIRST_L), Md: LAST_P * H0 * T(LAST_P)}
@@ -332,7 +355,7 @@ EMPTY = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]
 claim("NWL92-S34", "stabilizability gives full row rank, as printed with S for -S",
       rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, PRINTED_ROWS)], given=[NOISE, STABILIZABLE], by=[example(SAME_SIGN), ROWS_DRAWN],
       repair=repair("sign", "S must have the sign it has in Definition 4.1, which (s, t) = (1, 0) gives: with S for -S the rank is another one",
-                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[order(), example(EMPTY), ROWS_DRAWN]),
+                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[CERTIFICATE_FACT, order(), example(EMPTY), ROWS_DRAWN]),
       note=CERTIFICATES)
 
 v0, v1 = null_vector(0), null_vector(1)
@@ -354,16 +377,16 @@ LAM_ENERGY = T(LAM) * noise_by_form(P, n) * LAM
 NULL_STEPS = [T(F_BLOCK) * LAM == Zero(n, 1), LAM_ENERGY * Identity(1) == Zero(1, 1), T(LAM) * NOISE_G == Zero(1, l + p), LAM == Zero(l + p, 1),
               F_BLOCK * x == Zero(l + p, 1)]
 LAM_TERMS = [T(LAM) * FLIP * COVARIANCE * FLIP * LAM, T(LAM) * STATES * P * T(STATES) * LAM]
-NULL_ONES = {**EMPTY, P: [[0]], lam1: [0], lam2: [0], x: [0]}
-NULL_DRAWN = instances(made_by={**ROWS_MADE, lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)
+NULL_ONES = {"l": 1, "p": 1, "n": 1, A: [[0]], P: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[1]], C: [[0]], lam1: [0], lam2: [0], x: [0]}
+NULL_DRAWN = instances(made_by={**RANDOM_NOISE, lam1: Zero(l, 1), lam2: Zero(p, 1), x: Zero(n, 1)}, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)
 claim("NWL92-S36", "stabilizability makes the 3-block matrix invertible for every P",
       (lam1 == Zero(l, 1)) & (lam2 == Zero(p, 1)) & (x == Zero(n, 1)), sizes=["l", "n", "p"],
-      over={**SYSTEM, **STABILIZER, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)}, where=[OMEGA],
-      given=[NOISE, RANK, STABILIZABLE, given("null vector", Om * vstack(lam1, lam2, x) == Zero(l + p + n, 1))],
+      over={**SYSTEM, P: positive_semidefinite(n), lam1: vector(l), lam2: vector(p), x: vector(n)}, where=[OMEGA],
+      given=[NOISE, RANK, given("stabilizable at (s, t) = (1, 0)", rank(RIGHT_ROWS) == l + p), given("null vector", Om * vstack(lam1, lam2, x) == Zero(l + p + n, 1))],
       by=[order([], [], LAM_TERMS, [], [], [], [], [inv(GRAM)], lemmas=NULL_STEPS),
-          *[example({**NULL_ONES, **change}) for change in (
-              {lam1: [1]}, {E: [[0]], x: [1], Q: [[1]], R: [[1]], Ma: [[1]], Md: [[1]]}, {E: [[1]], R: [[1]], Na: [[1]], Md: [[1]], x: [1]})], NULL_DRAWN],
-      note="Invertible is said as: a null vector (lam1; lam2; x) is zero. So the (1)-inverses in (4.29) and (4.32) are inverses. " + CERTIFICATES)
+          *[example({**NULL_ONES, **change}) for change in ({lam2: [1]}, {E: [[0]], Q: [[1]], R: [[1]], x: [1]}, {R: [[1]], x: [1]}, {R: [[1]], lam1: [1]})], NULL_DRAWN],
+      note=("Invertible is said as: a null vector (lam1; lam2; x) is zero. So the (1)-inverses in (4.29) and (4.32) are inverses. Of stabilizability only the point "
+            "(1, 0) is used."))
 
 # ------------------------------------------------------------------ Theorem 4.3
 not_checked("NWL92-E4.33", "the Riccati recursion through the gains", DEFINITION)
@@ -371,11 +394,7 @@ not_checked("NWL92-E4.34", "the gains at step k", DEFINITION)
 not_checked("NWL92-E4.35", "the algebraic Riccati equation through the gains", DEFINITION)
 not_checked("NWL92-E4.37", "the steady-state filter", DEFINITION)
 
-CLOSED_NAME = sym("Closed")
-claim("NWL92-T4.3.3", "the steady-state filter is stable",
-      schur(CLOSED_NAME), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[OMEGA, OMEGA_INVERSE, *GAINS, let(CLOSED_NAME, L * A)],
-      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[stable_gains((P, INVERSE, L, K)), *STABLE_FOILS, solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))], note=CERTIFICATES)
+claim("NWL92-T4.3.3", "the steady-state filter is stable", **NO_EIGENVECTOR, note=AT_EACH)
 
 UNIQUE_OVER, UNIQUE_LETS = {**TWO_OVER, **STABILIZER}, [*TWO_LETS, *TWO_GAINS]
 UNIQUE_GIVEN = [*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE]

@@ -27,7 +27,7 @@ parts: lam = a + ib, v = v1 + iv2.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, induction, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -38,13 +38,13 @@ from exactkf.language import (
     hstack,
     iff,
     inv,
-    let,
     loewner,
     matrix,
     nonneg,
     nonsingular,
     positive_semidefinite,
     psd,
+    rank,
     rec,
     scalar,
     schur,
@@ -59,6 +59,7 @@ from exactkf.language import (
 from proofs.nwl92 import notation as two
 from proofs.nwl92.notation_system import (
     BOTTOM,
+    CERTIFICATE_FACT,
     CERTIFICATES,
     CERTIFIED,
     F_BLOCK,
@@ -379,15 +380,24 @@ def stable_gains(*solved_by, unique=None):
 
 
 BOUND = sym("Bound")
-Closed = sym("Closed")
 ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
-STABLE_FOILS = [example({**NOISELESS, A: [[2]], **ZEROS}), example({**SMALL, A: [[2]], **ZEROS, Ma: [[1]], Md: [[1]]})]
-claim("NWL92-S37", "LA is stable for every nonnegative solution",
-      schur(Closed), sizes=["l", "n", "p"], over={**STEP, **STABILIZER}, where=[*FILTER, let(Closed, L * A)],
-      given=[standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, STABILIZABLE],
-      by=[stable_gains((P, INVERSE, L, K)), *STABLE_FOILS,
-          solutions(made_by=CERTIFIED, using={H0: matrix(l + p, l + p)}, l=(1, 2, 3))],
-      note=CERTIFICATES)
+#: [lam E - A, Q, -S; lam C, -S', R] in real form, and what v(L K) gives with it
+AT_LAM = block([[REAL_PART, NOISE_G, -IMAGINARY_PART, 0 * NOISE_G], [IMAGINARY_PART, 0 * NOISE_G, REAL_PART, NOISE_G]])
+BOTH_ENDS = hstack(v1 * GAIN, v2 * GAIN)
+POINTWISE = given("stabilizable at (lam, 1)", rank(AT_LAM) == 2 * (l + p))
+_lemmas, _needs, _inside = identities_of([(P, INVERSE)], n)
+NO_EIGENVECTOR = {
+    "says": (v1 == Zero(1, n)) & (v2 == Zero(1, n)), "sizes": ["l", "n", "p"], "over": EIGEN_OVER, "where": FILTER,
+    "given": [standing("(2.20)", Om * Oi * Om == Om), NOISE, IMPLIED_RANK, RICCATI, *EIGEN, UNSTABLE, POINTWISE],
+    "by": [order(*_needs, [], TERMS, TERMS, [], SQUARES, SQUARES, inside=_inside,
+                 lemmas=[*_lemmas, ALL_TERMS * Identity(1) == Zero(1, 1), v1 * GAIN * NOISE_G == Zero(1, l + p), v2 * GAIN * NOISE_G == Zero(1, l + p),
+                         BOTH_ENDS == Zero(1, l + p + l + p)]),
+           *FOILS, example({**NOISELESS, A: [[1]], a: 1}),
+           solutions(8, before={a: 1 + a0 * a0, b: 0 * a0}, made_by={v1: Zero(1, n), v2: Zero(1, n)}, using={a0: scalar()}, l=(1, 2)),
+           solutions(8, before={a: 1 - b0, b: 1 + b0}, made_by={v1: Zero(1, n), v2: Zero(1, n)}, using={b0: scalar()}, l=(1, 2))]}
+AT_EACH = ("LA is stable if it has no left eigenvector v1 + iv2 other than zero for an eigenvalue lam = a + ib with |lam| >= 1, and stabilizability is full row rank at "
+           "each (lam, 1) of these, here in real form.")
+claim("NWL92-S37", "LA is stable for every nonnegative solution", **NO_EIGENVECTOR, note=AT_EACH)
 
 # ------------------------------------------------------------------ uniqueness
 DIFFERENCE = Pa - Pb
@@ -405,7 +415,7 @@ SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], *
 claim("NWL92-S39", "there is at most one nonnegative solution",
       Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
       given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
-      by=[stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
+      by=[CERTIFICATE_FACT, stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
           example({**PAIR_OF_SOLUTIONS, **ZEROS}),
           *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME],
       note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
@@ -482,7 +492,7 @@ claim("NWL92-S40", "the covariance from zero is increasing, below the solution, 
       over={**LG, P: positive_semidefinite(n), P0: positive_semidefinite(n)},
       where=[OPTIMAL, FROM_ZERO, rec(Py, t, next_covariance(Zero(n, n)), next_covariance(Py[t]))],
       given=[NOISE, UNBIASED, given("(4.31)", P == constant_gain(P))],
-      by=[induction(also=[[psd(Pz[t]), psd(Pt[t])], [psd(Pz[t])], [psd(Pz[t]), psd(Py[t])]],
+      by=[restated("an increasing bounded sequence of symmetric matrices converges", "its limit solves the Riccati equation (NWL92-S29), which has one solution (NWL92-S39)"), induction(also=[[psd(Pz[t]), psd(Pt[t])], [psd(Pz[t])], [psd(Pz[t]), psd(Py[t])]],
                     base=[order([], [], [P0]), order([], [P]), order([], ERROR_1, ERROR_1)],
                     step=[order(own_error(Pz), own_error(Pt), later(Pt[t], Pz[t])),
                           order(own_error(Pz), [CLOSED * (P - Pz[t]) * T(CLOSED), error_of(hstack(L, K) - best(Pz[t]), Pz[t])]),
@@ -501,7 +511,7 @@ claim("NWL92-S41", "what lies between two sequences that tend to P tends to P, a
       over={**LG, P: symmetric_matrix(n), Pj: symmetric_matrix(n), Pzj: symmetric_matrix(n), Wj: symmetric_matrix(n), Mx: positive_semidefinite(n),
             Mz: positive_semidefinite(n), e: nonneg(), f: nonneg()},
       given=[UNBIASED, OPTIMAL_GAINS, *SANDWICH],
-      by=[order([], [P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
+      by=[restated("a sequence converges if it lies within bounds that do", "a product of matrices that tend to a stable one tends to zero exponentially fast"), order([], [P + e * Mx - Wj, Wj - Pj], [Pj - Pzj, Pzj - (P - f * Mz)]),
           instances(12, made_by={**SOLVED_GAINS, Wj: P + e * Mx - X1 * T(X1), Pzj: Wj - H0, Pj: Pzj + H0 * (1 / (1 + e0 * e0))},
                     using={**solved()[1], P: positive_semidefinite(n), X1: matrix(n, 1), H0: positive_semidefinite(n), e0: scalar()},
                     l=(1, 2), p=(1, 2), n=(1, 2)),
@@ -544,7 +554,7 @@ claim("NWL92-E4.47", "error covariance with constant gains, as printed without t
       repair=repair("other", MISSING,
                     (ERROR_NEXT == constant_gain(W)) & (constant_gain(W) - Wn == (L * A) * (W - Wn) * T(L * A)), sizes=["l", "n", "p"],
                     over={**ERROR_OVER, Wn: symmetric_matrix(n)}, given=[NOISE, given("Wn solves (4.48)", Wn == constant_gain(Wn))],
-                    by=[instances(made_by={**RANDOM_NOISE, A: Zero(l, n), Wn: constant_gain(W)}, using=RANDOM_NOISE_FREE, l=(1, 2), n=(1, 2), p=(1, 2)),
+                    by=[restated("the powers of a stable matrix tend to zero exponentially fast"), instances(made_by={**RANDOM_NOISE, A: Zero(l, n), Wn: constant_gain(W)}, using=RANDOM_NOISE_FREE, l=(1, 2), n=(1, 2), p=(1, 2)),
                         *[example({**STEADY, W: w}) for w in ([[1, 0], [0, 2]], [[2, 1], [1, 1]])]]),
       note=("The left side is the covariance of the error (4.39). The second part of the corrected statement is the convergence: W_j less the solution "
             "Wn is (LA)^j(W_0 - Wn)(LA)'^j."))

@@ -29,7 +29,7 @@ is said through a left inverse, full row rank through a right inverse.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -66,6 +66,7 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92.notation import lower, one_inverse, upper
+from proofs.nwl92.notation_system import CERTIFICATE_FACT
 
 l, p, n, k = symbols("l p n k")
 A, Q, S, R, E, C = symbols("A Q S R E C")
@@ -171,26 +172,21 @@ def pencil_at(below):
 
 NOT_ZERO = s1 * s1 + s2 * s2
 nv, nw, BOUND = null_vector(0), null_vector(1), sym("Bound")
-SAME_KERNEL = within(0, *(NOT_ZERO * (C * v) == Zero(p, 1) for v in (nv, nw)), *(C * v == Zero(p, 1) for v in (nv, nw)), vector="right")
-ON_CIRCLE_RANK = within(2, nv == -(Le * A * (a * nv - b * nw)), nw == -(Le * A * (b * nv + a * nw)), vector="right",
-                        solutions={BOUND: (T(Le * A), Identity(n))})
+SAME_KERNEL = within(1, *(NOT_ZERO * (C * v) == Zero(p, 1) for v in (nv, nw)), *(C * v == Zero(p, 1) for v in (nv, nw)), vector="right")
+NOTATION_E = [let(F_B, vstack(E, C)), let(K_B, vstack(A, Zero(p, n)))]
 claim("NWL92-S43", "detectability in the notation (5.2), and F + zK has full column rank on the unit circle",
-      iff(rank(X1) == 2 * n, rank(X2) == 2 * n) & (rank(Zz) == 2 * n),
-      where=[let(X1, pencil_at((C, Zero(p, n)))), let(X2, pencil_at((s1 * C, s2 * C))),
-             let(Zz, real_form(vstack(E + a * A, C), vstack(b * A, Zero(p, n))))],
+      (X2 == real_form(s1 * F_B - t1 * K_B, s2 * F_B - t2 * K_B)) & iff(rank(X1) == 2 * n, rank(X2) == 2 * n)
+      & (Zz == real_form(F_B + a * K_B, b * K_B)),
+      where=[*NOTATION_E, let(X1, pencil_at((C, Zero(p, n)))), let(X2, pencil_at((s1 * C, s2 * C))),
+             let(Zz, real_form(vstack(1 * E - (-a) * A, 1 * C), vstack(0 * E - (-b) * A, 0 * C)))],
       sizes=["l", "p", "n"],
-      over={A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), Le: matrix(n, l), Lc: matrix(n, p), a: scalar(), b: scalar(),
-            s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
-      given=[given("detectable", (Le * E + Lc * C == Identity(n)) & schur(Le * A)), standing("|z| = 1", a * a + b * b == 1),
-             given("s is not zero", NOT_ZERO > 0)],
-      by=[order([], [], [1 / NOT_ZERO], [1 / NOT_ZERO], [], [], [], [], [T(nv) * nv, T(nw) * nw], inside=[SAME_KERNEL, ON_CIRCLE_RANK]),
-          example({"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Le: [[1]], Lc: [[0]], a: -1, b: 0, s1: 1, s2: 0, t1: 0, t2: 0}),
-          example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], Le: [[0]], Lc: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
-          instances(made_by={Le: inv(T(E) * E + T(C) * C) * T(E), Lc: inv(T(E) * E + T(C) * C) * T(C),
-                             A: X0 * (1 / ((1 + trace(X0 * T(X0))) * (1 + trace(Le * T(Le))))), **POINT},
-                    using={X0: matrix(l, n), t0: scalar()}, l=(1, 2), p=(1, 2), n=(1, 2))],
-      note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], Mz is F + zK, in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
-            "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. " + CERTIFIED))
+      over={A: matrix(l, n), E: matrix(l, n), C: matrix(p, n), a: scalar(), b: scalar(), s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()},
+      given=[given("s is not zero", NOT_ZERO > 0)],
+      by=[order([], [], [], [1 / NOT_ZERO], [1 / NOT_ZERO], inside=[SAME_KERNEL]),
+          example({"l": 1, "p": 1, "n": 1, A: [[0]], E: [[0]], C: [[1]], a: 1, b: 0, s1: 0, s2: 0, t1: 1, t2: 0}),
+          instances(l=(1, 2), p=(1, 2), n=(1, 2))],
+      note=("X1 is [sE - tA; C], X2 is sF - tK = [sE - tA; sC], in real form; s = s1 + is2, t = t1 + it2, z = a + ib. Only that s is not "
+            "zero is used, as |s| >= |t| and (s, t) other than (0, 0) give. Mz is sF - tK at (1, -z), where |s| = |t| if |z| = 1, and it is F + zK."))
 
 Gre, Gim = symbols("Gre Gim")
 claim("NWL92-E5.7", "with Gam = zK + F the lower right block of (5.6) is z Gam*",
@@ -405,7 +401,7 @@ claim("NWL92-E5.14", "determinants of (5.13)",
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
       t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
-      by=[BOTH_DETERMINANTS, instances(**SIZES)],
+      by=[restated("polynomials that agree where s and t are not zero agree"), BOTH_DETERMINANTS, instances(**SIZES)],
       note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
 
 # ------------------------------------------------------------------ the stable eigenspace
@@ -474,9 +470,13 @@ claim("NWL92-E5.29", "F'Yw = 0 gives w'Y'[F, G] = 0",
       by=[NULL_ENERGY, *W_FOILS, HALF, spaces({w: Zero(n, 1)})])
 
 claim("NWL92-S47", "stabilizability gives [F, G] full row rank",
-      rank(hstack(F, G)) == k, sizes=["k", "n"], over={**PENCIL, **ROW_INVERSE}, given=[STABILIZABLE],
-      by=[example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]], N1: [[0]], N2: [[0]]}),
-          systems(made_by={}, using={L: matrix(n, k)})], note=CERTIFIED)
+      rank(hstack(F, G)) == k, sizes=["k", "n"], over=PENCIL,
+      given=[given("stabilizable at (s, t) = (1, 0)", rank(real_form(hstack(1 * F - 0 * K, G), hstack(0 * F - 0 * K, 0 * G))) == 2 * k)],
+      by=[order(inside=[within(0, T(null_vector()) * hstack(F, G) == Zero(1, n + k),
+                               hstack(T(null_vector()), Zero(1, k)) * real_form(hstack(F, G), 0 * hstack(F, G)) == Zero(1, n + k + n + k),
+                               hstack(T(null_vector()), Zero(1, k)) == Zero(1, k + k), vector="left")]),
+          example({"k": 1, "n": 1, F: [[0]], K: [[0]], G: [[0]]}), instances(k=(1, 2, 3), n=(1, 2))],
+      note="[sF - tK, G] of Definition 4.1 at the point (1, 0), in real form, as at every complex point; the other points are not used.")
 
 claim("NWL92-E5.30", "Yw = 0",
       Y * w == Zero(k, 1), sizes=["k", "n"], over={F: matrix(k, n), G: positive_semidefinite(k), Y: matrix(k, n), w: vector(n), **ROW_INVERSE},
@@ -515,7 +515,7 @@ claim("NWL92-E5.32", "an eigenvector of J on the invariant null space is one of 
       given=[given("basis of the null space", (M * Nb == Zero(n, q)) & (Mb * Nb == Identity(q)) & (Y * M + Nb * Mb == Identity(n))),
              given("invariant", M * J * Nb == Zero(n, q)), given("eigenvector, real part", J1 * y1 == PAIR_1),
              given("eigenvector, imaginary part", J1 * y2 == PAIR_2), given("not zero", hstack(y1, y2) != Zero(q, 2))],
-      by=[order(), example(PLANE), *[example({**PLANE, **change}) for change in (
+      by=[restated("every square matrix with at least one row has a complex eigenvector"), order(), example(PLANE), *[example({**PLANE, **change}) for change in (
               {J: [[1, 0], [1, 1]]}, {y1: [0], y2: [0]}, {J: [[2, 0], [0, 1]], y2: [0]}, {J: [[2, 0], [0, 1]], y1: [0]}, {M: [[1, 0], [0, 0]]})],
           null_spaces(block([[a, -b], [b, a]]), (vstack(1, 0), vstack(0, -1)), n=(2, 3), q=2)],
       note=("M stands for F'Y; the columns of Nb are a basis of its null space: Mb is a left inverse of Nb and every v is NbMb v + YMv. J acts on it as J1. "
@@ -584,7 +584,7 @@ claim("NWL92-S49", "F'Y is invertible",
       invertible(T(F) * Y), sizes=["k", "n"], over={**EIGENSPACE, **CERTIFICATES},
       given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS,
              standing("detectable", (L * F == Identity(n)) & schur(L * K)), standing("stabilizable", (F * N1 + G * N2 == Identity(k)) & schur(K * N1))],
-      by=[INVERTIBLE_PROOF,
+      by=[CERTIFICATE_FACT, INVERTIBLE_PROOF,
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[1]], Y: [[0]], J: [[2]], L: [[1]], N1: [[1]], N2: [[0]]}),
           example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[0]], Y: [[0]], J: [[0]], L: [[1]], N1: [[1]], N2: [[0]]}),
           STABLE_SPACE], note=CERTIFIED)

@@ -23,7 +23,7 @@ a left eigenvector of the stable K N1.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, instances, order, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, instances, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -170,7 +170,7 @@ claim("NWL92-E5.19", "the solution of the Riccati equation, as printed with Y_1 
       repair=repair("index", "the second Y_1 must be Y_2, as C' has p columns and F'Y = E'Y_1 + C'Y_2",
                     P == X * inv(FY), sizes=["l", "p", "n"], over={**SPACE, **PSD}, tex=TEX,
                     given=[standing("(5.25)", F_ * X - G_ * Y == K_ * X * J), standing("(5.26)", T(K_) * Y == FY * J), J_STABLE, SOLVES, STABLE_GAIN],
-                    by=[order(lemmas=[GAPS == Zero(n, n)], inside=[within(0, unique=(T(U) * K_, J))]), *P_FOILS, DRAWN_P]),
+                    by=[restated("U'K is stable, and F'Y invertible, for detectable and stabilizable systems (NWL92-S37, NWL92-S49)"), order(lemmas=[GAPS == Zero(n, n)], inside=[within(0, unique=(T(U) * K_, J))]), *P_FOILS, DRAWN_P]),
       note=THEOREM_NOTE + "U'K is LA, stable by NWL92-S37; F'Y is invertible by NWL92-S49.")
 
 not_checked("NWL92-E5.20", "Y stands for (Y_1; Y_2)", DEFINITION)
@@ -190,7 +190,7 @@ claim("NWL92-E5.21", "the solution of the Riccati equation in the notation (5.2)
       Pk == Xk * inv(F * Yk), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN, by=[example(SQUARE), GENERAL_DRAWN],
       repair=repair("other", "the transpose of F is missing, without which the product does not exist unless F is square",
                     Pk == Xk * inv(T(F) * Yk), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN,
-                    by=[order(lemmas=[Xk - Pk * T(F) * Yk == Zero(n, n)], inside=[within(0, unique=(T(Uk) * K, Jk))]),
+                    by=[restated("U'K is stable, and F'Y invertible, for detectable and stabilizable systems (NWL92-S37, NWL92-S49)"), order(lemmas=[Xk - Pk * T(F) * Yk == Zero(n, n)], inside=[within(0, unique=(T(Uk) * K, Jk))]),
                         *[example({**GENERAL_TWO, **change}) for change in (
                             {Xk: [[0]], Yk: [[1], [0]], Jk: [[2]]}, {Pk: [[0]], Uk: [[1], [0]]}, {Pk: [[5]]})], GENERAL_DRAWN]),
       note=THEOREM_NOTE + "U'K is LA, stable by NWL92-S37; F'Y is invertible by NWL92-S49.")
@@ -235,7 +235,7 @@ claim("NWL92-T5.1", "the solution of the Riccati equation from the stable eigens
           instances(made_by={**MADE_CERTIFIED, system.Le: T(U1), system.Lc: T(U2)}, using=FREE, **SIZES)],
       repair=repair("index", "in (5.19) the second Y_1 must be Y_2, which is F'Y in the notation (5.2); and (5.18) is meant with J and the sign of S of (5.1)",
                     invertible(T(F) * Yk) & (Pk * (T(F) * Yk) == Xk), sizes=["k", "n"], over=THEOREM, given=THEOREM_GIVEN,
-                    by=[order(*GAIN_NEEDS, [], *INVERTIBLE_NEEDS,
+                    by=[system.CERTIFICATE_FACT, order(*GAIN_NEEDS, [], *INVERTIBLE_NEEDS,
                               lemmas=[schur(GAIN * K), Xk - Pk * T(F) * Yk == Zero(n, n), *INVERTIBLE_LEMMAS],
                               inside=[GAIN_STEPS, within(1, unique=(GAIN * K, Jk)), *SPACE_STEPS]),
                         example({**CERTIFIED_TWO, Pk: [[0]], Uk: [[1], [0]]}),

@@ -28,7 +28,7 @@ from functools import reduce
 from operator import and_
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import evaluation, example, induction, instances, order
+from exactkf.evidence import evaluation, example, induction, instances, order, part, restated
 from exactkf.language import (
     Identity,
     T,
@@ -114,7 +114,7 @@ claim("NWL92-S51", "with E = I no future dynamics bear on x(j)",
       forall(k, 0, N, mu[k] == Zero(n, 1)), sizes=["n", "N"],
       over={mu: sequence_of(matrix(n, 1), 0, N), B: sequence_of(matrix(n, n), 1, N)},
       given=[given("gradient in the last state", mu[0] == Zero(n, 1)), given("gradient in the states between", forall(k, 1, N, mu[k] == T(B[k]) * mu[k - 1]))],
-      by=[induction(), instances(made_by={mu: (k, Zero(n, 1))}, n=(1, 2), N=(1, 2, 3)),
+      by=[restated("what no finite number of equations changes, all of them together do not change"), induction(), instances(made_by={mu: (k, Zero(n, 1))}, n=(1, 2), N=(1, 2, 3)),
           example({"n": 1, "N": 1, mu: [[[1]], [[1]]], B: [[[1]]]}), example({"n": 1, "N": 1, mu: [[[0]], [[1]]], B: [[[1]]]})],
       note=("mu_k is the multiplier of x(j+N+1-k) - A x(j+N-k) = u(j+N-k), counted from the last equation, and B_k is A at j+N-k+1. As all of them are zero, the "
             "conditions (2.9) for x(j) are those without future dynamics (NWL92-S52 for one equation)."))
@@ -142,7 +142,7 @@ claim("NWL92-E6.3", "future dynamics act as one measurement Fx(j) = w(j)",
       where=[let(F, K * H2), let(V, K * R * T(K))],
       given=[given("first measurement", x0 - P * T(H2) * l2 == xh), given("future dynamics", R * l2 + H2 * x0 + H3 * x1 == Zero(k, 1)),
              given("rows without future states", K * H3 == Zero(g, m)), given("gradient in the future states", l2 == T(K) * ka)],
-      by=[order(),
+      by=[part("finitely many equations of the future"), order(),
           *[example({"n": 1, "m": 1, "k": 1, "g": 1, P: [[1]], R: [[1]], H2: [[1]], H3: [[0]], K: [[1]], l2: [0], ka: [0], x0: [0], x1: [0], xh: [0], **change})
             for change in ({xh: [1]}, {l2: [1], xh: [-1]}, {H3: [[1]], x0: [1], xh: [1], x1: [-1]}, {R: [[0]], x0: [1], xh: [1]},
                            {l2: [1], x0: [-1], xh: [-2]})],
@@ -162,13 +162,13 @@ BAND = block([[-A, E, Zero(l, n), Zero(l, n)], [Zero(l, n), -A, E, Zero(l, n)], 
 claim("NWL92-E6.4", "three steps of the dynamics in matrix form",
       iff(BAND * vstack(x0, x1, x2, x3) == vstack(u0, u1, u2), (E * x1 == A * x0 + u0) & (E * x2 == A * x1 + u1) & (E * x3 == A * x2 + u2)), sizes=["l", "n"],
       over={**PENCIL, **STATES, u0: vector(l), u1: vector(l), u2: vector(l)},
-      by=[order(), instances(l=(1, 2), n=(1, 2)), instances(made_by={u0: E * x1 - A * x0, u1: E * x2 - A * x1, u2: E * x3 - A * x2}, l=(1, 2), n=(1, 2))],
+      by=[part("three block rows"), order(), instances(l=(1, 2), n=(1, 2)), instances(made_by={u0: E * x1 - A * x0, u1: E * x2 - A * x1, u2: E * x3 - A * x2}, l=(1, 2), n=(1, 2))],
       note="The matrix goes on without end; three block rows of it show its form.")
 
 TELESCOPE = (T0 * E == T1 * A) & (T1 * E == T2 * A) & (T2 * E == Zero(g, n))
 claim("NWL92-E6.5", "rows that leave x(j) alone",
       hstack(T0, T1, T2) * BAND == hstack(-(T0 * A), T0 * E - T1 * A, T1 * E - T2 * A, T2 * E), sizes=["l", "n", "g"], over={**PENCIL, **ROWS},
-      by=[order(), instances(l=(1, 2), n=(1, 2), g=(1, 2))],
+      by=[part("T(z) of degree two"), order(), instances(l=(1, 2), n=(1, 2), g=(1, 2))],
       note=("A definition; what is checked is what it says of T_0, T_1, T_2 if the others are zero. The columns of x(j+1), x(j+2), ... vanish exactly if "
             "T_i E = T_(i+1) A for all i."))
 
@@ -206,11 +206,15 @@ claim("NWL92-E6.6", "the sum of the rows T_i of the dynamics at j + i",
       note=("W_t is the sum of the T_i u(j+i) with i < t, and x_i stands for x(j+i). Where T_N = 0 and so on, W_N is the whole sum, and what it is equal to "
             "is -T_0 A x(j), which is of the form (6.3)."))
 
-AT_Z = T0 + z * T1 + z ** 2 * T2
+Tz, Dz, Zp = symbols("Tz Dz Zp")
 claim("NWL92-E6.7", "(6.5) as an equation of polynomials",
-      AT_Z * (z * E - A) == -(T0 * A) + z * (T0 * E - T1 * A) + z ** 2 * (T1 * E - T2 * A) + z ** 3 * (T2 * E), sizes=["l", "n", "g"],
-      over={**PENCIL, **ROWS, z: scalar()}, by=[order(), instances(l=(1, 2), n=(1, 2), g=(1, 2))],
-      note=("For T(z) of degree two. T(z)(zE - A) = -T_0 A for all z exactly if the other coefficients vanish, which are those of (6.5) (NWL92-E6.5)."))
+      forall(t, 0, N, Tz[t] * (z * E - A) == -(Tt[0] * A) + Dz[t] + Zp[t] * (Tt[t] * A)), sizes=["l", "n", "g", "N"],
+      over={**PENCIL, Tt: sequence_of(matrix(g, l), 0, N), z: scalar()},
+      where=[rec(Zp, t, 1, z * Zp[t]), rec(Tz, t, Zero(g, l), Tz[t] + Zp[t] * Tt[t]),
+             rec(Dz, t, Zero(g, n), Dz[t] + z * Zp[t] * (Tt[t] * E - Tt[t + 1] * A))],
+      by=[restated("a polynomial is zero exactly if its coefficients are"), induction(), instances(8, l=(1, 2), n=(1, 2), g=(1, 2), N=(1, 2, 3))],
+      note=("Zp_t is z^t, Tz_t the sum of the z^i T_i with i < t, and Dz_t that of the z^(i+1) (T_i E - T_(i+1) A). Where T_t is zero, Tz_t is T(z), and T(z)(zE - A) is "
+            "-T_0 A + Dz_t, whose coefficients are zero exactly if (6.5) holds."))
 
 POLYNOMIAL = T0 + Z * T1 + Z ** 2 * T2
 DRAWN_ROWS = instances(made_by={**NILPOTENT, **MADE_ROWS, T0: row(0), T1: row(1), T2: row(2), F: G * R0},
@@ -221,7 +225,7 @@ POLYNOMIAL_FOILS = [example({**ZERO_E, F: [[1]]}), example({**ZERO_E, E: [[1]]})
 claim("NWL92-E6.8", "if T(z)(zE - A) is a constant matrix, it is -T_0 A, and it is what future dynamics say about x(j)",
       (F == -(T0 * A)) & (F * x0 == T0 * (E * x1 - A * x0) + T1 * (E * x2 - A * x1) + T2 * (E * x3 - A * x2)), sizes=["l", "n", "g"],
       over={**PENCIL, **ROWS, F: matrix(g, n), **STATES}, given=[given("(6.8)", POLYNOMIAL * (Z * E - A) == F)],
-      by=[DRAWN_ROWS, *[example({**foil.hints["values"], **{x: [1] for x in ("x0", "x1", "x2", "x3")}}) for foil in POLYNOMIAL_FOILS]],
+      by=[part("T(z) of degree two"), DRAWN_ROWS, *[example({**foil.hints["values"], **{x: [1] for x in ("x0", "x1", "x2", "x3")}}) for foil in POLYNOMIAL_FOILS]],
       note=("The statement of a problem; what is checked is that its solutions are what is looked for. For T(z) of degree two; u(k) = E x(k+1) - A x(k)."))
 
 not_checked("NWL92-E6.9", "a unimodular matrix and a permutation bring zE - A to the form [N, K; 0, 0]",
@@ -255,7 +259,7 @@ POINT_NOTE = "At one z: [L11, L12; L21, L22] is zE - A, [U11, U12; U21, U22] is 
 SPLIT = given("(6.10b)", T_Z == hstack(Ta, Tb) * U_Z)
 EQUATION = given("(6.8)", T_Z * L_Z == F_Z)
 F_SPLIT = given("(6.10a)", F_Z * S_Z == hstack(F1, F2))
-SPLIT_OVER = {**HERMITE, Tc: matrix(g, r), Td: matrix(g, s), Ta: matrix(g, r), Tb: matrix(g, s), Fa: matrix(g, r), Fb: matrix(g, q), F1: matrix(g, r),
+SPLIT_OVER = {**HERMITE, Nz: matrix(r, r), Tc: matrix(g, r), Td: matrix(g, s), Ta: matrix(g, r), Tb: matrix(g, s), Fa: matrix(g, r), Fb: matrix(g, q), F1: matrix(g, r),
               F2: matrix(g, q)}
 SPLIT_GIVEN = [FORM, SPLIT, EQUATION, F_SPLIT]
 SPLIT_DRAWN = instances(12, made_by={**MADE_L, T_ALL: hstack(Ta, Tb) * U_Z, Tc: T_ALL * vstack(Identity(r), Zero(s, r)), Td: T_ALL * vstack(Zero(r, s), Identity(s)),
@@ -314,7 +318,7 @@ claim("NWL92-E6.14", "a common denominator, as printed",
       repair=repair("order of factors", WRONG_ORDER.format("r = q") + "; and the sum must begin at i = 0, where (6.15) has it begin, unless p has the factor z",
                     vstack(inv(Nz) * K_Z, -Identity(q)) == 1 / P_Z * (COEFFICIENTS[0] + z * COEFFICIENTS[1] + z * z * COEFFICIENTS[2]), sizes=["r", "q"],
                     over=OVER_Z, given=ADJUGATE,
-                    by=[order(), example({**ADJUGATE_FOIL, "r": 1, Nz: [[1]], K0: [[1]], K1: [[0]], B0: [[2]], B1: [[0]]}), ADJUGATE_DRAWN]),
+                    by=[part("K(z) and the adjugate of degree one"), order(), example({**ADJUGATE_FOIL, "r": 1, Nz: [[1]], K0: [[1]], K1: [[0]], B0: [[2]], B1: [[0]]}), ADJUGATE_DRAWN]),
       note=("At one z, for K and the adjugate B of N of degree one and m = 2; p is det N or a multiple of it. In the print p and B are taken with a factor z, so "
             "that a sum from i = 1 is possible; the product K N^-1 has no size for r other than q."))
 
@@ -325,7 +329,7 @@ claim("NWL92-E6.15", "a constant matrix annihilates a polynomial matrix exactly 
       (AT == F * ALL_L * vstack(Identity(q), z * Identity(q), z * z * Identity(q)))
       & (F * ALL_L == hstack(AT_0, half * (AT_1 - AT_MINUS), half * (AT_1 + AT_MINUS) - AT_0)), sizes=["k", "q", "g"],
       over={F: matrix(g, k), L0: matrix(k, q), L1: matrix(k, q), L2: matrix(k, q), z: scalar()},
-      by=[order(), instances(k=(1, 2), q=(1, 2), g=(1, 2))],
+      by=[part("m = 2"), order(), instances(k=(1, 2), q=(1, 2), g=(1, 2))],
       note=("For m = 2, F for (F_1 F_2): the polynomial through the coefficients, and the coefficients through its values at 0, 1, -1; so one is zero exactly if the "
             "other is. L_0 is the coefficient of z^0, which the sum in (6.14) leaves out. The displays (6.13) and (6.14) are dealt with there."))
 
@@ -338,7 +342,7 @@ claim("NWL92-E6.17", "W (F_1~ F_2~) is admissible, and every admissible matrix i
       over={Nz: nonsingular(r), Kz: matrix(r, q), Ft1: matrix(k, r), Ft2: matrix(k, q), Wt: matrix(m, k), Fa: matrix(g, r), Fb: matrix(g, q), Gm: matrix(g, k), Xt: matrix(g, m)},
       given=[given("(F_1~ F_2~) solves (6.13)", Ft1 * inv(Nz) * Kz == Ft2), given("of highest rank", F_Z == Gm * hstack(Ft1, Ft2)),
              given("W of highest rank", Gm == Xt * Wt)],
-      by=[order(), *[example({**{"r": 1, "q": 1, "g": 1, "k": 1, "m": 1, Nz: [[1]], Kz: [[1]], Ft1: [[1]], Ft2: [[1]], Wt: [[1]], Fa: [[1]], Fb: [[1]], Gm: [[1]], Xt: [[1]]},
+      by=[part("the consequence of highest rank, which is said by factors"), order(), *[example({**{"r": 1, "q": 1, "g": 1, "k": 1, "m": 1, Nz: [[1]], Kz: [[1]], Ft1: [[1]], Ft2: [[1]], Wt: [[1]], Fa: [[1]], Fb: [[1]], Gm: [[1]], Xt: [[1]]},
                               **change}) for change in ({Ft2: [[2]], Fb: [[2]]}, {Fa: [[2]], Fb: [[2]]}, {Gm: [[2]], Fa: [[2]], Fb: [[2]]})],
           instances(made_by={Ft2: Ft1 * inv(Nz) * Kz, Gm: Xt * Wt, Fa: Gm * Ft1, Fb: Gm * Ft2}, r=(1, 2), q=(1, 2), g=(1, 2), k=(1, 2), m=(1, 2))],
       note=("At one z. Any solution [Fa, Fb] of (6.15) is a combination Gm of the rows of (F_1~ F_2~), whose rank is highest; if N divides its first part, the rows of Gm are "
@@ -348,6 +352,8 @@ claim("NWL92-E6.18", "F from (F_1 F_2)", iff(Fw * S == Gm, Fw == Gm * inv(S)), s
       over={Fw: matrix(g, k), Gm: matrix(g, k), S: nonsingular(k)},
       by=[order(), instances(g=(1, 2), k=(1, 2)), instances(made_by={Gm: Fw * S}, g=(1, 2), k=(1, 2, 3))], note="(6.10a) solved for F.")
 
+#: what is said at one z is meant for all
+AT_EVERY_POINT = restated("polynomials that agree at all but finitely many points agree")
 PERMUTATION = given("S S' = I", S_Z * T(S_Z) == Identity(r + q))
 #: rotations in the place of permutations
 TURN = {S_ALL: inv(Identity(r + q) + X0 - T(X0)) * (Identity(r + q) - X0 + T(X0)), L_ALL: inv(U_ALL) * SHAPE * T(S_ALL),
@@ -359,7 +365,7 @@ FOUND = {**HERMITE, F1: matrix(g, r), F2: matrix(g, q), Tb: matrix(g, s)}
 claim("NWL92-E6.19", "T(z) from (F_1 F_2), whatever T_2(z) is",
       hstack(F1 * inv(Nz), Tb) * U_Z * L_Z == hstack(F1, F2) * T(S_Z), sizes=["s", "r", "q", "g"], over=FOUND,
       given=[FORM, PERMUTATION, given("(6.12), corrected", F1 * inv(Nz) * Kz == F2)],
-      by=[order(lemmas=[U_Z * L_Z == SHAPE * T(S_Z)]),
+      by=[AT_EVERY_POINT, order(lemmas=[U_Z * L_Z == SHAPE * T(S_Z)]),
           *[example({**POINT_ONES, F1: [[1]], F2: [[1]], Tb: [[1]], **change}) for change in (
               {L11: [[2]]}, {S11: [[2]], S22: [[2]], L11: [["1/2"]], L12: [["1/2"]]}, {F2: [[2]]})],
           instances(12, made_by={**TURN, F2: F1 * inv(Nz) * Kz}, using=FREE_TURN, s=(1, 2), r=(1, 2), q=(1, 2), g=(1, 2))],
@@ -392,7 +398,7 @@ PULSE_ONES = {"l": 1, "n": 1, "g": 1, E: [[0]], A: [[0]], Q: [[1]], T0: [[1]], T
 claim("NWL92-E6.20", "consistency for all inputs requires the compatibility condition",
       (T0 * Q == Zero(g, l)) & (T1 * Q == Zero(g, l)) & (T2 * Q == Zero(g, l)), sizes=["l", "n", "g"],
       over={**PENCIL, Q: positive_semidefinite(l), **ROWS, **STATE_LIST}, given=[LEFT_KERNEL, CONSISTENT],
-      by=[order(), *[example({**PULSE_ONES, T0: [[0]], **change}) for change in ({T0: [[1]]}, {T1: [[1]]}, {T2: [[1]]})],
+      by=[part("T(z) of degree two"), order(), *[example({**PULSE_ONES, T0: [[0]], **change}) for change in ({T0: [[1]]}, {T1: [[1]]}, {T2: [[1]]})],
           example({**PULSE_ONES, E: [[1]], T0: [[1]], **{states[place + 1]: [[1]] for place, states in enumerate(ANSWERS)}}),
           instances(8, made_by=MADE_TWO, using=TWO_ROWS, l=2, n=(1, 2), g=(1, 2))],
       note=("For T(z) of degree two: T(z)(zE - A) = 0 gives T(z)Q = 0 if the dynamics have solutions (Xa0, ..., Xa3), Xb, Xc for the inputs Q at one of three steps, as columns. "
@@ -420,11 +426,11 @@ PLAIN = {U11: Identity(r), U12: Zero(r, s), U22: Identity(s), S11: Identity(r), 
          L21: -U21 * Nz, L22: -U21 * Kz, Y11: Y0 * T(Nz), Y12: -Y0 * T(Nz) * T(U21), Y21: Zero(q, r), Y22: Zero(q, s), Q11: Nz * Y11, Q12: Nz * Y12, Q22: L21 * Y12}
 claim("NWL92-E6.21", "what T_2(z) adds annihilates the noise",
       ONLY_T2 * U_Z * NOISE_Q == Zero(g, r + s), sizes=["s", "r", "q", "g"], over=COMPATIBLE_OVER, given=COMPATIBLE_GIVEN,
-      by=[FROM_FORM, *COMPATIBLE_FOILS, instances(12, made_by=PLAIN, using={Y0: symmetric_matrix(r)}, s=(1, 2), r=(1, 2), q=1, g=(1, 2))], note=COMPATIBLE_NOTE)
+      by=[AT_EVERY_POINT, FROM_FORM, *COMPATIBLE_FOILS, instances(12, made_by=PLAIN, using={Y0: symmetric_matrix(r)}, s=(1, 2), r=(1, 2), q=1, g=(1, 2))], note=COMPATIBLE_NOTE)
 
 claim("NWL92-S56", "neither F nor the noise depends on T_2(z)",
       (WITH_T2 * U_Z * L_Z == WITHOUT * U_Z * L_Z) & (WITH_T2 * U_Z * NOISE_Q == WITHOUT * U_Z * NOISE_Q), sizes=["s", "r", "q", "g"],
-      over=COMPATIBLE_OVER, given=COMPATIBLE_GIVEN, by=[FROM_FORM, *COMPATIBLE_FOILS, COMPATIBLE_DRAWN], note=COMPATIBLE_NOTE)
+      over=COMPATIBLE_OVER, given=COMPATIBLE_GIVEN, by=[AT_EVERY_POINT, FROM_FORM, *COMPATIBLE_FOILS, COMPATIBLE_DRAWN], note=COMPATIBLE_NOTE)
 
 DETECTABLE = given("detectable", (system.Le * system.E + system.Lc * system.C == Identity(n)) & schur(system.Le * system.A))
 S55_OVER = {**system.SYSTEM, system.Le: matrix(n, l), system.Lc: matrix(n, p), **system.STABILIZER, v0: matrix(1, l), v1: matrix(1, l)}
@@ -439,7 +445,7 @@ claim("NWL92-S55", "detectable and stabilizable systems satisfy the compatibilit
                                            "excludes a row that annihilates zE - A and not Q; (6.20) is an assumption of its own, which holds if zE - A has full row rank"),
                     v0 * Q == Zero(1, l), sizes=["l", "n"], over={Gb: matrix(l, n), Q: positive_semidefinite(l), v0: matrix(1, l)},
                     given=[given("full row rank", rank(Gb) == l), given("v(zE - A) = 0", v0 * Gb == Zero(1, n))],
-                    by=[order(), example({"l": 1, "n": 1, Gb: [[0]], Q: [[1]], v0: [[1]]}), example({"l": 1, "n": 1, Gb: [[1]], Q: [[1]], v0: [[1]]}),
+                    by=[restated("a polynomial with infinitely many zeros is zero"), order(), example({"l": 1, "n": 1, Gb: [[0]], Q: [[1]], v0: [[1]]}), example({"l": 1, "n": 1, Gb: [[1]], Q: [[1]], v0: [[1]]}),
                         instances(made_by={v0: Zero(1, l)}, l=(1, 2), n=(2, 3))]),
       note=("Read as: what sections IV and V assume implies (6.20), v(z) of degree one. No result of these sections uses it: an equation 0 = u is a measurement "
             "of nothing there. In the corrected statement Gb is zE - A at a z where it has full row rank. " + system.CERTIFICATES))
@@ -457,12 +463,10 @@ SUM_FROM_1, V_FROM_1 = T1 * INPUTS[1] + T2 * INPUTS[2], T1 * Q * T(T1) + T2 * Q 
 claim("NWL92-E6.22", "the measurement that future dynamics amount to, as printed with a sum from i = 1",
       -(T0 * A) * x0 == SUM_FROM_1, sizes=["l", "n", "g"], over={**FINITE, **STATES}, given=[TELESCOPED],
       by=[example({**NOW, x0: [1], x1: [0], x2: [0], x3: [0]}), T_DRAWN],
-      repair=repair("index", INDEX, -(T0 * A) * x0 == T0 * INPUTS[0] + SUM_FROM_1, sizes=["l", "n", "g"], over={**FINITE, **STATES}, given=[TELESCOPED],
-                    by=[order(), *[example({**NOW, **change}) for change in (
-                            {E: [[1]], x0: [0], x1: [1], x2: [0], x3: [0]}, {E: [[1]], A: [[1]], T1: [[1]], x0: [0], x1: [0], x2: [1], x3: [0]},
-                            {E: [[1]], A: [[1]], T1: [[1]], T2: [[1]], x0: [0], x1: [0], x2: [0], x3: [1]})], T_DRAWN]),
-      note=("F = -T_0 A; u(j+i) = E x(j+i+1) - A x(j+i). For p = 2; for any p it is NWL92-E6.6. The letter p is the number of measurements before, and the "
-            "degree of T(z) here."))
+      repair=repair("index", INDEX, forall(t, 0, N, W[t] == -(Tt[0] * A * Xs[0]) + Tt[t] * A * Xs[t]), **LONG, where=[SUM_W], given=[DYNAMICS, ROWS_65],
+                    by=[induction(), *LONG_FOILS, *LONG_DRAWN]),
+      note=("F = -T_0 A; u(j+i) = E x(j+i+1) - A x(j+i). In the print p = 2. In the corrected statement W_t is the sum of the T_i u(j+i) with i < t, for any degree of T(z): "
+            "at t = p + 1, where T_t is zero, it is F x(j). The letter p is the number of measurements before, and the degree of T(z) here."))
 
 ALL_T = hstack(T0, T1, T2)
 NOISE_3 = block([[Q, Zero(l, l), Zero(l, l)], [Zero(l, l), Q, Zero(l, l)], [Zero(l, l), Zero(l, l), Q]])
@@ -470,7 +474,7 @@ claim("NWL92-E6.23", "the covariance of w, as printed with a sum from i = 1",
       ALL_T * NOISE_3 * T(ALL_T) == V_FROM_1, sizes=["l", "n", "g"], over={**FINITE, Q: positive_semidefinite(l)}, given=[standing("(6.8)", TELESCOPE)],
       by=[example({**NOW, Q: [[1]]}), T_DRAWN],
       repair=repair("index", INDEX, ALL_T * NOISE_3 * T(ALL_T) == T0 * Q * T(T0) + V_FROM_1, sizes=["l", "g"],
-                    over={**ROWS, Q: positive_semidefinite(l)}, by=[order(), instances(l=(1, 2), g=(1, 2))]),
+                    over={**ROWS, Q: positive_semidefinite(l)}, by=[part("T(z) of degree two"), order(), instances(l=(1, 2), g=(1, 2))]),
       note="w is the sum of the T_i u(j+i), with white u of covariance Q; p = 2.")
 
 # ------------------------------------------------------------------ the conclusions

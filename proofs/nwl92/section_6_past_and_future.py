@@ -16,7 +16,7 @@ gives the adjusted estimate, and minus its last block the error covariance.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import Evidence, example, instances, order
+from exactkf.evidence import Evidence, example, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -102,7 +102,7 @@ NOTE = ("The identity matrix in the upper right corner is scanned as a small let
 claim("NWL92-E6.26", "the adjusted estimate",
       (LAST * Zi * vstack(xh, Zero(g, 1), Zero(n, 1)) == T(U1) * xh) & (T(U1) + T(U2) * F == Identity(n)) & LARGER,
       sizes=["n", "g"], over={**OVER, xh: vector(n), M1: matrix(n, n), M2: matrix(n, g)}, where=LETS, given=[ONE_INVERSE, UNBIASED],
-      by=[proof([], [], [EXCESS]), *FOILS, DRAWN], note=NOTE)
+      by=[restated("the best linear unbiased estimate is the maximum likelihood estimate", "future dynamics say what (6.3) says (NWL92-E6.3)"), proof([], [], [EXCESS]), *FOILS, DRAWN], note=NOTE)
 
 claim("NWL92-E6.27", "error covariance of the adjusted estimate",
       BEST * NOISE * T(BEST) == -(LAST * Zi * vstack(Zero(n, n), Zero(g, n), Identity(n))),
