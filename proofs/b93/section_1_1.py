@@ -473,8 +473,7 @@ claim("B93-P1.3.1", "a product is in H, and in H1 if and only if the sum is inve
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_O, NEXT.lower, NEXT.lower, SUM_O, SUM_O,
                                [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_lower(t + 1)], roots=NEXT.roots,
                                inside=_both_positive(c[t + 1], _lower(t + 1), O[t + 1], 13))),
-          _many(*BOTH_LOWER),
-          restated("every matrix has a generalized inverse")],
+          _many(*BOTH_LOWER)],
       note=SERVING)
 
 claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is invertible",
@@ -486,8 +485,7 @@ claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is inve
                     step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, SUM_K, NEXT.upper, SUM_K,
                                [], NEXT.inverse, NEXT.upper, NEXT.lower, *[[]] * 5, [_upper(t + 1)], roots=NEXT.roots,
                                inside=_both_positive(T(b[t + 1]), _upper(t + 1), K_[t + 1], 11))),
-          _many(*BOTH_UPPER),
-          restated("every matrix has a generalized inverse")],
+          _many(*BOTH_UPPER)],
       note=SERVING)
 
 claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
