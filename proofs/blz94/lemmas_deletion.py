@@ -4,9 +4,9 @@
 Let w be the coefficients of z^n/a_u(z) at infinity. Those of g_t/a_u and (a_t + g_t)/a_u are sums of w, as both have the
 denominator of time u: call them e_l and h_l, for any t. A step of the fast algorithm says, with x = g_1(t),
 
-    (1 - x^2) e_l(t + 1) = e_(l+1)(t) - x h_l(t),        (1 - x^2) h_l(t + 1) = h_l(t) - x e_(l+1)(t),
+    e_(l+1)(t) = e_l(t + 1) + x h_l(t + 1),        h_l(t) = h_l(t + 1) + x e_l(t + 1),
 
-and the Szego recursion takes the sums of phi_k and phi_k* against c_l, c_(l+1), .., the coefficients at t = u, the same way: they are
+and the Szego recursion undoes this in the sums of phi_k and phi_k* against c_l, c_(l+1), .., the coefficients at t = u, but for 1 - x^2: they are
 r_k e_l(u + k) and r_k h_l(u + k). As e_1(t) = g_1(t), the k-th Schur parameter is g_1(u + k).
 
 They are numbered as they stand in `DELETION`. ``part`` is the sum e_l(u) cut off after some terms, for the product with a_u.
@@ -21,7 +21,8 @@ from exactkf.language import Expr, Z, always, coeff, forall, function, laurent, 
 from proofs.blz94.notation import a, g, i, j, k, monic_of, n, s, strict_of, t, u
 
 __all__ = [
-    "AT_START", "AT_TIME", "DELETION", "NAMES_1", "OPENED_AT_BOTH", "OPENED_AT_START", "QUOTIENTS", "e_of", "later", "pairing", "parameters", "part", "schur",
+    "AT_START", "AT_TIME", "DELETION", "NAMES_0", "NAMES_1", "OPENED_AT_BOTH", "OPENED_AT_START", "QUOTIENTS", "e_of", "later", "pairing", "parameters", "part", "schur",
+    "step",
 ]
 
 w, part, e_of, h_of, l, v = symbols("w part e_of h_of l v")
@@ -63,19 +64,22 @@ _TIMES_A = lemma(i, always(u, always(k, forall(v, i, n, sum_of(j, 0, k, when(j =
                  uses=[use(1, i=i, u=u, k=k, v=v), use(w, u, k - i - 1)])
 _AT_INFINITY = fact(t, "laurent", always(k, laurent(strict_of(g[t]) / monic_of(a[t]), k) == part(t, k, n)), n, uses=[use(1, i=n, u=t, k=k, v=n)])
 _OPEN = [*(use(x, u, y, z) for x in (e_of, h_of) for y, z in ((t + 1, l), (t, l), (t, l + 1)))]
-_STEP = lemma(t, always(u, always(l, (e_of(u, t + 1, l) == 1 / (1 - g[t][1] ** 2) * (e_of(u, t, l + 1) - g[t][1] * h_of(u, t, l)))
-                                  & (h_of(u, t + 1, l) == 1 / (1 - g[t][1] ** 2) * (h_of(u, t, l) - g[t][1] * e_of(u, t, l + 1))))),
-              direct=True, uses=_OPEN)
 
 
-def pairing(number: int, at: Any, names: tuple[Expr, ...]) -> dict:
-    """The sums of phi_k and its companion against the coefficients at infinity, as the lemma so numbered."""
+def step(first: Expr = g) -> dict:
+    """A step of the algorithm, solved for what it starts from; with the first entries of g(t), or of what agrees there."""
+    return lemma(t, always(u, always(l, (e_of(u, t, l + 1) == e_of(u, t + 1, l) + first[t][1] * h_of(u, t + 1, l))
+                                     & (h_of(u, t, l) == h_of(u, t + 1, l) + first[t][1] * e_of(u, t + 1, l)))), direct=True, uses=_OPEN)
+
+
+def pairing(number: int, at: Any, names: tuple[Expr, ...], first: Expr = g) -> dict:
+    """The sums of phi_k and its companion against the coefficients at infinity, as the lemma so numbered; with the first entries of g(t), or of what agrees there."""
     c, f, fs, r, gamma = names
-    scale = prod(j, 0, k - 1, 1 - g[at + j][1] ** 2)
+    scale = prod(j, 0, k - 1, 1 - first[at + j][1] ** 2)
     start = [use(2, t=at, k=l + 1), use(0, i=n, u=at, l=l + 1, v=n), use(e_of, at, at, l + 1), use(h_of, at, at, l + 1), use(w, at, l + 1)]
     return lemma(k, (r[k] == scale) & always(l, (sum_of(j, 0, k, coeff(f[k], j) * c(l + 1 + j)) == scale * e_of(at, at + k, l + 1))
                                              & (sum_of(j, 0, k, coeff(fs[k], j) * c(l + 1 + j)) == scale * h_of(at, at + k, l + 1))),
                  uses=[use(gamma, k), *(use(number, k=k, l=x) for x in (0, l, l + 1)), use(3, t=at + k, u=at, l=l + 1), use(e_of, at, at + k, 1)], base=start)
 
 
-DELETION = (_AS_SUM, _TIMES_A, _AT_INFINITY, _STEP, pairing(4, 0, NAMES_0), pairing(5, s, NAMES_1))
+DELETION = (_AS_SUM, _TIMES_A, _AT_INFINITY, step(), pairing(4, 0, NAMES_0), pairing(5, s, NAMES_1))

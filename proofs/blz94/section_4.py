@@ -61,7 +61,8 @@ from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
 from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, SCALES, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
-from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_shift import OPENED_FOR_SHIFT, SHIFT_LEMMAS
 from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
     FAST,
@@ -227,14 +228,13 @@ claim("BLZ94-T4.3.2", "gamma(t + 1) = G(alpha(t + 1)) gamma(t)",
           instances(n=(2, 3, 4))],
       note="For an arbitrary point of the orbit; gamma(1), here gamma1, and alpha(1) are found from (a(1), g(1)) as before; G1 is G(alpha(1)).")
 
-claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and the gamma_k(t) are shifted",
-      always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t]))
-             & forall(k, 1, n - 1, gamma[t + 1][k] == gamma[t][k + 1])),
-      sizes=["n"], over=VECTOR_POINT, where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *_START, *FAST],
-      by=[generic_index(*ONE_STEP, COORDINATES(8), **FOUR_ALPHA, uses=[use(8, t=t, i=row)]), instances(n=(2, 3, 4), horizon=3),
-          restated("(3.9) determines its parameters, as Proposition 4.1 says", "Lemma 4.2: the first Schur parameter of v_t is gamma_t")],
-      note="Entry k of the vector gamma(t) is gamma_{k-1}(t); gamma_k(t + 1) = gamma_{k+1}(t) for all t is (4.7), "
-           "since by Lemma 4.2 the first Schur parameter of v_t is gamma_t.")
+claim("BLZ94-T4.3.3", "(alpha(t), gamma(t)) are the parameters of v_t, and gamma_k(t) is gamma_{t+k}",
+      always(t, (a[t] == a_of[t]) & (g[t] == HALF * (b_of[t] - a_of[t])) & (gamma[t] == column(k, n, schur(t + k - 1)))), **_FOUND,
+      where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *FIRST, *FAST, *AT_START, *QUOTIENTS],
+      by=[generic_index(*SHIFT_LEMMAS, **OPENED_FOR_SHIFT, uses=[use(8, t=t, i=row), use(16, k=row - 1, t=t, u=row - 1), use(15, t=t + row - 1)]),
+          instances(n=(2, 3, 4), horizon=3)],
+      note="Entry k of the vector gamma(t) is gamma_{k-1}(t); schur(k) is gamma_k, the Schur parameter (3.6) of v. That (3.9) determines its parameters is "
+           "Proposition 4.1. rho, pi_k, the coefficients w and the sums after it serve the proof alone.")
 
 claim("BLZ94-T4.3.4", "the recursion for the Schur parameters of v",
       schur(m + n) == -sum_of(i, 1, n, alpha_next(i) * schur(m + n - i)), sizes=["n", "m"], **_DELETED,

@@ -20,7 +20,7 @@ the roots of the limit polynomial are the inverses of the eigenvalues of S on U.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, restated
+from exactkf.evidence import example, fact, generic_index, identity, induction, instances, order, restated, use
 from exactkf.language import (
     Identity,
     T,
@@ -49,6 +49,7 @@ from exactkf.language import (
     sequence,
     standing,
     sum_of,
+    sym,
     symbols,
     symmetric_matrix,
     symplectic,
@@ -231,7 +232,8 @@ claim("BLZ94-E6.33", "the closed loop on the invariant subspace",
       note="(6.29) follows from (6.28). That the characteristic polynomial of J - vh' has the coefficients v is BLZ94-X.5.")
 
 claim("BLZ94-X.5", "the characteristic polynomial of J - vh'", charpoly(J - alpha * T(h)) == monic_of(alpha), sizes=["n"], over={alpha: vector(n)}, where=SHIFT,
-      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3))], note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
+      given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(fact(t, "charpoly", charpoly(J - alpha * T(h)) == monic_of(alpha), (j, Z ** (n - j))), uses=[use(0, t=0, z=sym("z"))]), instances(n=(1, 2, 3))], note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
 
 #: rows x, y that are (z^(n-1), ..., 1) at z and at w = 1/z, and c = z^n, l = w^n
 _ROW = (given("x'J = zx' - ch'", T(x) * J == z * T(x) - c * T(h)), given("y'J = wy' - lh'", T(y) * J == w * T(y) - l * T(h)),
