@@ -233,7 +233,9 @@ claim("BLZ94-E6.33", "the closed loop on the invariant subspace",
 
 claim("BLZ94-X.5", "the characteristic polynomial of J - vh'", charpoly(J - alpha * T(h)) == monic_of(alpha), sizes=["n"], over={alpha: vector(n)}, where=SHIFT,
       given=[standing("n >= 1", n >= 1)],
-      by=[generic_index(fact(t, "charpoly", charpoly(J - alpha * T(h)) == monic_of(alpha), (j, Z ** (n - j))), uses=[use(0, t=0, z=sym("z"))]), instances(n=(1, 2, 3))], note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
+      by=[generic_index(fact(t, "charpoly", charpoly(J - alpha * T(h)) == monic_of(alpha), (j, Z ** (n - j))), uses=[use(0, t=0, z=sym("z"))]),
+          instances(n=(1, 2, 3))],
+      note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
 
 #: rows x, y that are (z^(n-1), ..., 1) at z and at w = 1/z, and c = z^n, l = w^n
 _ROW = (given("x'J = zx' - ch'", T(x) * J == z * T(x) - c * T(h)), given("y'J = wy' - lh'", T(y) * J == w * T(y) - l * T(h)),
