@@ -20,16 +20,15 @@ pytestmark = pytest.mark.benchmark
 def test_checking_is_ten_times_faster_than_finding(tmp_path):
     """The certificates of every fifth claim replay in a tenth of the time it takes to find them (search, proofs, mutants).
 
-    The papers differ, as the table printed shows: where a proof needs no search, since the lemmas come with the claim, finding
-    it is little more than replaying it. So each is asked for eight times by itself, and ten times together.
+    For each paper by itself. They differ, as the table printed shows: where a proof needs no search, since the lemmas come with the claim,
+    finding it is little more than replaying it.
     """
     spans = {key: _spans(key, tmp_path / f"{key}.json") for key in ("B93", "BLM91", "BLZ94", "D71", "NWL92")}
     for key, (finding, checking) in spans.items():
         print(f"\n{key}: found in {finding:.2f} s, checked in {checking:.2f} s, ratio {finding / checking:.1f}", end="")
-    assert all(finding >= 8 * checking for finding, checking in spans.values())
     finding, checking = map(sum, zip(*spans.values(), strict=True))
     print(f"\nall: found in {finding:.2f} s, checked in {checking:.2f} s, ratio {finding / checking:.1f}")
-    assert finding >= 10 * checking
+    assert [key for key, (finding, checking) in spans.items() if finding < 10 * checking] == []
 
 
 def _spans(key, path):
