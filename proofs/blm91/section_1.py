@@ -63,7 +63,7 @@ claim("BLM91-S2", "Pi_t is the covariance of the estimate", always(t, Pi[t] == c
 
 # ---------------------------------------------------------------------- covariances and spectral density
 claim("BLM91-E1.5", "covariances depend on the lag alone", forall(t, 0, m, forall(i, 0, m - t, (covariance(output(t + i), output(t)) == covariance(output(i), output(0))) & (covariance(output(0), output(0)) == 1))),
-      sizes=["n", "m"], over=SYSTEM, where=STATE, by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(2, 3))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
+      sizes=["n", "m"], over=SYSTEM, where=STATE, by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2), m=(2,))], note="The display defines c_i; checked is that it does not depend on t and that c_0 = 1.")
 TRANSFER = T(h) * inv(Identity(n) * Z - F)
 BACKWARDS = inv(Identity(n) / Z - T(F)) * h
 claim("BLM91-S3", "the spectral density", TRANSFER * Q * BACKWARDS + TRANSFER * S + T(S) * BACKWARDS + Tm == p + recip(p), sizes=["n"], over=SYSTEM,
