@@ -13,6 +13,7 @@ from exactkf.engine import verify_claim
 from exactkf.kernel.replay import replay, seal
 from exactkf.kernel.words import multiply
 from exactkf.language import Statement, matrix, standing, symbols
+from exactkf.record import Record
 from tests.benchmarks.alone import seconds_to_replay
 
 pytestmark = pytest.mark.benchmark
@@ -76,15 +77,17 @@ def test_ten_thousand_words_replay_like_adding_fractions():
 
 
 def test_checking_is_twenty_times_faster_than_verifying(tmp_path):
-    """All proofs for every size replay in a twentieth of the time that `verify_claim` takes for their claims: several minutes.
+    """The proofs for every size replay in a twentieth of the time that `verify_claim` takes for the claims that are proved by them: ten minutes.
 
     `verify_claim` searches for counterexamples, finds the proofs, and judges the mutants. The proofs are replayed as in use,
     by the checker alone in a process of its own, and read from JSON there. Both are measured in processor time.
     """
     verifying, proofs = 0.0, list[dict]()
-    for claim in load().values():
-        if claim.statement is None:
+    claims = load()
+    for id, entry in Record.read().entries.items():
+        if "proved" not in (entry.get("strength"), (entry.get("repair") or {}).get("strength")):
             continue
+        claim = claims[id]
         started = time.process_time()
         own = [c for c in verify_claim(claim)["certificates"] if c["kind"] in KINDS]
         if own:
