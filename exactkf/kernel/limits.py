@@ -30,6 +30,7 @@ WORK = 3 * 10**8  # operations with small numbers, or bits of the numbers of an 
 MINORS = 10**7  # numbers that are kept at a time
 SECONDS = 600  # of the processor, for one certificate
 MEMORY = 4 << 30  # bytes
+_AGAIN = 0.25  # seconds after which a signal comes again: what it raises in a callback of the garbage collector is lost
 
 
 def within(amount: int, most: int, what: str) -> None:
@@ -50,18 +51,23 @@ def patiently(seconds: float = SECONDS) -> Iterator[None]:
         from signal import ITIMER_PROF, SIGPROF, setitimer, signal
 
         def late(*_: Any) -> None:
-            raise _Late
+            if waiting:
+                raise _Late
 
         before, bounds = signal(SIGPROF, late), resource.getrlimit(resource.RLIMIT_AS)
     except (ImportError, ValueError):  # another system, or not the main thread
         yield
         return
     most = bounds[1] if bounds[1] != resource.RLIM_INFINITY else MEMORY
+    waiting = True
     try:
-        with suppress(ValueError, OSError):
-            resource.setrlimit(resource.RLIMIT_AS, (min(most, MEMORY), bounds[1]))
-        setitimer(ITIMER_PROF, min(seconds, 10**8))
-        yield
+        try:
+            with suppress(ValueError, OSError):
+                resource.setrlimit(resource.RLIMIT_AS, (min(most, MEMORY), bounds[1]))
+            setitimer(ITIMER_PROF, min(seconds, 10**8), _AGAIN)
+            yield
+        finally:
+            waiting = False
     except _Late:
         raise Rejected(f"given up after {seconds:g} seconds of work") from None
     except MemoryError:

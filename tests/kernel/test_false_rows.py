@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import time
 
 import pytest
@@ -84,6 +85,24 @@ def test_patience_ends(where, says):
         assert 0.2 < time.process_time() - began < 10
     with patiently(0.3):
         pass
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_patience_ends_though_a_signal_is_lost():
+    """An exception does not get out of a callback of the garbage collector: the signal comes again."""
+    ended = time.process_time() + 30
+
+    def busy(*_):
+        for _ in range(10**8):
+            pass
+
+    gc.callbacks.append(busy)
+    with pytest.raises(Rejected, match="given up after 0.1 seconds"), patiently(0.1):
+        gc.collect()
+        gc.callbacks.remove(busy)
+        while time.process_time() < ended:
+            pass
+    assert time.process_time() < ended
 
 
 def test_memory_ends():
