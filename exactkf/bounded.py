@@ -7,6 +7,8 @@ Main definitions
     Run a function to its end, or to a time limit, or to Ctrl-C.
 `OutOfTime`, `Ended`
     What it raises if there is no end.
+`how_it_ended`
+    An exit code in words.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from typing import Any
 from exactkf._errors import ExactkfError
 from exactkf.signals import terminal_signals
 
-__all__ = ["Ended", "OutOfTime", "bounded"]
+__all__ = ["Ended", "OutOfTime", "bounded", "how_it_ended"]
 
 _HEARTBEAT = 0.5
 _STARTING = 60  # seconds that an interpreter may take to begin
@@ -89,14 +91,15 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
                     return
     except EOFError:
         process.join()
-        raise Ended(_how(process.exitcode)) from None
+        raise Ended(how_it_ended(process.exitcode)) from None
     finally:
         process.kill()
         process.join()
         ours.close()
 
 
-def _how(code: int | None) -> str:
+def how_it_ended(code: int | None) -> str:
+    """What an exit code says of a process that did not return."""
     # the system ends a process with signal 9 when memory runs out, exact arithmetic itself with signal 6
     return "out of memory" if code in (-9, -6) else f"crashed: the process ended with exit code {code}"
 

@@ -21,6 +21,7 @@ import click
 
 from exactkf import __version__
 from exactkf._errors import ExactkfError
+from exactkf.kernel.limits import SECONDS
 
 __all__ = ["Setup", "main"]
 
@@ -48,6 +49,12 @@ class _OneLine(click.Group):
                 _forsake(sys.__stdout__)
                 code = UNREAD if error.broken else _fail(f"standard output cannot be written ({error}); choose another place for it")
         sys.exit(code)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        try:
+            return super().invoke(ctx)
+        except KeyboardInterrupt:  # click would begin with an empty line
+            return _fail("stopped", INTERRUPTED)
 
     def _code(self, *args: Any, **extra: Any) -> int:
         try:
@@ -177,7 +184,7 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
 
 @main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
-@click.option("--time-limit", type=_Seconds(), default=600, show_default=True, metavar="S", help="Seconds for one certificate; past them it is refused.")
+@click.option("--time-limit", type=_Seconds(), default=SECONDS, show_default=True, metavar="S", help="Seconds for one certificate; past them it is refused.")
 def check(paths: Sequence[Path], time_limit: float) -> int:
     """Replay certificates: files, or all .json files of folders.
 

@@ -19,26 +19,21 @@ from __future__ import annotations
 
 import gc
 import importlib
-import multiprocessing
 import os
-import queue
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, TimeoutError
-from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from pebble import ProcessExpired, ProcessPool
+from pebble import ProcessExpired
 
 from exactkf.claims import Claim, load
-from exactkf.signals import terminal_signals
+from exactkf.pool import PoolBroken, Tasks
 
 __all__ = ["Options", "default_jobs", "unfinished", "work"]
-
-_HEARTBEAT = 0.5  # seconds; a wait without end could not be interrupted on every system
 
 
 def default_jobs() -> int:
@@ -81,50 +76,23 @@ def work(function: str, claims: Sequence[Claim], options: Options,
     A worker that dies before its task is under way takes the pool with it. Each claim that was
     running then goes into a pool of its own, where it can only hurt itself.
     """
+    tasks: Tasks[Claim] = Tasks(_task, lambda claim: (function, claim.id, options), _prepare, (options.package, options.engine, options.memory_limit),
+                  time_limit=options.time_limit)
+
+    def outcomes(waiting: deque[Claim]) -> Iterator[tuple[Claim, dict[str, Any]]]:
+        for claim, future in tasks.ended(waiting, min(options.jobs, len(waiting)), idle):
+            yield claim, _outcome(claim, future, options)
+
     waiting = deque(claims)
     while waiting:
-        suspects = yield from _pool(function, waiting, options, idle)
-        for claim in suspects:
-            if (yield from _pool(function, deque([claim]), options, idle)):
-                yield claim, unfinished(claim, "crashed: the worker ended")
-
-
-def _pool(function: str, waiting: deque[Claim], options: Options,
-          idle: Callable[[], None] | None) -> Generator[tuple[Claim, dict[str, Any]], None, list[Claim]]:
-    """Take claims from the queue and run them in one pool; returns those that a broken pool left behind."""
-    finished: queue.SimpleQueue[Future] = queue.SimpleQueue()
-    running: dict[Future, Claim] = {}
-    jobs = min(options.jobs, len(waiting))
-    # a fresh interpreter: forking a process that runs threads (a progress display has one) can hang
-    pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("spawn"), initializer=_prepare,
-                       initargs=(options.package, options.engine, options.memory_limit))
-    try:
-        with terminal_signals(ignored=True):
-            _ = pool.active  # asking starts it
-        with terminal_signals(ignored=False):
-            while pool.active and (waiting or running):
-                while waiting and len(running) < jobs + 1:
-                    claim = waiting.popleft()
-                    try:
-                        task: Future = pool.schedule(_task, (function, claim.id, options), timeout=options.time_limit)
-                    except RuntimeError:  # it broke just now
-                        return [*running.values(), claim]
-                    running[task] = claim
-                    task.add_done_callback(finished.put)
+        try:
+            yield from outcomes(waiting)
+        except PoolBroken as broken:
+            for claim in broken.left:
                 try:
-                    future = finished.get(timeout=_HEARTBEAT)
-                except queue.Empty:
-                    if idle:
-                        idle()
-                    continue
-                if not isinstance(future.exception(), BrokenProcessPool):
-                    claim = running.pop(future)
-                    yield claim, _outcome(claim, future, options)
-        # a pool that broke before its first task makes the next claim a suspect, so that there is progress
-        return list(running.values()) or ([waiting.popleft()] if waiting else [])
-    finally:
-        pool.stop()
-        pool.join()
+                    yield from outcomes(deque([claim]))
+                except PoolBroken:
+                    yield claim, unfinished(claim, "crashed: the worker ended")
 
 
 def _outcome(claim: Claim, future: Future, options: Options) -> dict[str, Any]:

@@ -10,7 +10,6 @@ from typing import Any
 
 import click
 
-from exactkf.cli import INTERRUPTED
 from exactkf.dynamics.answer import BEHAVIOURS, Answer
 from exactkf.dynamics.many import Outcome, outcomes
 from exactkf.dynamics.shown import headline
@@ -42,22 +41,18 @@ def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, t
             certificate.mkdir(parents=True, exist_ok=True)
     asked = ("facts", "limit") * (json_file is not None) + ("certificate",) * (certificate is not None)
     records, seen, status = list[dict[str, Any]](), Counter[str](), 0
-    try:
-        with Meter("analyze", len(filters)) as meter:
-            found = outcomes([data for _, data in filters], jobs=jobs, time_limit=time_limit, asked=asked, idle=meter.tick)
-            for k, ((label, _), outcome) in enumerate(zip(filters, found, strict=True)):
-                status = max(status, _said(label, outcome))
-                seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
-                if json_file is not None:
-                    records.append(_record(label, outcome))
-                if certificate is not None and isinstance(outcome, Answer) and outcome.certificate:
-                    path = certificate / f"{k + 1:0{len(str(len(filters)))}}.json"
-                    with reaching("--certificate", path):
-                        write_text(path, dump_json(outcome.certificate))
-                meter.step(label)
-    except KeyboardInterrupt:
-        click.echo("exactkf: stopped", err=True)
-        raise click.exceptions.Exit(INTERRUPTED) from None
+    with Meter("analyze", len(filters)) as meter:
+        found = outcomes([data for _, data in filters], jobs=jobs, time_limit=time_limit, asked=asked, idle=meter.tick)
+        for k, ((label, _), outcome) in enumerate(zip(filters, found, strict=True)):
+            status = max(status, _said(label, outcome))
+            seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
+            if json_file is not None:
+                records.append(_record(label, outcome))
+            if certificate is not None and isinstance(outcome, Answer) and outcome.certificate:
+                path = certificate / f"{k + 1:0{len(str(len(filters)))}}.json"
+                with reaching("--certificate", path):
+                    write_text(path, dump_json(outcome.certificate))
+            meter.step(label)
     if json_file is not None:
         lines = json_file.suffix.lower() == ".jsonl"
         with reaching("--json", json_file):

@@ -12,7 +12,6 @@ import click
 
 from exactkf._errors import BadInput
 from exactkf.bounded import Ended, OutOfTime, bounded
-from exactkf.cli import INTERRUPTED
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.files import is_of_many, read_filters, split_list
 from exactkf.dynamics.stages import Request, Told, carry_out
@@ -128,9 +127,6 @@ def _carried_out(request: Request, time_limit: float) -> _Found:
             found.stop(f"out of time after {time_limit:g} s")
         except Ended as error:
             found.stop(str(error))
-        except KeyboardInterrupt:
-            click.echo("exactkf: stopped", err=True)
-            raise click.exceptions.Exit(INTERRUPTED) from None
     return found
 
 

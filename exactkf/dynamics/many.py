@@ -17,22 +17,21 @@ from __future__ import annotations
 
 import gc
 import multiprocessing
-import queue
 import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, TimeoutError
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from flint import fmpq
-from pebble import ProcessExpired, ProcessPool
+from pebble import ProcessExpired
 
 from exactkf._errors import BadInput, ExactkfError
+from exactkf.bounded import how_it_ended
 from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.files import read_filters
@@ -41,11 +40,10 @@ from exactkf.dynamics.numbers import number
 from exactkf.dynamics.order_one import decide_order_one, decide_riccati_one
 from exactkf.exact._messages import bad, shown
 from exactkf.exact.compositum import together
-from exactkf.signals import terminal_signals
+from exactkf.pool import PoolBroken, Tasks
 
 __all__ = ["decide_many", "outcomes"]
 
-_HEARTBEAT = 0.5  # seconds; a wait without end could not be interrupted on every system
 _BUDGET, _LONGEST = 1.0, 100  # seconds after which a piece is given back, and its largest number of starts
 
 Start = Filter | Mapping[str, Any] | Sequence[Any]
@@ -201,35 +199,16 @@ def _shared(starts: Sequence[Start], jobs: int, time_limit: float | None, asked:
     """Outcomes with their numbers, as they come."""
     size = max(1, min(_LONGEST, len(starts) // (16 * jobs)))
     waiting = deque(_Piece(k, min(k + size, len(starts)), asked) for k in range(0, len(starts), size))
-    finished: queue.SimpleQueue[Future] = queue.SimpleQueue()
-    running: dict[Future, _Piece] = {}
-    # a fork saves the start of an interpreter, but forking a process that runs threads can hang, also the one that replaces a worker out of time
+    # forking a process that runs threads can hang, also for the worker that replaces one out of time
     forks = "fork" in multiprocessing.get_all_start_methods() and threading.active_count() == 1 and time_limit is None
-    pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("fork" if forks else "spawn"), initializer=_prepare, initargs=(starts,))
     budget = _BUDGET if time_limit is None else min(_BUDGET, time_limit / 2)
+    tasks: Tasks[_Piece] = Tasks(_decided, lambda piece: (*piece[:3], budget), _prepare, (starts,), time_limit=time_limit, forks=forks)
     try:
-        with terminal_signals(ignored=True):
-            _ = pool.active  # asking starts it
-        with terminal_signals(ignored=False):
-            while waiting or running:
-                while waiting and len(running) <= jobs:
-                    piece = waiting.popleft()
-                    try:
-                        task = pool.schedule(_decided, (*piece[:3], budget), timeout=time_limit)
-                    except RuntimeError as error:  # of a pool that has stopped
-                        raise _broken() from error
-                    running[task] = piece
-                    task.add_done_callback(finished.put)
-                try:
-                    done = finished.get(timeout=_HEARTBEAT)
-                except queue.Empty:
-                    if idle:
-                        idle()
-                    continue
-                yield from _taken(starts, running.pop(done), done, time_limit, waiting)
-    finally:
-        pool.stop()
-        pool.join()
+        for piece, task in tasks.ended(waiting, jobs, idle):
+            yield from _taken(starts, piece, task, time_limit, waiting)
+    except PoolBroken:
+        raise ExactkfError("the worker processes ended before they began; in a script, keep the call behind if __name__ == '__main__':, "
+                           "or pass jobs=1") from None
 
 
 def _taken(starts: Sequence[Start], piece: _Piece, task: Future, time_limit: float | None, waiting: deque[_Piece]) -> Iterator[tuple[int, Outcome]]:
@@ -239,11 +218,8 @@ def _taken(starts: Sequence[Start], piece: _Piece, task: Future, time_limit: flo
         results: list[Outcome] = task.result()
     except TimeoutError:
         why = f"out of time after {time_limit:g} s"
-    except BrokenProcessPool as error:
-        raise _broken() from error
     except ProcessExpired as error:
-        # the system ends a process with signal 9 when memory runs out, exact arithmetic itself with signal 6
-        why = "out of memory" if error.exitcode in (-9, -6) else f"crashed: the process ended with exit code {error.exitcode}"
+        why = how_it_ended(error.exitcode)
     if not why:
         for k, outcome in enumerate(results, piece.start):
             yield k, outcome.as_found(piece.late) if piece.late and isinstance(outcome, Answer) else outcome
@@ -255,10 +231,6 @@ def _taken(starts: Sequence[Start], piece: _Piece, task: Future, time_limit: flo
         waiting.appendleft(_Piece(piece.start, piece.stop, ("facts",), f"{why} while finding {' and '.join(x for x in piece.asked if x != 'facts')}"))
     else:
         yield piece.start, _unfinished(starts[piece.start], f"{why} while deciding")
-
-
-def _broken() -> ExactkfError:
-    return ExactkfError("the worker processes ended before they began; in a script, keep the call behind if __name__ == '__main__':, or pass jobs=1")
 
 
 # ---------------------------------------------------------------------- in the worker

@@ -11,7 +11,6 @@ import click
 
 from exactkf import __version__
 from exactkf.bounded import Ended, OutOfTime, bounded
-from exactkf.cli import INTERRUPTED
 from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.language import Statement
 from exactkf.lemma.outcome import Outcome
@@ -52,9 +51,6 @@ def _settled(statement: Statement, time_limit: float, degree: int, seed: int) ->
             return Outcome(statement, reason=f"out of time after {time_limit:g} s; a larger --time-limit may settle it", seconds=time_limit)
         except Ended as error:
             return Outcome(statement, reason=f"{error}; a smaller --degree may settle it" if str(error) == "out of memory" else str(error))
-        except KeyboardInterrupt:
-            click.echo("exactkf: stopped", err=True)
-            raise click.exceptions.Exit(INTERRUPTED) from None
     return found[0]
 
 
