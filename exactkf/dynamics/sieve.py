@@ -178,11 +178,8 @@ class _Search:
 
 def _order(pair: Readings, p: int, root: int | None) -> int | None:
     """The order of z modulo `D` at a place, if it is not too large."""
-    d = pair.read(pair.D, p, root)
-    if d is None:
-        return None
-    f = nmod_poly(d, p)
-    if f.degree() < len(pair.D) - 1:
+    f = pair.divisor(p, root)
+    if f is None:
         return None
     exponent_of, repeated = 1, 1
     for g, k in f.factor()[1]:

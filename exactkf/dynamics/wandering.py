@@ -107,6 +107,12 @@ class Readings(NamedTuple):
         factors = nmod_poly([int(c.p) * pow(int(c.q), -1, p) % p for c in f.coeffs()], p).factor()[1]
         return sorted(int(-g[0] / g[1]) for g, k in factors if g.degree() == 1 and k == 1)
 
+    def divisor(self, p: int, root: int | None) -> nmod_poly | None:
+        """`D` modulo `p`, up to a factor; None if its degree falls or a denominator is no unit."""
+        d = self.read(self.D, p, root) if self.integral is None else self.integral
+        f = None if d is None else nmod_poly(d, p)
+        return f if f is not None and f.degree() == len(self.D) - 1 else None
+
     def read(self, values: Sequence[Any], p: int, root: int | None, power: int = 1) -> list[int] | None:
         """The values modulo a power of `p`; None if a denominator is no unit."""
         N = p**power
@@ -248,14 +254,8 @@ def _left(taken: list[_Taken]) -> bool:
 
 def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
     """The order of z modulo `D` at a place, if it divides p - 1 or p + 1, or is small."""
-    if pair.integral is not None:
-        f = nmod_poly(pair.integral, p)
-    else:
-        d = pair.read(pair.D, p, root)
-        if d is None:
-            return None
-        f = nmod_poly(d, p)
-    if f.degree() < len(pair.D) - 1:
+    f = pair.divisor(p, root)
+    if f is None:
         return None
     z = nmod_poly([0, 1], p)
     power = z.pow_mod(p - 1, f)
@@ -275,6 +275,7 @@ def _short_order(pair: Readings, p: int, root: int | None) -> int | None:
 
 
 def least(z: nmod_poly, f: nmod_poly, order: int) -> int:
+    """The order of z modulo `f`, which divides the given one."""
     for q, _ in fmpz(order).factor():
         while order % int(q) == 0 and z.pow_mod(order // int(q), f) == 1:
             order //= int(q)
@@ -300,7 +301,7 @@ def zeros_at(pair: Readings, p: int, root: int | None, L: int) -> set[int] | Non
 
 
 def step_matrix_at(pair: Readings, p: int, root: int | None, power: int = 1) -> nmod_mat | None:
-    """S_m modulo `p` or its square."""
+    """S_m modulo a power of `p`, or None if a denominator is no unit."""
     values = pair.read([*pair.q, *pair.g], p, root, power)
     if values is None:
         return None
@@ -312,6 +313,7 @@ def step_matrix_at(pair: Readings, p: int, root: int | None, power: int = 1) -> 
 
 
 def unit(rows: int, columns: int, p: int) -> nmod_mat:
+    """The first columns, or rows, of the identity."""
     return nmod_mat(rows, columns, [int(i == j) for i in range(rows) for j in range(columns)], p)
 
 
@@ -365,13 +367,13 @@ def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p
 def aperiodic_place(pair: Readings) -> list[Any] | None:
     """Return a place that shows that the zeros of `D` are not distinct roots of unity, or None if they seem to be."""
     degree = 1 if pair.field is None else pair.field.degree
-    N, tried, monic = common_order((len(pair.D) - 1) * degree), 0, [c / pair.D[-1] for c in pair.D]
+    N, tried = common_order((len(pair.D) - 1) * degree), 0
     for p in primes(10**9 + 7):
         for root in pair.roots(p)[:1]:
-            read = pair.read(monic, p, root)
-            if read is None:
+            f = pair.divisor(p, root)
+            if f is None:
                 continue
-            if nmod_poly([0, 1], p).pow_mod(N, nmod_poly(read, p)) != 1:
+            if nmod_poly([0, 1], p).pow_mod(N, f) != 1:
                 return place(p, root)
             tried += 1
             if tried == 2:

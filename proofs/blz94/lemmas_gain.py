@@ -18,7 +18,7 @@ from exactkf.language import Expr, T, Zero, column, forall, function, let, rec, 
 from proofs.blz94.lemmas_orbit import COORDINATES, FOUR_ALPHA, ONE_STEP
 from proofs.blz94.notation import HALF, F, J, P, a, a0, a_of, alpha, b_of, g, g0, gamma, h, i, j, n, r, t
 
-__all__ = ["FIRST", "GAIN", "OPENED_FOR_GAIN", "RICCATI_FROM_ZERO", "SCALES", "a_first"]
+__all__ = ["FIRST", "GAIN", "OPENED_FOR_GAIN", "RICCATI_FROM_ZERO", "a_first"]
 
 _LEFT = g0 - F * P[t] * h
 a_first, g_first = symbols("x y")
@@ -34,8 +34,6 @@ FIRST = (function(a_first, [i], a_of[0][i]), function(g_first, [i], HALF * (b_of
          let(a0, column(i, n, a_first(i))), let(g0, column(i, n, g_first(i))))
 #: P_t from zero, in the observer form (2.10)
 RICCATI_FROM_ZERO = (let(F, J - a0 * T(h)), rec(P, t, Zero(n, n), F * P[t] * T(F) + _LEFT / (1 - T(h) * P[t] * h) * T(_LEFT)))
-#: r_t, by gamma(t)
-SCALES = (rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),)
 
 _PLACES = [(1, 1), (i, j), (i + 1, 1), (1, j + 1), (i + 1, j + 1)]
 _FOR_I, _FOR_J = i - i + 1, j - j + 1  # one, where there are such indices: so the multiples add up to 1, x_1 and x_1^2

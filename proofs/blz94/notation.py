@@ -145,6 +145,11 @@ VECTORS = (
     function(a_of, [t], column(i, n, cot(phi, t, n, i) + sum_of(j, 1, i, alpha[t][j] * cot(phi, t, n - j, i - j)))),
     function(b_of, [t], column(i, n, cot(psi, t, n, i) + sum_of(j, 1, i, alpha[t][j] * cot(psi, t, n - j, i - j)))),
 )
+#: r_t of (4.13), by gamma(t)
+SCALE_T = (rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),)
+#: a_t(z), b_t(z), and D for them, along the algorithm
+FACTORS_T = (function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])))
+PRODUCT_T = (function(D, [t], symmetric_part(apoly[t], bpoly[t])),)
 
 # ---------------------------------------------------------------------- shifted parameters
 sigma = sym("sigma")

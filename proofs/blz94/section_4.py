@@ -59,12 +59,13 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
-from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, SCALES, a_first
+from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
 from proofs.blz94.lemmas_shift import OPENED_FOR_SHIFT, SHIFT_LEMMAS
 from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
+    FACTORS_T,
     FAST,
     HALF,
     KIMURA,
@@ -73,8 +74,10 @@ from proofs.blz94.notation import (
     PHI,
     PI,
     PI_T,
+    PRODUCT_T,
     PSI,
     RHO_T,
+    SCALE_T,
     VECTORS,
     A,
     D,
@@ -250,7 +253,7 @@ claim("BLZ94-T4.3.5", "the gain in the new coordinates",
       where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *FIRST, *FAST, *RICCATI_FROM_ZERO,
              let(phi_n, column(i, n, cot(phi, 0, n, i))), let(Phi, matrix_of(i, j, n, n, coeff(phi(0, n - j), n - i))),
              function(pi_n, [t], column(i, n, HALF * (cot(phi, t, n, i) + cot(psi, t, n, i)))),
-             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i) + coeff(psi(t, n - j), n - i)))), *SCALES],
+             function(Pi, [t], matrix_of(i, j, n, n, HALF * (coeff(phi(t, n - j), n - i) + coeff(psi(t, n - j), n - i)))), *SCALE_T],
       by=[generic_index(*GAIN, **OPENED_FOR_GAIN, uses=[use(10, t=t, i=row), use(8, t=t, i=row), use(9, t=t), use(a_first, row)]),
           instances(n=(2, 3, 4), horizon=3)],
       note="The gain on the left is that of the Riccati recursion from P_0 = 0, in the observer form of the vectors (a, g), here x and y, that have the "
@@ -317,8 +320,7 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
       by=[steps("BLZ94-SA8", prose="If d_1, ..., d_n vanish, d_0 = r_n, which does not."), instances(40, n=(1, 2, 3)),
           example(n=2, alpha=[0, "3/4"], gamma=[0, "5/4"]), example(n=2, alpha=[0, 0], gamma=["1/2", "1/2"])])
 
-_ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]),
-            function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])), function(D, [t], symmetric_part(apoly[t], bpoly[t])))
+_ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T, *PRODUCT_T)
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
       over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],

@@ -21,7 +21,6 @@ from exactkf.language import (
     nonneg_on_circle,
     nonzero,
     polynomial,
-    rec,
     recip,
     scalar,
     sequence,
@@ -33,21 +32,22 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP
 from proofs.blz94.notation import (
+    FACTORS_T,
     HALF,
     KIMURA,
     NORM,
     ORBIT,
     PI_T,
+    PRODUCT_T,
     RHO_T,
+    SCALE_T,
     VECTORS,
     D,
     a,
-    a_of,
     alpha,
     alpha0,
     apoly,
     b,
-    b_of,
     bpoly,
     gamma,
     gamma0,
@@ -63,8 +63,7 @@ from proofs.blz94.notation import (
 
 c, d, u, v, w, x, y, kappa, l, beta, delta, E, s = symbols("c d u v w x y kappa l beta delta E s")
 _VECTOR_POINT = {alpha0: vector(n), gamma0: vector(n)}
-_ALONG = (*ORBIT, *VECTORS, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])),
-          function(D, [t], symmetric_part(apoly[t], bpoly[t])))
+_ALONG = (*ORBIT, *VECTORS, *SCALE_T, *FACTORS_T, *PRODUCT_T)
 _POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
 _D = (*KIMURA, let(D, symmetric_part(a, b)))
 #: (alpha, 0)
@@ -101,7 +100,7 @@ claim("BLZ94-E5.5", "the functions h_i, and D from them", 2 * D == coeff(D, 0) *
       over=_POINT, where=[*_D, _H],
       by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))], note="A definition; what is checked is that the h_i determine D up to the factor d_0.")
 
-_IN_GENERAL = (*_ALONG[:-4], *RHO_T, *PI_T, *_ALONG[-4:])
+_IN_GENERAL = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T, *PRODUCT_T)
 _GENERIC = {"supported": FOUR_ALPHA["supported"], "whole": [alpha, D], "closed": [apoly, bpoly]}
 claim("BLZ94-T5.4.1", "the h_i are constant along an orbit", always(t, forall(i, 1, n, coeff(D[t], i) * coeff(D[0], 0) == coeff(D[0], i) * coeff(D[t], 0))),
       sizes=["n"], over=_VECTOR_POINT, where=_IN_GENERAL, given=[standing("n >= 1", n >= 1)],

@@ -32,7 +32,6 @@ from exactkf.language import (
     nonzero,
     polynomial,
     rank,
-    rec,
     recip,
     rev,
     scalar,
@@ -46,19 +45,20 @@ from exactkf.language import (
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP
 from proofs.blz94.lemmas_tangent import DIMENSION, LINES, TANGENT, K, M, a_, b_, d, operator
 from proofs.blz94.notation import (
+    FACTORS_T,
     KIMURA,
     ORBIT,
     PI_T,
+    PRODUCT_T,
     RHO_T,
+    SCALE_T,
     VECTORS,
     D,
     a,
-    a_of,
     alpha,
     alpha0,
     apoly,
     b,
-    b_of,
     bpoly,
     gamma,
     gamma0,
@@ -155,8 +155,7 @@ claim("BLZ94-S35", "the tangent space of the level set is the kernel of the deri
                         restated("the tangent space of a level set is the kernel of the derivative of the functions that define it")]))
 
 claim("BLZ94-E5.14", "the invariance of D, written with S", always(t, r[t] * S_of(apoly[t], bpoly[t]) == 2 * D[0]), sizes=["n"], over=_POINT,
-      where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])), function(bpoly, [t], monic_of(b_of[t])),
-             function(D, [t], symmetric_part(apoly[t], bpoly[t]))], given=[standing("n >= 1", n >= 1)],
+      where=[*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T, *PRODUCT_T], given=[standing("n >= 1", n >= 1)],
       by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly], in_values=True, uses=[use(9, t=t, times=2)]),
           instances(n=(1, 2, 3), horizon=3)],
       note="Along (4.4); a_t and b_t belong to (alpha(t), gamma(t)).")

@@ -44,11 +44,13 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, NEXT, ONE_STEP, z
 from proofs.blz94.notation import (
+    FACTORS_T,
     FAST,
     HALF,
     ORBIT,
     PI_T,
     RHO_T,
+    SCALE_T,
     VECTORS,
     D,
     a,
@@ -79,8 +81,7 @@ from proofs.blz94.notation import (
 Q, Qs, l, p, q, s, u, v, w, x, y = symbols("Q Qstar l p q s u v w x y")
 aa, aa0, gg, A2, G2 = symbols("beta betabar delta A2 G2")
 
-_ALONG = (*ORBIT, *VECTORS, *RHO_T, *PI_T, rec(r, t, 1, (1 - gamma[t][1] ** 2) * r[t]), function(apoly, [t], monic_of(a_of[t])),
-          function(bpoly, [t], monic_of(b_of[t])))
+_ALONG = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T)
 claim("BLZ94-E7.4", "the algorithm in the polynomials Q_t and Q_t*",
       always(t, (apoly[t] == 1 / r[t] * (Q[t] - Qs[t])) & (bpoly[t] == 1 / r[t] * (Q[t] + Qs[t]))), sizes=["n"],
       over={alpha0: vector(n), gamma0: vector(n)},

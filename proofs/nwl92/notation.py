@@ -64,6 +64,11 @@ def lower(p: Any, n: Any) -> Expr:
     return vstack(Zero(p, n), Identity(n))
 
 
+def real_form(real: Expr, imaginary: Expr) -> Expr:
+    """[X, -Y; Y, X] of X + iY."""
+    return block([[real, -imaginary], [imaginary, real]])
+
+
 def one_inverse(Z: Expr) -> Expr:
     """One symmetric (1)-inverse of a symmetric matrix."""
     K = kernel_basis(Z)

@@ -62,7 +62,7 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92 import notation_system as system
-from proofs.nwl92.notation import lower, upper
+from proofs.nwl92.notation import lower, real_form, upper
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 l, p, n, m, q, t = symbols("l p n m q t")
@@ -77,11 +77,6 @@ not_checked("NWL92-D4.1", "detectable and stabilizable", DEFINITION)
 # ------------------------------------------------------------------ the footnote
 s1, s2, t1, t2, a, b = symbols("s1 s2 t1 t2 a b")
 LL, X0, X1 = symbols("L X0 X1")
-
-
-def real_form(real, imaginary):
-    """[X, -Y; Y, X] of X + iY."""
-    return block([[real, -imaginary], [imaginary, real]])
 
 
 POINT = {s1: scalar(), s2: scalar(), t1: scalar(), t2: scalar()}

@@ -65,7 +65,7 @@ from exactkf.language import (
     vector,
     vstack,
 )
-from proofs.nwl92.notation import lower, one_inverse, upper
+from proofs.nwl92.notation import lower, one_inverse, real_form, upper
 from proofs.nwl92.notation_system import CERTIFICATE_FACT
 
 l, p, n, k = symbols("l p n k")
@@ -155,11 +155,6 @@ ON_THE_CIRCLE = {"k": 2, "n": 1, F: [[1], [0]], K: [[1], [1]], G: [[0, 0], [0, 1
 FOILS = [example(NOT_DETECTABLE), example(NOT_STABILIZABLE), example(ON_THE_CIRCLE)]
 CHARACTERISTIC = sym("chi")
 CHI = let(CHARACTERISTIC, det(M_PENCIL - Z * N_PENCIL))
-def real_form(real, imaginary):
-    """[X, -Y; Y, X] of X + iY."""
-    return block([[real, -imaginary], [imaginary, real]])
-
-
 Zz = sym("Mz")
 AT_Z = real_form(block([[F + a * K, -G], [Zero(n, n), T(K) + a * T(F)]]), block([[b * K, Zero(k, k)], [Zero(n, n), b * T(F)]]))
 Le, Lc, s1, s2, t1, t2 = symbols("Le Lc s1 s2 t1 t2")
