@@ -50,6 +50,8 @@ from exactkf.language import (
     vector,
     vstack,
 )
+from proofs.nwl92 import notation_filter
+from proofs.nwl92.notation_filter import FILTERED
 from proofs.nwl92.notation_system import (
     BOTTOM,
     F_BLOCK,
@@ -129,6 +131,10 @@ def is_ml(sign):
     return unbiased & LARGER & (GAIN * N * T(GAIN) == sign * (LAST * Oi * BOTTOM))
 
 
+FILTERED_NOTE = ("x(j) is J X for the unknowns X of all earlier equations, which are a = F X + V e; z is x(j+1), and z0, X0, e0, f0 are the true values. Of all "
+                 "(X, z, e, f) that satisfy the equations until j + 1, those found have the smallest e'e + f'f, that is the largest likelihood, as e0'e0 + f0'f0 = "
+                 "e'e + f'f + |e0 - e|^2 + |f0 - f|^2; and no other z goes with them.")
+
 claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (3.5) as printed",
       is_ml(1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
       by=[example(SMALL_FILTER), DRAWN],
@@ -137,9 +143,8 @@ claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (
       note=NOTE)
 
 claim("NWL92-E3.4", "the filter in 3-block form",
-      (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n)) & LARGER,
-      sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-      by=[BEST_IS_ML, filter_identities([], [], [EXCESS], before=m), NO_INVERSE, BIASED, DRAWN], note=NOTE)
+      FILTERED, sizes=notation_filter.SIZES, over=notation_filter.OVER, where=[*notation_filter.LETS, *notation_filter.LIKELIEST],
+      given=notation_filter.GIVEN, by=[notation_filter.proof(), *notation_filter.DRAWN], note=FILTERED_NOTE)
 
 claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a minus sign",
       GAIN * N * T(GAIN) == LAST * Oi * BOTTOM,
