@@ -30,6 +30,8 @@ from exactkf.language import (
     iff,
     inv,
     invertible,
+    kernel_basis,
+    let,
     matrix,
     positive_semidefinite,
     rank,
@@ -38,10 +40,36 @@ from exactkf.language import (
     vector,
     vstack,
 )
+from proofs.nwl92.notation_filter import (
+    ERROR,
+    FILTER,
+    FILTER_DRAWN,
+    FILTERED,
+    FOILS,
+    OBSERVED,
+    ONES,
+    RANDOM_FILTER,
+    ROOT,
+    UNLIKE,
+    e0,
+    e1,
+    f0,
+    f1,
+    filter_proof,
+    filtered_with,
+    la,
+    lb,
+    q,
+    s,
+    wh,
+    z,
+    z0,
+    z1,
+)
 from proofs.nwl92.notation_system import (
     F_BLOCK,
+    GRAM,
     NOISE,
-    NOISE_G,
     RANDOM_NOISE,
     RANDOM_NOISE_FREE,
     RANK,
@@ -53,18 +81,16 @@ from proofs.nwl92.notation_system import (
     Q,
     R,
     S,
-    filter_identities,
     l,
     m,
     n,
     noise,
     p,
 )
-from proofs.nwl92.section_3_three_blocks import BEST_IS_ML, BIASED, DRAWN, EXCESS, FILTER, FILTER_GIVEN, FILTER_LETS, NO_INVERSE, is_ml
 
 DEFINITION = "a definition: it fixes notation and asserts nothing"
 k, N_STEPS = symbols("k J")
-x, x0, nu, xh, u, y = symbols("x x0 nu xh u y")
+x, x0, nu, xh, u, b, c = symbols("x x0 nu xh u b c")
 
 claim("NWL92-E3.1", "the prior makes x(0) estimable, with the prior mean as estimate and the prior covariance as that of its error",
       (xh - x0 == nu) & (block([[P, Identity(n)], [Identity(n), Zero(n, n)]]) * vstack(Zero(n, 1), xh) == vstack(xh, Zero(n, 1)))
@@ -113,20 +139,22 @@ claim("NWL92-E3.3", "the estimate of x(j) and the dynamics as a measurement of x
           instances(made_by={u: E * x - A * x0, xh: x0 + nu}, l=(1, 2), m=(1, 2), n=(1, 2))],
       note="x0, x are x(j), x(j+1).")
 
-l1, la, lb = symbols("l1 la lb")
-LAM = vstack(la, lb)
+#: the noise of others
+W1 = vstack(e1, f1)
 claim("NWL92-L3.1", "the estimate of x(j+1) is that from (3.2) and (3.3)",
-      noise(P) * LAM + F_BLOCK * x == vstack(A * xh, y), sizes=["l", "m", "n", "p"],
-      over={**VARYING, P: positive_semidefinite(m), l1: vector(m), la: vector(l), lb: vector(p), x0: vector(m), x: vector(n), xh: vector(m), y: vector(p)},
-      given=[given("estimate of x(j)", P * l1 + x0 == xh), given("(1.1) and (1.2)", NOISE_G * LAM + vstack(E * x - A * x0, C * x) == vstack(Zero(l, 1), y)),
-             given("gradient in x(j)", l1 == T(A) * la)],
-      by=[restated("(2.9) characterises the maximum likelihood estimate", "an estimate takes the place of past measurements (NWL92-S18)"), order(), *[example({"l": 1, "m": 1, "n": 1, "p": 1, A: [[1]], P: [[1]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[1]], l1: [0], la: [0], lb: [0], x0: [0], x: [0],
-                              xh: [0], y: [0], **change}) for change in ({xh: [1]}, {y: [1]}, {l1: [1], xh: [1]})],
-          instances(made_by={l1: T(A) * la, xh: P * l1 + x0, E: (A * x0 - Q * la + S * lb) * T(x) * (1 / (T(x) * x)), y: C * x - T(S) * la + R * lb},
-                    l=(1, 2), m=(1, 2), n=(1, 2), p=(1, 2))],
-      note=("By NWL92-S18 the estimates of x0 = x(j) and x = x(j+1) from all data up to j + 1 are those from xh = x(j) + nu, 0 = E x(j+1) - A x(j) - u and y = C x(j+1) + r. These "
-            "satisfy the conditions (2.9) on the left, with multipliers l1, la, lb; without l1 and x(j) they are the conditions for (3.2) and (3.3), as the gradient in x(j+1), "
-            "E'la + C'lb = 0, is the same. The noise of (3.3) is A nu - u and has with r the covariance of (3.5)."))
+      (OBSERVED == F_BLOCK * z + ROOT * wh) & (T(wh) * W1 == T(wh) * wh) & (z1 - z == inv(GRAM) * T(F_BLOCK) * ROOT * (wh - W1))
+      & FILTERED & ERROR & (ROOT * T(ROOT) == noise(P)),
+      **{**FILTER, "over": {**FILTER["over"], z1: vector(n), e1: vector(q), f1: vector(s)}, "where": [*FILTER["where"], let(wh, T(ROOT) * vstack(la, lb))],
+         "given": [*FILTER["given"], given("(3.2) and (3.3) for others", OBSERVED == F_BLOCK * z1 + ROOT * W1)]},
+      by=[filter_proof(), *[example({**foil, z1: [1], e1: [0], f1: [0]}) for foil in UNLIKE], example({**ONES, z1: [2], e1: [0], f1: [0]}),
+          instances(8, **{**RANDOM_FILTER, "made_by": {**RANDOM_FILTER["made_by"], c: kernel_basis(hstack(F_BLOCK, ROOT)) * T(kernel_basis(hstack(F_BLOCK, ROOT))) * b,
+                                                       z1: z0 + hstack(Identity(n), Zero(n, q), Zero(n, s)) * c,
+                                                       e1: e0 + hstack(Zero(q, n), Identity(q), Zero(q, s)) * c, f1: f0 + hstack(Zero(s, n), Zero(s, q), Identity(s)) * c},
+                          "using": {**RANDOM_FILTER["using"], b: vector(n + q + s), c: vector(n + q + s)}})],
+      note=("x(j) is J X for the unknowns X of all earlier equations, which are a = F X + V e; z0, X0, e0, f0 are the true values. The first three parts say that z "
+            "is the estimate of x(j+1) from (3.2) and (3.3), whose noise is a multiple of (e; f) with the covariance of (3.5): of all (z1, e1, f1) that satisfy them, "
+            "(z, wh) has the smallest sum of squares, and no other z1 goes with wh. Then z is the estimate from all data up to j + 1: with it (X, e, f) have the smallest "
+            "e'e + f'f. Its error is the same, whichever way it is found; nu(j) is a multiple of e and so independent of r(j)."))
 
 claim("NWL92-S20", "the 3-block filter follows from Lemma 2.1, as printed",
       rank(hstack(noise(P), F_BLOCK)) == l + p, sizes=["l", "m", "n", "p"], over={**VARYING, P: positive_semidefinite(m)}, given=[NOISE, RANK],
@@ -134,8 +162,7 @@ claim("NWL92-S20", "the 3-block filter follows from Lemma 2.1, as printed",
           instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=(1, 2), m=(1, 2), n=(1, 2), p=(1, 2))],
       repair=repair("cross-reference", ("it is Lemma 2.2: Lemma 2.1 says when the 3-block matrix is invertible, and needs [N, (E; C)] of full row rank, which need not hold; its matrix has a "
                                         "(1)-inverse in any case"),
-                    is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
+                    filtered_with(-1), **FILTER, by=[filter_proof(), *FOILS, FILTER_DRAWN]),
       note="The left side is the hypothesis of Lemma 2.1 for the measurement (3.2), (3.3) that the theorem does not make. The corrected statement is Theorem 3.1 with its sign put right.")
 
 not_checked("NWL92-Q1", "a connection of two Riccati equations of other papers", "a conjecture about equations of other papers, which are not written down here")

@@ -28,7 +28,7 @@ If Sigma > 0 as well, -M^-1 has the last block (E'Sigma^-1 E + W)^-1.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, restated
+from exactkf.evidence import example, identity, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -40,7 +40,6 @@ from exactkf.language import (
     inv,
     invertible,
     let,
-    loewner,
     matrix,
     positive_definite,
     positive_semidefinite,
@@ -50,13 +49,11 @@ from exactkf.language import (
     vector,
     vstack,
 )
-from proofs.nwl92 import notation_filter
-from proofs.nwl92.notation_filter import FILTERED
+from proofs.nwl92.notation_filter import FILTER, FILTER_DRAWN, FILTERED, FOILS, ONES, filter_proof, filtered_with
 from proofs.nwl92.notation_system import (
     BOTTOM,
     F_BLOCK,
     GRAM,
-    IMPLIED_RANK,
     LAST,
     NOISE,
     OMEGA,
@@ -90,68 +87,31 @@ from proofs.nwl92.notation_system import (
     p,
 )
 
-xh, y, M1, M2, X1, X2, F0 = symbols("xh y M1 M2 X1 X2 F0")
 N = sym("N")
-#: another linear estimate M1 A xh + M2 y that is unbiased
-OTHER = {M1: matrix(n, l), M2: matrix(n, p)}
-UNBIASED = given("M1 A xh + M2 y is unbiased", M1 * E + M2 * C == Identity(n))
-OTHER_MADE = {F0: inv(GRAM) * hstack(T(E), T(C)), M1: F0 * vstack(Identity(l), Zero(p, l)) + X1 - (X1 * E + X2 * C) * F0
-              * vstack(Identity(l), Zero(p, l)),
-              M2: F0 * vstack(Zero(l, p), Identity(p)) + X2 - (X1 * E + X2 * C) * F0 * vstack(Zero(l, p), Identity(p))}
-OTHER_FREE = {X1: matrix(n, l), X2: matrix(n, p)}
-VARYING_SIZES = {**SIZES, "m": (1, 2)}
 GAIN = hstack(T(U1), T(U2))
-LARGER = loewner(hstack(M1, M2) * N * vstack(T(M1), T(M2)), GAIN * N * T(GAIN))
-EXCESS = (hstack(M1, M2) - GAIN) * noise_by_form(P, m) * T(hstack(M1, M2) - GAIN)
-NOISE_N = let(N, noise(P))
-ESTIMATE = LAST * Oi * vstack(A * xh, y, Zero(n, 1))
-FILTER = {**STEP_VARYING, xh: vector(m), y: vector(p), **OTHER}
-FILTER_LETS = [OMEGA, OMEGA_INVERSE, NOISE_N]
-FILTER_GIVEN = [ONE_INVERSE, NOISE, IMPLIED_RANK, UNBIASED]
+VARYING_SIZES = {**SIZES, "m": (1, 2)}
+STEP_LETS = [OMEGA, OMEGA_INVERSE, let(N, noise(P))]
 #: n = l = p = m = 1: E = Q = R = 1, A = C = S = 0
 SMALL = {"l": 1, "p": 1, "n": 1, "m": 1, A: [[0]], P: [[0]], Q: [[1]], S: [[0]], R: [[1]], E: [[1]], C: [[0]], sym("W1"): [[0]], sym("W2"): [[0]],
          sym("W3"): [[1]], U1: [[1]], U2: [[0]], Tb: [[-1]]}
-SMALL_FILTER = {**SMALL, xh: [0], y: [0], M1: [[1]], M2: [[0]]}
 SIGN = "the minus sign before the block of the (1)-inverse is missing, as (2.22) and (4.20) show"
-#: not admissible: without the hypothesis they show what it is for
-NO_INVERSE = example({**SMALL_FILTER, U1: [[2]]})
-BIASED = example({**SMALL_FILTER, M1: [[0]]})
-DRAWN = drawn(made_by=OTHER_MADE, using=OTHER_FREE, m=(1, 2))
-NOTE = ("Maximum likelihood is said as in NWL92-L2.2: the estimate is linear and unbiased, and no linear unbiased estimate "
-        "M1 A xh + M2 y has a smaller error covariance.")
-
-
-#: what it takes to say that (3.4) is the filtered estimate, beside NWL92-S18, by which the estimate of x(j) takes the place of past data
-BEST_IS_ML = restated("the best linear unbiased estimate is the maximum likelihood estimate")
-
-
-def is_ml(sign):
-    """(3.4) is linear in (A xh, y), unbiased and best; its error covariance is the printed block with this sign."""
-    unbiased = (ESTIMATE == T(U1) * A * xh + T(U2) * y) & (T(U1) * E + T(U2) * C == Identity(n))
-    return unbiased & LARGER & (GAIN * N * T(GAIN) == sign * (LAST * Oi * BOTTOM))
-
-
-FILTERED_NOTE = ("x(j) is J X for the unknowns X of all earlier equations, which are a = F X + V e; z is x(j+1), and z0, X0, e0, f0 are the true values. Of all "
-                 "(X, z, e, f) that satisfy the equations until j + 1, those found have the smallest e'e + f'f, that is the largest likelihood, as e0'e0 + f0'f0 = "
-                 "e'e + f'f + |e0 - e|^2 + |f0 - f|^2; and no other z goes with them.")
+NOTE = ("x(j) is J X for the unknowns X of all earlier equations, which are a = F X + V e; z is x(j+1), and z0, X0, e0, f0 are the true values. Of all "
+        "(X, z, e, f) that satisfy the equations until j + 1, those found have the smallest e'e + f'f, that is the largest likelihood, as e0'e0 + f0'f0 = "
+        "e'e + f'f + |e0 - e|^2 + |f0 - f|^2; and no other z goes with them.")
 
 claim("NWL92-T3.1", "the filter and its Riccati equation in 3-block form, with (3.5) as printed",
-      is_ml(1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-      by=[example(SMALL_FILTER), DRAWN],
-      repair=repair("sign", SIGN, is_ml(-1), sizes=["l", "m", "n", "p"], over=FILTER, where=FILTER_LETS, given=FILTER_GIVEN,
-                    by=[BEST_IS_ML, filter_identities([], [], [EXCESS], [], before=m), NO_INVERSE, BIASED, DRAWN]),
-      note=NOTE)
+      filtered_with(1), **FILTER, by=[example(ONES), FILTER_DRAWN],
+      repair=repair("sign", SIGN, filtered_with(-1), **FILTER, by=[filter_proof(), *FOILS, FILTER_DRAWN]),
+      note=f"{NOTE} The error z - z0 is the gain times the noise of (3.3) and (3.2), whose covariance is the block of the 3-block matrix.")
 
-claim("NWL92-E3.4", "the filter in 3-block form",
-      FILTERED, sizes=notation_filter.SIZES, over=notation_filter.OVER, where=[*notation_filter.LETS, *notation_filter.LIKELIEST],
-      given=notation_filter.GIVEN, by=[notation_filter.proof(), *notation_filter.DRAWN], note=FILTERED_NOTE)
+claim("NWL92-E3.4", "the filter in 3-block form", FILTERED, **FILTER, by=[filter_proof(), *FOILS, FILTER_DRAWN], note=NOTE)
 
 claim("NWL92-E3.5", "the error covariance in 3-block form, as printed without a minus sign",
       GAIN * N * T(GAIN) == LAST * Oi * BOTTOM,
-      sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=FILTER_LETS, given=[ONE_INVERSE, NOISE, RANK],
+      sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=STEP_LETS, given=[ONE_INVERSE, NOISE, RANK],
       by=[example(SMALL), drawn(m=(1, 2))],
       repair=repair("sign", SIGN, GAIN * N * T(GAIN) == -(LAST * Oi * BOTTOM),
-                    sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=FILTER_LETS, given=[ONE_INVERSE, NOISE, RANK],
+                    sizes=["l", "m", "n", "p"], over=STEP_VARYING, where=STEP_LETS, given=[ONE_INVERSE, NOISE, RANK],
                     by=[filter_identities(before=m), example({**SMALL, U1: [[2]]}), drawn(m=(1, 2))]),
       note=("The error of the estimate (3.4) is the gain times the noise (A nu - u; r). The scan of (3.5) is damaged in the first row of the matrix; its "
             "outer factors are clear, and no sign stands before them, while (4.19) and (4.20) have it."))
