@@ -11,7 +11,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, order, restated, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -22,6 +22,7 @@ from exactkf.language import (
     coeff,
     column,
     degree,
+    det,
     forall,
     function,
     given,
@@ -32,6 +33,7 @@ from exactkf.language import (
     matrix,
     matrix_of,
     nonsingular,
+    nonzero,
     prod,
     psd,
     rank,
@@ -72,6 +74,7 @@ from proofs.blz94.notation import (
     i,
     j,
     k,
+    m,
     n,
     phi,
     psi,
@@ -82,7 +85,7 @@ from proofs.blz94.notation import (
 from proofs.blz94.section_6 import PAIR_A, PAIR_G, PAIR_H, PAIR_P, PAIR_USING, factored
 from proofs.blz94.section_6 import E as PAIR_E
 
-B, X, Y, R, S, Gamma, Lambda, beta, delta, l, u, v, w, x, y = symbols("B X Y R S Gamma Lambda beta delta l u v w x y")
+B, b0, X, Y, R, S, Gamma, Lambda, beta, delta, l, u, v, w, x, y = symbols("B b0 X Y R S Gamma Lambda beta delta l u v w x y")
 
 claim("BLZ94-S40", "if the last alphas vanish, D has the degree of the last that does not", degree(Z**n * D) == n + k, sizes=["k", "l"],
       over={beta: sequence(1, k), gamma: sequence(0, k + l - 1)},
@@ -186,16 +189,22 @@ claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits diff
            "are the same, so one orbit tends to (w, 0) if and only if the "
            "other does.")
 
-claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero", (invertible(F) | invertible(B)) & (alpha0 == HALF * (a0[n] + v[n])),
-      sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=[*OBSERVER, let(v, a0 + 2 * g0), let(B, J - v * T(h)), let(alpha0, a0[n] + g0[n])],
-      given=[given("alpha_n != 0", alpha0 != 0)],
-      by=[steps("BLZ94-X.23", "BLZ94-EA.3", facts=["the determinant of a companion matrix is its last coefficient up to a sign"],
-                prose="If a_n is not zero, J - ah' has the inverse that the equations give; both entries cannot vanish, as alpha_n is half of their sum."),
-          instances(10, n=(1, 2, 3)),
-          instances(5, n=(1, 2), made_by={a0: 0 * g0}), instances(5, n=(1, 2), made_by={g0: -HALF * a0}), example({a0: [0, 0], g0: [1, 1]}, n=2),
-          example({a0: [1, 0], g0: [0, 1]}, n=2), example({a0: [0], g0: [0]}, n=1), example({a0: [1, 0], g0: [1, 0]}, n=2)],
-      note="F = J - ah' and B = J - bh', with v the vector b, and alphabar is alpha_n, which is a_n + g_n by (A-3).")
+#: (2.10) in blocks, for n = m + 1: the shift with ones above the diagonal, the first unit vector, a and b with their last entries
+_A_LAST, _B_LAST = symbols("a_n b_n")
+_BLOCKS = (let(J, block([[Zero(m, 1), Identity(m)], [Zero(1, 1), Zero(1, m)]])), let(h, vstack(Identity(1), Zero(m, 1))),
+           let(a0, vstack(x, _A_LAST * Identity(1))), let(b0, vstack(y, _B_LAST * Identity(1))), let(g0, HALF * (b0 - a0)), let(F, J - a0 * T(h)), let(B, J - b0 * T(h)))
+#: brings J - ah' to the triangular form [I, x; 0, a_n]
+_TURN = block([[Zero(1, m), -Identity(1)], [Identity(m), Zero(m, 1)]])
+claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero",
+      (alpha0 == HALF * (_A_LAST + _B_LAST)) & ((det(F) == 0) >> invertible(B)),
+      sizes=["m"], over={x: vector(m), y: vector(m), _A_LAST: scalar(), _B_LAST: scalar(), alpha0: nonzero()},
+      where=_BLOCKS, given=[given("(A-3)", alpha0 == T(vstack(Zero(m, 1), Identity(1))) * (a0 + g0))],
+      by=[order([], [], [block([[Zero(1, m), -1 / (2 * alpha0) * Identity(1)], [Identity(m), -1 / (2 * alpha0) * y]])],
+                factors=[(F * _TURN, [F, _TURN]), (Identity(m + 1), [_TURN, T(_TURN)])], inside=[within(1, _A_LAST * Identity(1) == Zero(1, 1))]),
+          instances(8, m=(0, 1, 2), made_by={_B_LAST: 2 * alpha0 - _A_LAST}), instances(8, m=(0, 1, 2), made_by={_A_LAST: 0, _B_LAST: 2 * alpha0}),
+          example({x: [0], y: [1], _A_LAST: 0, _B_LAST: 0, alpha0: 1}, m=1)],
+      note="At least one of two is: if the one is singular, that is if its determinant is zero, the other is not. n = m + 1; F = J - ah' and B = J - bh', and "
+           "alphabar is alpha_n, which is not zero; it is the last entry of a + g by (A-3), BLZ94-EA.3, with g = (b - a)/2.")
 
 #: y is the last unit vector, of which nothing is used but that it takes the last row of J, which is zero
 _LAST_ROW = {"sizes": ["n"], "over": {J: matrix(n, n), h: vector(n), y: vector(n), a0: vector(n), g0: vector(n)}, "where": [let(F, J - a0 * T(h))]}
