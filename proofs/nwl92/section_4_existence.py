@@ -26,7 +26,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, instances, null_vector, order, restated, steps, within
+from exactkf.evidence import example, first, induction, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -48,13 +48,15 @@ from exactkf.language import (
     rank,
     rec,
     scalar,
+    sequence_of,
     sym,
     symbols,
     symmetric_matrix,
     vector,
     vstack,
+    when,
 )
-from proofs.nwl92.notation import one_inverse
+from proofs.nwl92.notation import any_one_inverse, one_inverse
 from proofs.nwl92.notation_system import (
     BOTTOM,
     CERTIFICATE_FACT,
@@ -115,6 +117,7 @@ from proofs.nwl92.notation_system import (
     block_types,
     drawn,
     filter_identities,
+    identities_of,
     inverse_blocks,
     l,
     made_blocks,
@@ -239,13 +242,52 @@ AFTER_ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[1]], S:
 #: without (2.20), and with P_j below P_(j-1)
 AFTER_FOILS = [{INVERSE[5]: [[-3]]}, {INVERSE[5]: [[1]]}, {OTHER_INVERSE[5]: [[-1]]}, {Pa: [[2]], INVERSE[5]: [[-3]]}]
 EARLIER = given("(4.22)", loewner(Pb, Pa))
-claim("NWL92-S33", "the covariances from zero increase: the first, and each if the one before does",
-      psd(COVARIANCE_A) & loewner(COVARIANCE_B, COVARIANCE_A), sizes=["l", "n", "p"], over=TWO_OVER, where=AFTER_LETS,
-      given=[*TWO_INVERSES, NOISE, IMPLIED_RANK, EARLIER],
-      by=[restated("induction on j"), filter_identities([error_of(GAIN_A, Pa)], UPPER_TERMS, of=TWO), *[example({**AFTER_ONES, **change}) for change in AFTER_FOILS],
-          instances(12, made_by={**RANDOM_NOISE, Pb: Pa + D0, **MADE_A, **MADE_B}, using={**RANDOM_NOISE_FREE, **FREE_A, **FREE_B, D0: positive_semidefinite(n)},
-                    **SIZES)],
-      note="Pa, Pb are P_(j-1), P_j and Ca, Cb what (4.20) makes of them, whichever (1)-inverses are taken; for P_0 = 0 the first part says P_1 >= P_0.")
+#: P_0, P_1, ... by (4.20) from P_0 = 0, with a (1)-inverse Oi_k of each 3-block matrix, whichever is taken
+J_LAST, k_ = symbols("J k")
+EACH = tuple(x[t] for x in INVERSE)
+AT_K, AFTER_K = tuple(x[k_] for x in INVERSE), tuple(x[t + 1] for x in INVERSE)
+RECURSION = rec(P, t, NOTHING, -(LAST * inverse_blocks(EACH) * BOTTOM))
+EACH_INVERSE = given("(2.20) for P_k", forall(k_, 0, J_LAST, three_block(P[k_]) * inverse_blocks(AT_K) * three_block(P[k_]) == three_block(P[k_])))
+
+
+def gain_of(blocks):
+    """The gain that these blocks give."""
+    return hstack(T(blocks[3]), T(blocks[4]))
+
+
+def increasing():
+    """Evidence for P_j <= P_(j+1) at the next j: both covariances are errors, and the gain of the second is not better for the first."""
+    (one, other), needs, inside = identities_of([(P[t], EACH), (P[t + 1], AFTER_K)], n)
+    own = error_of(gain_of(EACH), P[t])
+    half = len(needs) // 2
+    through = gain_of(AFTER_K)
+    larger = [through * STATES * (P[t + 1] - P[t]) * T(STATES) * T(through), error_of(through - gain_of(EACH), P[t])]
+    return order(*needs[:half], [own], *needs[half:], [own], larger,
+                 lemmas=[one, psd(P[t + 1]), other], inside=[inside[0], {**inside[1], "number": 2}])
+
+
+def random_inverses():
+    """Blocks of a (1)-inverse for each k <= 2: the P_k do not depend on which are taken, so that one will do for them."""
+    one = next_covariance(NOTHING)
+    whole = any_one_inverse(three_block(when(k_ == 0, NOTHING, when(k_ == 1, one, next_covariance(one)))), Y2)
+    a, b, c = vstack(Identity(l), Zero(p + n, l)), vstack(Zero(l, p), Identity(p), Zero(n, p)), vstack(Zero(l + p, n), Identity(n))
+    return {name: (k_, T(x) * whole * y) for name, (x, y) in zip(INVERSE, ((a, a), (a, b), (b, b), (a, c), (b, c), (c, c)), strict=True)}
+
+
+FIRST = tuple(x[0] for x in INVERSE)
+FROM_NOTHING = filter_identities([], [error_of(gain_of(FIRST), P[0])], of=((P[0], FIRST),))
+#: E = A = Q = R = 1, C = S = 0 and J = 1, but for the last block
+EACH_ONES = {"l": 1, "p": 1, "n": 1, "J": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]],
+             **dict(zip(INVERSE[:5], ([[[0]]] * 2, [[[0]]] * 2, [[[1]]] * 2, [[[1]]] * 2, [[[0]]] * 2), strict=True))}
+claim("NWL92-S33", "the covariances from zero increase",
+      loewner(Pb, Pa), sizes=["l", "n", "p", "J"],
+      over={**SYSTEM, **{x: sequence_of(kind, 0, J_LAST) for x, kind in block_types().items()}}, where=[RECURSION, let(Pa, P[J_LAST]), let(Pb, P[J_LAST + 1])],
+      given=[EACH_INVERSE, NOISE, IMPLIED_RANK],
+      by=[induction(before=[first(forall(t, 0, J_LAST, psd(P[t]) & loewner(P[t + 1], P[t])), base=FROM_NOTHING, step=increasing())], base=order([P[J_LAST + 1] - P[J_LAST]])),
+          *[example({**EACH_ONES, INVERSE[5]: blocks}) for blocks in ([[[-2]], [[-1]]], [[[1]], [[1]]])],
+          instances(12, made_by={**RANDOM_NOISE, **random_inverses()}, using={**RANDOM_NOISE_FREE, Y2: matrix(l + p + n, l + p + n)},
+                    l=(1, 2), p=(1,), n=(1, 2), J=(0, 1, 2))],
+      note="Pa, Pb are P_J and P_(J+1), for any J: P_0 = 0, and P_(k+1) is what (4.20) makes of P_k, whichever (1)-inverse is taken at each k.")
 
 Ps, Wn, Pow = symbols("Ps Wn Pow")
 OBSERVED = given("(4.18)", Ps == constant_gain(Ps))
