@@ -43,6 +43,7 @@ from exactkf.language import (
     standing,
     substitute,
     sum_of,
+    sym,
     symbols,
     symmetric,
     symmetric_matrix,
@@ -191,8 +192,8 @@ claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits diff
 
 #: (2.10) in blocks, for n = m + 1: the shift with ones above the diagonal, the first unit vector, a and b with their last entries
 _A_LAST, _B_LAST = symbols("a_n b_n")
-_BLOCKS = (let(J, block([[Zero(m, 1), Identity(m)], [Zero(1, 1), Zero(1, m)]])), let(h, vstack(Identity(1), Zero(m, 1))),
-           let(a0, vstack(x, _A_LAST * Identity(1))), let(b0, vstack(y, _B_LAST * Identity(1))), let(g0, HALF * (b0 - a0)), let(F, J - a0 * T(h)), let(B, J - b0 * T(h)))
+_SHIFT_BLOCKS = (let(J, block([[Zero(m, 1), Identity(m)], [Zero(1, 1), Zero(1, m)]])), let(h, vstack(Identity(1), Zero(m, 1))))
+_BLOCKS = (*_SHIFT_BLOCKS, let(a0, vstack(x, _A_LAST * Identity(1))), let(b0, vstack(y, _B_LAST * Identity(1))), let(g0, HALF * (b0 - a0)), let(F, J - a0 * T(h)), let(B, J - b0 * T(h)))
 #: brings J - ah' to the triangular form [I, x; 0, a_n]
 _TURN = block([[Zero(1, m), -Identity(1)], [Identity(m), Zero(m, 1)]])
 claim("BLZ94-L6.2.2", "J - ah' or J - bh' is nonsingular if alpha_n is not zero",
@@ -214,11 +215,12 @@ claim("BLZ94-X.23", "the last row of F, and h'F^(-1)g", (T(y) * F == -(T(y) * a0
       given=[_NO_LAST_ROW], by=[order(), instances(n=(1, 2, 3), made_by=_OBSERVED), example({J: [[1]], h: [1], y: [1], a0: [2], g0: [1]}, n=1)],
       note="With y the last unit vector: the last row of F is -a_n h', and a_n times h'F^(-1)g is -g_n.")
 
-claim("BLZ94-L6.3", "h'F^(-1)g = 1 if and only if alpha_n = 0", iff((T(h) * inv(F) * g0)[1, 1] == 1, a0[n] + g0[n] == 0), sizes=["n"],
-      over={a0: vector(n), g0: vector(n)}, where=OBSERVER,
-      by=[steps("BLZ94-X.23", "BLZ94-EA.3", prose="a_n times h'F^(-1)g is -g_n, a_n is not zero as F is nonsingular, and alpha_n = a_n + g_n."), instances(12, n=(1, 2, 3)),
-          instances(8, n=(1, 2, 3), using={v: vector(n)}, made_by={g0: column(i, n, when(i == n, -a0[n], v[i]))})],
-      note="F is nonsingular where its inverse exists. alpha_n is a_n + g_n by (A-3).")
+_G_LAST = sym("g_n")
+claim("BLZ94-L6.3", "h'F^(-1)g = 1 if and only if alpha_n = 0", iff(T(h) * inv(F) * g0 == 1, _A_LAST + _G_LAST == 0), sizes=["m"],
+      over={x: vector(m), y: vector(m), _A_LAST: scalar(), _G_LAST: scalar()},
+      where=[*_SHIFT_BLOCKS, let(a0, vstack(x, _A_LAST * Identity(1))), let(g0, vstack(y, _G_LAST * Identity(1))), let(F, J - a0 * T(h))],
+      by=[order(), instances(12, m=(0, 1, 2)), instances(8, m=(0, 1, 2), made_by={_G_LAST: -_A_LAST})],
+      note="n = m + 1; F is nonsingular where its inverse exists. alpha_n is a_n + g_n by (A-3).")
 
 _SUM = gamma[n - 1] + sum_of(i, 1, n - 1, alpha[i] * gamma[n - 1 - i])
 _AT_ZERO = (*KIMURA, let(a0, column(i, n, coeff(a, n - i))), let(g0, HALF * (column(i, n, coeff(b, n - i)) - a0)), *OBSERVER,
