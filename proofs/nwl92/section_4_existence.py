@@ -239,8 +239,6 @@ MADE_B, FREE_B = made_blocks(Omb, OTHER_INVERSE, Y2)
 AFTER_ONES = {"l": 1, "p": 1, "n": 1, A: [[1]], E: [[1]], C: [[0]], Q: [[1]], S: [[0]], R: [[1]], Pa: [[1]], Pb: [[1]],
               **dict(zip(INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True)),
               **dict(zip(OTHER_INVERSE, ([[0]], [[0]], [[1]], [[1]], [[0]], [[-2]]), strict=True))}
-#: without (2.20), and with P_j below P_(j-1)
-AFTER_FOILS = [{INVERSE[5]: [[-3]]}, {INVERSE[5]: [[1]]}, {OTHER_INVERSE[5]: [[-1]]}, {Pa: [[2]], INVERSE[5]: [[-3]]}]
 EARLIER = given("(4.22)", loewner(Pb, Pa))
 #: P_0, P_1, ... by (4.20) from P_0 = 0, with a (1)-inverse Oi_k of each 3-block matrix, whichever is taken
 J_LAST, k_ = symbols("J k")
