@@ -9,7 +9,7 @@ from typing import Any
 
 from exactkf._wording import number_of
 from exactkf.claims import Claim
-from exactkf.display import describe
+from exactkf.display import describe, heading
 from exactkf.language import Statement
 from exactkf.language.latex import statement_latex
 from exactkf.language.text import statement_text
@@ -25,7 +25,7 @@ def describe_claim(claim: Claim, result: Mapping[str, Any]) -> str:
 def _lines(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
     yield f"{claim.id}  {claim.title}"
     yield f"{claim.paper}, {claim.section}"
-    yield from _paragraph("as printed", _statement(claim.statement))
+    yield from _paragraph(heading(claim.by) if claim.statement else "as printed", _statement(claim.statement))
     yield from _paragraph("note", [claim.note] if claim.note else [])
     yield from _paragraph("verdict", [describe(result), *([result["reason"]] if result["reason"] else [])])
     yield from _paragraph("what was checked", result["evidence"])

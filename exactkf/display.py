@@ -9,9 +9,10 @@ from typing import Any
 from rich.console import Console
 from rich.table import Table
 
+from exactkf.evidence import Evidence
 from exactkf.record import STRENGTHS
 
-__all__ = ["column_of", "describe", "ranges", "summary"]
+__all__ = ["column_of", "describe", "heading", "ranges", "summary"]
 
 _COLUMNS = (*STRENGTHS, "corrected", "fails", "open")
 
@@ -56,6 +57,16 @@ def describe(result: Mapping[str, Any]) -> str:
     if result.get("sizes"):
         words += " (" + "; ".join(f"{name} = {ranges(values)}" for name, values in result["sizes"].items()) + ")"
     return words
+
+
+def heading(by: Iterable[Evidence]) -> str:
+    """What the formula with this evidence is to the printed sentence."""
+    kinds = {e.kind for e in by}
+    if "part" in kinds:
+        return "checked: a part of what is printed"
+    if kinds & {"restated", "steps"}:
+        return "checked: what is printed is this together with the facts named below"
+    return "as printed"
 
 
 def ranges(values: Sequence[int]) -> str:

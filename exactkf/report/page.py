@@ -16,7 +16,7 @@ from markupsafe import Markup, escape
 from exactkf import __version__
 from exactkf.claims import Claim
 from exactkf.describe import instance_lines
-from exactkf.display import column_of, describe, ranges
+from exactkf.display import column_of, describe, heading, ranges
 from exactkf.files import write_text
 from exactkf.language import Statement
 from exactkf.language.latex import given_latex, over_latex, says_lines, statement_latex, where_latex
@@ -111,7 +111,8 @@ def _claim(result: Mapping[str, Any], claim: Claim) -> dict[str, Any]:
     fixed = result["repair"]
     return {
         **result,
-        "statement": _statement(claim.statement), "standing": _standing(result), "column": column_of(result),
+        "statement": _statement(claim.statement), "heading": heading(claim.by) if claim.statement else "",
+        "standing": _standing(result), "column": column_of(result),
         "fixed": _correction(fixed, claim) if fixed and claim.repair else None,
         "witness": instance_lines(result["witness"]), "counterexample": instance_lines(result["counterexample"]),
         "wrong_made": _wrong(result), "survivors": result["mutants"].get("survivors", []),

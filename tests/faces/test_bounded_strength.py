@@ -6,6 +6,7 @@ import pytest
 from exactkf import verify_statement
 from exactkf._errors import BadInput
 from exactkf.claims import Claim
+from exactkf.describe import describe_claim
 from exactkf.engine import verify_claim
 from exactkf.evidence import identity, instances, part, restated, steps
 from exactkf.language import Statement, T, matrix, scalar, symbols
@@ -44,3 +45,11 @@ def test_a_bound_without_words_is_refused(make):
     """The reader is told which part, or which fact."""
     with pytest.raises(BadInput, match="say it in words"):
         make()
+
+
+@pytest.mark.parametrize(("bounds", "first"), [([], "as printed"), ([restated("a fact")], "checked: what"), ([steps(facts=["a fact"])], "checked: what"),
+                                               ([part("two matrices"), restated("a fact")], "checked: a part")])
+def test_the_formula_is_headed_as_what_it_is(bounds, first):
+    """Only what needs no fact to be read as the print is shown as printed."""
+    claim = Claim("X-1", "", "", REVERSED, (*bounds, instances(n=(1, 2))))
+    assert describe_claim(claim, verify_claim(claim)).splitlines()[3].startswith(first)
