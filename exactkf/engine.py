@@ -121,7 +121,7 @@ def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> di
     repaired, report = None, MutantReport()
     if found.verdict == "fails" and claim.repair is not None:
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
-        _bound(claim.repair.by, repaired)
+        _bound((*claim.by, *claim.repair.by), repaired)  # the correction of a part is one of that part
         if repaired.verdict == "holds":
             report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler, claim.repair.statement.tex)
             _count_survivors(repaired, report)
@@ -204,15 +204,11 @@ def _find(id: str, statement: Statement, by: Sequence[Evidence], seed: int) -> F
         tried = found.sampler.rejected if found.sampler else {}
         most = max(tried, key=lambda k: tried[k]) if tried else "no evidence of this kind applies"
         found.reason = f"vacuous: no admissible instance in {sum(tried.values())} tries ({most})"
-    if found.strength is not None and not found.worlds and not _is_closed(data):
+    if found.strength is not None and not found.worlds:
         found.strength, found.certificates = None, []
         found.reason = "vacuous: no instance satisfies the hypotheses"
     found.verdict = "holds" if found.strength is not None else "open"
     return found
-
-
-def _is_closed(data: Mapping[str, Any]) -> bool:
-    return all(kind[0] == "integer" for _, kind in data["over"])
 
 
 def _search(id: str, data: dict, by: Sequence[Evidence], seed: int, found: Findings) -> None:
@@ -365,7 +361,7 @@ def _credit(data: dict, e: Evidence, found: Findings) -> None:
         found.evidence.append(f"identity in suitable coordinates; classical fact: {fact}")
     elif cover:
         other, sizes = _standing_of(cover)
-        beyond = [name for name, values in sizes.items() if not {*e.hints["sizes"].get(name, ())} <= {*values}]
+        beyond = [name for name, values in sizes.items() if name not in e.hints["sizes"] or not {*e.hints["sizes"][name]} <= {*values}]
         if other not in ("proved", "proved-sizes") or beyond:
             less = f"{other} for fewer values of {', '.join(beyond)}" if beyond else other or "open"
             found.evidence.append(f"{e.kind}: the parametrisation rests on {cover}, which is {less}")
@@ -388,24 +384,26 @@ _PHRASES = {
 
 
 @cache
-def _standing_of(id: str) -> tuple[str | None, Mapping[str, Sequence[int]]]:
-    """Strength of another claim, its mutants left aside, and the sizes; None if it does not hold."""
+def _standing_of(id: str, aside: str = "") -> tuple[str | None, Mapping[str, Sequence[int]]]:
+    """Strength of another claim, its mutants and the bounds of one kind left aside, and the sizes; None if it does not hold."""
     other = load().get(id)
     if other is None or other.statement is None:
         return None, {}
     found = _find(id, other.statement, other.by, 0)
+    _bound([e for e in other.by if e.kind != aside], found)
     return found.strength if found.verdict == "holds" else None, found.sizes or {}
 
 
 def _steps(e: Evidence, found: Findings) -> None:
-    standings = {id: _standing_of(id)[0] for id in e.hints["ids"]}
-    weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes") or any(e.kind == "part" for e in load()[id].by)]
+    standings = {id: _standing_of(id, "restated")[0] for id in e.hints["ids"]}
+    weak = [id for id, s in standings.items() if s not in ("proved", "proved-sizes")]
     if weak:
         found.evidence.append(f"steps not proved: {', '.join(weak)}")
     elif found.strength == "instances":
         found.strength = "steps"
         shown = f"displayed steps {', '.join(standings)} proved; " if standings else ""
-        found.evidence.append(f"{shown}classical facts: {'; '.join(e.hints['facts']) or 'none'}")
+        facts = [*e.hints["facts"], *(fact for id in standings for x in load()[id].by if x.kind == "restated" for fact in x.hints["facts"])]
+        found.evidence.append(f"{shown}classical facts: {'; '.join(dict.fromkeys(facts)) or 'none'}")
         if e.hints["prose"]:
             found.evidence.append(f"between the steps: {e.hints['prose']}")
 

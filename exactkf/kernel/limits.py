@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from time import process_time
 from typing import Any
 
 from exactkf.kernel.numbers import Rejected, Undefined
@@ -30,6 +31,7 @@ WORK = 3 * 10**8  # operations with small numbers, or bits of the numbers of an 
 MINORS = 10**7  # numbers that are kept at a time
 SECONDS = 600  # of the processor, for one certificate
 MEMORY = 4 << 30  # bytes
+_LEAST = 1e-6  # seconds: a timer of none never ends
 _AGAIN = 0.25  # seconds after which a signal comes again: what it raises in a callback of the garbage collector is lost
 
 
@@ -48,7 +50,7 @@ def patiently(seconds: float = SECONDS) -> Iterator[None]:
     """Raise Rejected if what is done within takes more time or memory than that, as far as the system can tell."""
     try:
         import resource
-        from signal import ITIMER_PROF, SIGPROF, setitimer, signal
+        from signal import ITIMER_PROF, SIGPROF, getitimer, setitimer, signal
 
         def late(*_: Any) -> None:
             if waiting:
@@ -58,13 +60,13 @@ def patiently(seconds: float = SECONDS) -> Iterator[None]:
     except (ImportError, ValueError):  # another system, or not the main thread
         yield
         return
-    most = bounds[1] if bounds[1] != resource.RLIM_INFINITY else MEMORY
+    left, began = getitimer(ITIMER_PROF)[0], process_time()  # a timer that runs around this one has so much left, and goes on
     waiting = True
     try:
         try:
             with suppress(ValueError, OSError):
-                resource.setrlimit(resource.RLIMIT_AS, (min(most, MEMORY), bounds[1]))
-            setitimer(ITIMER_PROF, min(seconds, 10**8), _AGAIN)
+                resource.setrlimit(resource.RLIMIT_AS, (min([MEMORY, *(b for b in bounds if b != resource.RLIM_INFINITY)]), bounds[1]))
+            setitimer(ITIMER_PROF, max(_LEAST, min(seconds, left or 10**8)), _AGAIN)
             yield
         finally:
             waiting = False
@@ -73,7 +75,7 @@ def patiently(seconds: float = SECONDS) -> Iterator[None]:
     except MemoryError:
         raise Rejected(f"given up, as it takes more than {MEMORY >> 30} GB of memory") from None
     finally:
-        setitimer(ITIMER_PROF, 0)
+        setitimer(ITIMER_PROF, *((max(left - (process_time() - began), _AGAIN), _AGAIN) if left else (0,)))
         signal(SIGPROF, before)
         with suppress(ValueError, OSError):
             resource.setrlimit(resource.RLIMIT_AS, bounds)

@@ -176,7 +176,7 @@ class World:
         asked = name, args
         key: tuple | None = asked
         for a in args:
-            if not isinstance(a, int):
+            if type(a) is not int and type(a) is not Generic:  # the truth of a formula is not the number that it is equal to
                 key = None
                 break
         else:

@@ -44,7 +44,7 @@ from exactkf.kernel.rational import quotient
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.kernel.trials import Trials
-from exactkf.kernel.wellformed import check_statement
+from exactkf.kernel.wellformed import check_formula, check_statement
 
 __all__ = ["FORMAT", "VERSION", "NotACertificate", "Rejected", "digest", "replay", "rests_on", "seal"]
 
@@ -489,6 +489,8 @@ def _induction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> lis
     _need(op == "always", "the conclusion is not of the form 'for all t'")
     body = said
     if evidence.get("also"):  # a stronger statement, which the induction proves along with the conclusion
+        for formula in evidence["also"]:
+            check_formula(statement, formula, index)
         body = ["and", *(body[1:] if body[0] == "and" else [body]), *evidence["also"]]
     recursions = [d for d in statement["where"] if d[0] == "rec"]
     _need(bool(recursions), "no recursion")

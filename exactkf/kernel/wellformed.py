@@ -4,6 +4,7 @@
 A tree that one reader of the checker takes for one thing and another for a second would let a proof about
 the one pass for a proof about the other. So a statement is refused before anything is read if an
 operation has too few or too many arguments, if a name is not declared or hides another, or if a number is none.
+A formula is no term: x = y is false of two symbols, and as the number 0 it would be one on every instance.
 
 Main definitions
 ----------------
@@ -47,6 +48,10 @@ ARGUMENTS: dict[str, tuple[int, int]] = {
 }
 #: operations whose first arguments are names of indices
 BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}
+#: operations on formulas, and all that make formulas
+_CONNECTIVES = {"and", "or", "not", "=>", "<=>", "forall", "exists", "always", "defined"}
+_FORMULAS = _CONNECTIVES | {"=", "!=", "<", "<=", ">", ">=", "loewner", "similar", "cospectral", "coprime", "prints", "psd", "pd", "symmetric", "invertible",
+                            "symplectic", "schur", "pos_circle", "nonneg_circle"}
 _DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 
 
@@ -87,7 +92,7 @@ def check_variables(statement: Mapping[str, Any], over: Any) -> dict[str, Any]:
         fits = all(TYPES.get(k[0]) == len(k) - 1 for k in (kind, one)) and (one is kind or one[0] in _MATRICES)
         _need(fits, f"{name} is of a type that does not exist")
         for x in (*kind[1:-1], *one[1:]) if one is not kind else kind[1:]:
-            _tree(x, declared, declared)
+            _term(x, declared, declared)
     return declared
 
 
@@ -96,11 +101,11 @@ def _definition(d: Any, declared: Mapping[str, Any], own: Collection[str]) -> No
     names = d[2] if d[0] == "let" else [d[2]]
     _need(isinstance(names, list) and len(set(names)) == len(names), f"{d[1]} has two parameters of one name")
     _bound(names, own)
-    _tree(d[-1], declared, own, names)
+    (_tree if d[0] == "let" else _term)(d[-1], declared, own, names)
     if d[0] == "rec":
         _need(type(d[3]) is int and isinstance(d[4], list), f"{d[1]} starts at an integer, with a list of values")
         for x in d[4]:
-            _tree(x, declared, own)
+            _term(x, declared, own)
 
 
 def _bound(names: Any, own: Collection[str]) -> None:
@@ -133,7 +138,23 @@ def _tree(tree: Any, declared: Mapping[str, Any], own: Collection[str], bound: C
         _need(all(isinstance(row, list) and row for row in args), f"a row of {op!r} is empty")
         args = [x for row in args for x in row]
     for x in args:
-        _tree(x, declared, own, bound)
+        (_tree if op == "if" or op in _CONNECTIVES and (op not in BINDERS or x is args[-1]) else _term)(x, declared, own, bound)
+
+
+def _term(tree: Any, declared: Mapping[str, Any], own: Collection[str], bound: Collection[str] = ()) -> None:
+    """No formula, itself or by the names of definitions that are."""
+    _tree(tree, declared, own, bound)
+    todo: list[tuple[Any, Collection[str]]] = [(tree, bound)]
+    seen = set[str]()
+    while todo:
+        x, hidden = todo.pop()
+        op, *args = x if isinstance(x, (list, tuple)) and x else [""]
+        _need(op not in _FORMULAS, f"a formula stands where a term is needed: {str(tree)[:80]}")
+        if op == "if":
+            todo.extend((y, hidden) for y in args[1:])
+        elif op in ("sym", "at") and args[0] not in hidden and args[0] not in seen and declared[args[0]][0] == "let":
+            seen.add(args[0])
+            todo.append((declared[args[0]][3], declared[args[0]][2]))
 
 
 def check_arguments(tree: Any) -> None:
