@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import gc
+import resource
+import signal
 import time
 
 import pytest
@@ -103,6 +105,57 @@ def test_patience_ends_though_a_signal_is_lost():
         while time.process_time() < ended:
             pass
     assert time.process_time() < ended
+
+
+def spend(seconds):
+    """Use the processor for so long."""
+    ended = time.process_time() + seconds
+    while time.process_time() < ended:
+        pass
+
+
+def standing():
+    """What a certificate may leave behind with the system."""
+    return signal.getsignal(signal.SIGPROF), signal.getitimer(signal.ITIMER_PROF), resource.getrlimit(resource.RLIMIT_AS)
+
+
+def test_patience_within_patience():
+    """The one around goes on after the one within, which has no more time than is left; none leaves anything behind."""
+    before = standing()
+    with pytest.raises(Rejected, match="given up after 0.5 seconds"), patiently(0.5):
+        with patiently(60):
+            spend(0.1)
+        spend(30)
+    began = time.process_time()
+    with pytest.raises(Rejected), patiently(0.3), patiently(60):
+        spend(30)
+    assert time.process_time() - began < 10
+    for seconds in (0, -1, float("nan"), 1e-300):
+        with pytest.raises(Rejected), patiently(seconds):
+            spend(30)
+    assert standing() == before
+
+
+@pytest.mark.parametrize("fault", [KeyError, MemoryError, KeyboardInterrupt, Rejected, RecursionError])
+def test_what_ends_a_replay_leaves_nothing_behind(fault):
+    """Whatever is raised comes out as it is, but for a lack of memory; one that was caught in between does not matter."""
+    before = standing()
+    with pytest.raises(Rejected if fault is MemoryError else fault), patiently(5), patiently(5):
+        with pytest.raises(MemoryError):
+            bytearray(1 << 40)
+        raise fault("told")
+    assert standing() == before
+
+
+def test_no_more_memory_than_was_allowed():
+    """A bound that stands already is not raised."""
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (3 << 30, before[1]))
+    try:
+        with patiently():
+            assert resource.getrlimit(resource.RLIMIT_AS)[0] == 3 << 30
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)
 
 
 def test_memory_ends():
