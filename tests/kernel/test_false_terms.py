@@ -17,8 +17,10 @@ NAMED, CHOSEN = [["let", "same", [], SAME]], [["let", "one", [], ["if", TRUE, ["
 @pytest.mark.parametrize(("says", "where"), [
     (["=", ["*", SAME, 1], 0], []), (["=", ["+", SAME, 1], 1], []), (["=", ["sum", "k", 1, 2, SAME], 0], []), (["=", ["^", 2, SAME], 1], []),
     (["=", ["det", ["rows", [SAME]]], 0], []), (["=", ["mat", "i", "j", 1, 1, SAME], ["O", 1, 1]], []), (["=", ["neg", ["block", [SAME]]], ["O", 1, 1]], []),
-    (["forall", "k", 1, SAME, ["=", 0, 1]], []), (["=", ["entry", ["rows", [5, 7]], 1, ["+", 1, SAME]], 5], []), (["=", ["if", TRUE, ["*", SAME, 2], 1], 0], []),
-    (["=", ["*", 1, ["if", TRUE, SAME, 1]], 0], []), (["=", ["*", 1, ["at", "f", SAME]], 0], ITSELF), (["=", ["*", ["sym", "same"], 1], 0], NAMED),
+    (["forall", "k", 1, SAME, ["=", 0, 1]], []), (["=", ["entry", ["rows", [5, 7]], 1, ["+", 1, SAME]], 5], []),
+    (["=", ["if", TRUE, ["*", SAME, 2], 1], 0], []),
+    (["=", ["*", 1, ["if", TRUE, SAME, 1]], 0], []), (["=", ["*", 1, ["at", "f", SAME]], 0], ITSELF),
+    (["=", ["*", ["sym", "same"], 1], 0], NAMED),
     (["=", ["*", ["sym", "one"], 1], 0], CHOSEN), (["=", ["*", ["at", "X", 0], 1], 0], [["rec", "X", "t", 0, [SAME], ["at", "X", t]]]),
 ])
 def test_a_formula_is_no_number(says, where):

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import copy
 import random
+from contextlib import suppress
 from fractions import Fraction
-from itertools import product
+from itertools import islice, product
 
 import pytest
 from flint import fmpq, fmpz_mat
@@ -16,7 +17,7 @@ from exactkf.exact import sqrt_field
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_n import reduce_pair, start_pair
+from exactkf.kernel.orbit_n import reduce_pair, start_pair, states
 from exactkf.kernel.orbit_sieve import (
     _deeper,
     check_irreducible,
@@ -28,6 +29,7 @@ from exactkf.kernel.orbit_sieve import (
     step_matrix,
     zeros_modulo,
 )
+from exactkf.kernel.orbit_wandering import check_never_escapes
 from exactkf.kernel.replay import Rejected, digest, replay
 from tests.dynamics.test_every_order import start, stepped
 
@@ -281,6 +283,47 @@ def test_an_escape_stays_modulo_every_power(n):
                 assert _deeper(reduced.Q, reduced.S, [escape + 2], p, L, None, depth, 0)
             compared += 1
         assert kinds
+
+
+def escaping(rng, n):
+    """A reduced pair whose orbit escapes at a step, the pair of which is stepped back from, and that step."""
+    while True:
+        T, S = rng.randint(0, 15), [*(Fraction(rng.randint(-3, 3), rng.choice((1, 1, 2))) for _ in range(n - 1)), Fraction(rng.choice((1, -1))), Fraction(0)]
+        Q = [*(Fraction(rng.randint(-3, 3), rng.choice((1, 1, 2))) for _ in range(n)), Fraction(1)]
+        for _ in range(T):
+            g = -S[0] / Q[0] if Q[0] else Fraction(1)
+            if g * g == 1:
+                break
+            Q, S = [x + g * y for x, y in zip(Q, S, strict=True)], [*(y + g * x for x, y in zip(Q, S, strict=True))][1:] + [Fraction(0)]
+        else:
+            reduced = reduce_pair(Q, S)
+            if reduced[0] == 0 and len(reduced.Q) == n + 1 and reduced.escape is None:
+                return Q, S, T
+
+
+@pytest.mark.parametrize("n", [1, 2])
+def test_orbits_made_to_escape_are_never_excluded(n):
+    """Not by places for either sign, with multiples of their periods and any times before the start, nor by a modulus after some step."""
+    rng, refusals = random.Random(n), 0
+    for _ in range(20):
+        Q, S, T = escaping(rng, n)
+        places = []
+        for p in (2, 3, 5, 7, 11, 13):
+            with suppress(Undefined):
+                values = reading([*Q[-2::-1], *S[-2::-1]], p)
+                L, _ = order_and_zeros(values[:n], values[n:], p)
+                places += [[p, L * k] for k in (1, 2, p) if L and L < 400]
+        for _ in range(4 if places else 0):
+            with pytest.raises(Undefined):
+                for sign in (1, -1):
+                    check_never_singular(Q, S, rng.choices(places, k=rng.randint(1, 4)), rng.choice(([], [1], [1, 2, 3])), sign)
+            refusals += 1
+        after = rng.randint(0, T)
+        state = next(islice(states(Q, S), after, None))
+        for N in (2, 3, 5, 7, rng.randint(8, 200)):
+            with pytest.raises(Undefined):
+                check_never_escapes(*([Fraction(x) / state[0][-1] for x in part] for part in state), N)
+    assert refusals > 30
 
 
 def test_times_modulo_a_power_are_those_of_steps():
