@@ -453,13 +453,15 @@ def _power(x: Any, k: Any) -> Any:
 
 
 def _sqrt(x: Any) -> Any:
-    """Square root of a rational square; Undefined where the field has none."""
+    """Square root of a rational square; Undefined where there is none, and Unknown where it is not rational."""
     x = _scalar(x)
     if isinstance(x, (Symbolic, Laurent, Ratio, Algebraic)):
         raise Unknown("square root of a quantity that is not rational")
     p, q = int(x.numerator), int(x.denominator)
-    if p < 0 or isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
-        raise Undefined("no rational square root")
+    if p < 0:
+        raise Undefined("no square root of a negative number")
+    if isqrt(p) ** 2 != p or isqrt(q) ** 2 != q:
+        raise Unknown("square root that is not rational")
     return isqrt(p) if isinstance(x, int) else rational(isqrt(p), isqrt(q))
 
 

@@ -67,3 +67,14 @@ def test_what_is_carried_along_is_a_formula_of_terms():
     assert not accepted("induction", made, {"cases": [{}], "also": [alike], "cofactors": [[[1, 0, 1]], []]})
     assert accepted("induction", made, {"cases": [{}], "cofactors": [[[1, 0, 1]]]})
     assert accepted("induction", made, {"cases": [{}], "also": [["=", ["at", "Y", t], 1]], "cofactors": [[[1, 0, 1]], [[1, 1, 1]]]})
+
+
+def test_a_root_that_is_not_rational_has_a_value():
+    """It is not said to have none, and what holds always does not end at it."""
+    root = [["rec", "X", "t", 0, [1, 1], ["+", ["at", "X", t], 1]]]
+    made = statement(["always", "t", ["<=", ["sqrt", ["at", "X", t]], 1]], [], (), root, sizes=[])
+    assert not accepted("evaluation", statement(["not", ["defined", ["sqrt", 2]]], [], sizes=[]), {"cases": [{}]})
+    assert not accepted("counterexample", statement(["defined", ["sqrt", 2]], [], sizes=[]), {"instance": {"sizes": {}, "values": {}}})
+    assert not accepted("instances", made, {"instances": [{"sizes": {"horizon": 30}, "values": {}}]})
+    assert accepted("instances", made, {"instances": [{"sizes": {"horizon": 1}, "values": {}}]})
+    assert accepted("evaluation", statement(["and", ["=", ["sqrt", 4], 2], ["not", ["defined", ["sqrt", ["neg", 4]]]]], [], sizes=[]), {"cases": [{}]})
