@@ -38,6 +38,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import islice
 from math import lcm
 from typing import Any, NamedTuple
 
@@ -62,6 +63,7 @@ from exactkf.dynamics.wandering import (
     modulus_without_escape,
     no_escape_modulo,
     places_without_escape,
+    primes,
 )
 from exactkf.exact.balls import precision
 from exactkf.exact.circle import sign_on_circle
@@ -81,7 +83,7 @@ __all__ = ["LimitDigits", "decide", "limit_digits"]
 MAX_STEPS = 2000
 _FEW = 60
 _MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
-_LARGE = ((1 << 61) - 1, (1 << 89) - 1)
+_LARGE, _BILLION = ((1 << 61) - 1, (1 << 89) - 1), 10**9
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
@@ -394,24 +396,24 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
     irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
     if irreducible.get("irreducible", 1) is None:
         return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
-    evidence = _no_escape(case, pair)
-    if evidence is None:
-        steps = max_steps if case.rational else 0
-        escape = _first_escape(case, steps)
+    found, reason = _no_escape(case, pair), ""
+    if found is None:
+        steps = max_steps if case.rational else min(max_steps, _FEW)
+        escape = _first_escape(case, steps) if case.rational else None
         if escape is not None:
             return _escaped(case, escape)
-        return _undecided(case, steps, reason + "its zeros are not distinct roots of unity, so it does not repeat; "
-                          f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
-                          + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
+        found = _searched(case, pair, steps)
+        reason = (f"whether the orbit ever escapes; it does not before step {found['searched']}, and no prime, nor several together, was found to exclude it later"
+                  + ", which is rare where D has multiple zeros" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    dimension, torus, reason = torus_evidence(_fractions(case.D) if case.rational else case.D)
+    dimension, torus, why = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
-        case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
+        case.facts.append(Fact(f"The dimension of the torus is not decided: {why}.", f"{why}."))
     else:
         case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
                                f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
-    evidence = {**evidence, **irreducible, "aperiodic": aperiodic, "torus": torus}
-    return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
+    evidence = {**found, **irreducible, "aperiodic": aperiodic, "torus": torus}
+    return _answer(case, "not convergent, not periodic", evidence, reason, never_escapes=not reason, torus_dimension=dimension)
 
 
 def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
@@ -475,11 +477,20 @@ def _fractions(values: Sequence[Any]) -> list[Fraction]:
 
 
 def _undecided(case: _Case, steps: int, reason: str) -> Answer:
-    evidence: dict[str, Any] = {"searched": steps}
+    return _answer(case, "undecided", _searched(case, None, steps), reason)
+
+
+def _searched(case: _Case, pair: Readings | None, steps: int) -> dict[str, Any]:
+    """Evidence that there is no escape in so many steps: modulo a large prime, if one is found, or by exact steps."""
     if case.rational and steps:
         modulus = next((N for N in _LARGE if no_escape_modulo(_fractions(case.Q), _fractions(case.S), steps, N)), None)
-        evidence.update({"modulus": modulus} if modulus else {})
-    return _answer(case, "undecided", evidence, reason)
+        return {"searched": steps, **({"modulus": modulus} if modulus else {})}
+    if pair is not None and steps:
+        for p, root in islice(((p, root) for p in primes(_BILLION) for root in pair.roots(p)), _FEW):
+            Q, S = (pair.read(x, p, root) for x in (case.Q, case.S))
+            if Q and S and no_escape_modulo(Q, S, steps, p):
+                return {"searched": steps, "modulus": p, "residue": root}
+    return {"searched": steps if pair is None else 0}
 
 
 def _guess_order(D: list) -> int | None:

@@ -64,6 +64,8 @@ def headline(answer: Answer) -> str:
             return "the orbit converges"
         case "undecided":
             return "undecided"
+        case "not convergent, not periodic" if answer.is_open:
+            return "the orbit is not convergent, not periodic; undecided is whether it ever escapes"
     return f"the orbit is {answer.behaviour}"
 
 
