@@ -22,8 +22,8 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
   of `D` are distinct roots of unity; its period is then the least common multiple of their
   orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.
   With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
-* Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
-  a question about zeros of linear recurring sequences, for which no general method is known.
+* Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it, or valuations; that is
+  a question about zeros of linear recurring sequences, for which no general method is known.  What it does is decided all the same.
 
 "Positive real" is meant of the function :math:`v = b/2a`: :math:`\operatorname{Re} v \ge 0` outside the
 circle.  If `D` has no zero on the circle this is the strict notion of BLZ94 (2.13)-(2.15) for coprime data.
@@ -46,6 +46,7 @@ from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
+from exactkf.dynamics.dominance import dominating
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json
 from exactkf.dynamics.sieve import places_of_signs
@@ -403,8 +404,8 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
         if escape is not None:
             return _escaped(case, escape)
         found = _searched(case, pair, steps)
-        reason = (f"whether the orbit ever escapes; it does not before step {found['searched']}, and no prime, nor several together, was found to exclude it later"
-                  + ", which is rare where D has multiple zeros" * (not _is_simple(case.D)))
+        reason = (f"whether the orbit ever escapes; it does not before step {found['searched']}, and no prime was found, nor several together, that exclude "
+                  "it later" + ", which is rare where D has multiple zeros" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
     dimension, torus, why = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
@@ -429,6 +430,8 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                                "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
                                f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
         return {"order": N}
+    if not _is_simple(case.D) and (dominated := _dominated(case, pair)):
+        return dominated
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:
@@ -448,6 +451,8 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
         case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {prime}, and there is no escape before: the orbit never escapes.",
                                f"$\\gamma_t$ is a multiple of ${prime}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
         return {"modulus": prime, "after": after}
+    if _is_simple(case.D) and (dominated := _dominated(case, pair)):
+        return dominated
     signs = places_of_signs(pair, before)
     if signs is None:
         return None
@@ -457,6 +462,19 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                            f"$X_t u = 0$ and $Y_t u = Ku$ modulo powers of ${first}$, or $Y_t u = -Ku$ modulo powers of ${second}$, "
                            "has no solution $t \\ge 0$, $u \\ne 0$ that lifts."))
     return {"signs": signs, "before": before}
+
+
+def _dominated(case: _Case, pair: Readings) -> dict[str, Any] | None:
+    """Evidence from a prime at which one product of zeros of D is the largest, or None."""
+    if pair.integral is None or (found := dominating(_fractions(case.reduced.Q), _fractions(case.reduced.S), pair.integral)) is None:
+        return None
+    evidence, steps = found
+    p, t = evidence["prime"], case.reduced.start + steps
+    case.facts.append(Fact(f"In the determinants whose zeros are the escapes one power outgrows all others in the {p}-adic numbers: "
+                           f"none vanishes from step {t} on, and there is no escape before.",
+                           f"$\\det X_t$ is a sum of powers, one of them the largest in $\\mathbb{{Q}}_{{{p}}}$ for $t \\ge {t}$, "
+                           f"and not zero for $t < {t}$."))
+    return {"dominated": evidence}
 
 
 def _is_simple(D: Sequence[Any]) -> bool:
@@ -486,7 +504,7 @@ def _searched(case: _Case, pair: Readings | None, steps: int) -> dict[str, Any]:
         modulus = next((N for N in _LARGE if no_escape_modulo(_fractions(case.Q), _fractions(case.S), steps, N)), None)
         return {"searched": steps, **({"modulus": modulus} if modulus else {})}
     if pair is not None and steps:
-        for p, root in islice(((p, root) for p in primes(_BILLION) for root in pair.roots(p)), _FEW):
+        for p, root in islice(((q, r) for q in primes(_BILLION) for r in pair.roots(q)), _FEW):
             Q, S = (pair.read(x, p, root) for x in (case.Q, case.S))
             if Q and S and no_escape_modulo(Q, S, steps, p):
                 return {"searched": steps, "modulus": p, "residue": root}

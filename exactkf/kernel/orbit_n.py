@@ -34,7 +34,8 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.  The states before the reduced
    pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
 6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N from some step on, where N divides no denominator,
-   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`.
+   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`, and
+   valuations in `exactkf.kernel.orbit_dominated`.
 
 References
 ----------
@@ -52,6 +53,7 @@ from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product
 from exactkf.kernel.limits import BITS, ORDER, STEPS, WORK, within
 from exactkf.kernel.numbers import Undefined, divide, fraction, sign
+from exactkf.kernel.orbit_dominated import last_escape
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular_step
@@ -394,6 +396,10 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     elif "order" in evidence:
         _need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
+    elif "dominated" in evidence:
+        _need(algebraic is None, "sums of powers are for rational data")
+        T = last_escape(reduced.Q, reduced.S, evidence["dominated"])
+        _searched(reduced.Q, reduced.S, {"searched": T, "modulus": evidence["dominated"]["modulus"]})
     elif "signs" in evidence:
         read: dict[Any, set[int]] = {}
         for sign, places in zip((1, -1), evidence["signs"], strict=True):

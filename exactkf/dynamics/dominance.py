@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+r"""A prime at which one product of zeros of `D` is larger than all others, so that escapes end.
+
+Main definitions
+----------------
+``dominating``  what shows that a reduced rational pair never escapes, from steps up to a bound and valuations beyond
+
+Main statements
+---------------
+See `exactkf.kernel.orbit_dominated`.
+
+Choice of algorithm
+-------------------
+:math:`\det X_t` is a sum of :math:`\lambda^t`, :math:`\lambda` the products of `m` zeros of `D`, with polynomials in `t` for coefficients.  If all zeros
+of `D` but roots of unity have p-adic moduli other than one, and `N` is a common order of those roots, one :math:`\lambda^N` is the largest.  That is so if `p`
+divides all coefficients but the middle one of `D` without the factors that have roots of unity.  The recursion of the determinants and the
+coefficients come from linear equations.
+
+References
+----------
+BLZ94 Section 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import comb, gcd
+from typing import Any
+
+from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly, nmod_mat
+
+from exactkf.dynamics.wandering import common_period, no_escape_modulo, primes
+from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, power_sums
+from exactkf.kernel.orbit_polynomial import determinants
+
+__all__ = ["dominating"]
+
+_PRIMES, _LARGE, _MOST = 1000, (1 << 61) - 1, 2000
+_Parts = list[tuple[list[fmpq], list[list[fmpq]]]]
+
+
+def dominating(Q: Sequence[Any], S: Sequence[Any], D: fmpz_poly) -> tuple[dict[str, Any], int] | None:
+    """Return evidence, and a step before which every escape would be, or None.
+
+    Parameters
+    ----------
+    Q, S : sequences of rationals
+        A reduced pair, in the order of powers of z.
+    D : fmpz_poly
+        A multiple of its z^m D.
+    """
+    unity, rest = _split(D)
+    common = gcd(*(int(c) for i, c in enumerate(rest.coeffs()) if 2 * i != rest.degree()))
+    candidates = [p for p in _few(primes()) if rest.degree() > 0 and common % p == 0]
+    N = common_period(unity.coeffs()) if candidates else None
+    m = len(Q) - 1
+    size = 2 * comb(2 * m, m)
+    if N is None or N * size > _MOST:
+        return None
+    values = determinants([fmpq(x) if isinstance(x, int) else x for x in Q], list(S), N * size)
+    classes = [_parts([fmpq(x.numerator, x.denominator) for x in values[k::N]]) for k in range(N)]
+    for p in candidates:
+        try:
+            chosen = [_first_dominates(parts, p) for parts in classes]
+            evidence = {"prime": p, "modulus": _LARGE, "classes": [[[_words(M), [_words(row) for row in C]] for M, C in parts] for parts in chosen]}
+            steps = last_escape(list(Q), list(S), evidence)
+        except Undefined:
+            continue
+        if no_escape_modulo(Q, S, steps, _LARGE):
+            return evidence, steps
+    return None
+
+
+def _few(some: Any) -> list[int]:
+    return [p for p, _ in zip(some, range(_PRIMES), strict=False)]
+
+
+def _split(D: fmpz_poly) -> tuple[fmpz_poly, fmpz_poly]:
+    """The factors with roots of unity, and the primitive rest."""
+    unity = rest = fmpz_poly([1])
+    for factor, multiplicity in D.factor()[1]:
+        if factor.is_cyclotomic():
+            unity *= factor**multiplicity
+        else:
+            rest *= factor**multiplicity
+    return unity, rest
+
+
+def _parts(values: list[fmpq]) -> _Parts:
+    """The sums of powers that have the values, of the least recursion."""
+    half = len(values) // 2
+    p = (1 << 61) - 1
+    if any(x.q % p == 0 for x in values):
+        raise Undefined("a denominator is no unit")
+    r = nmod_mat(half, half, [int(x.p) * pow(int(x.q), -1, p) % p for i in range(half) for x in values[i:i + half]], p).rank()
+    hankel = fmpq_mat([values[i:i + r] for i in range(r)])
+    recursion = hankel.solve(fmpq_mat([[-x] for x in values[r:2 * r]]))
+    chi = fmpq_poly([*(recursion[i, 0] for i in range(r)), 1])
+    factors = [(fmpq_poly(f) / f.leading_coefficient(), k) for f, k in chi.numer().factor()[1]]
+    columns, shape = [], []
+    for f, k in factors:
+        M, d = f.coeffs(), f.degree()
+        sums = [fmpq(x.numerator, x.denominator) for x in power_sums([Fraction(int(c.p), int(c.q)) for c in M], r + d)]
+        for power in range(k):
+            columns += [[s**power * sums[s + b] for s in range(r)] for b in range(d)]
+        shape.append((M, d, k))
+    solved = fmpq_mat([list(row) for row in zip(*columns, strict=True)]).solve(fmpq_mat([[x] for x in values[:r]]))
+    flat, parts = [solved[i, 0] for i in range(r)], []
+    for M, d, k in shape:
+        parts.append((M, [flat[d * i:d * (i + 1)] for i in range(k)]))
+        flat = flat[d * k:]
+    return parts
+
+
+def _first_dominates(parts: _Parts, p: int) -> _Parts:
+    """The same with the polynomial first that has the dominating zero, or Undefined."""
+    for i in range(len(parts)):
+        order = [parts[i], *parts[:i], *parts[i + 1:]]
+        try:
+            last_zero([Powers(_fractions(M), [_fractions(row) for row in C]) for M, C in order], p)
+        except Undefined:
+            continue
+        return order
+    raise Undefined(f"no zero dominates at {p}")
+
+
+def _fractions(values: Sequence[fmpq]) -> list[Fraction]:
+    return [Fraction(int(x.p), int(x.q)) for x in values]
+
+
+def _words(values: Sequence[fmpq]) -> list[str]:
+    return [str(x) for x in values]
