@@ -4,6 +4,7 @@ r"""A prime at which one product of zeros of `D` is larger than all others, so t
 Main definitions
 ----------------
 ``dominating``  what shows that a reduced rational pair never escapes, from steps up to a bound and valuations beyond
+``bounds``      the same without the steps
 
 Main statements
 ---------------
@@ -23,8 +24,9 @@ BLZ94 Section 8.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import islice
 from math import comb, gcd
 from typing import Any
 
@@ -35,7 +37,7 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, power_sums
 from exactkf.kernel.orbit_polynomial import determinants
 
-__all__ = ["dominating"]
+__all__ = ["bounds", "dominating"]
 
 _PRIMES, _LARGE, _MOST = 1000, (1 << 61) - 1, 2000
 _Parts = list[tuple[list[fmpq], list[list[fmpq]]]]
@@ -51,30 +53,27 @@ def dominating(Q: Sequence[Any], S: Sequence[Any], D: fmpz_poly) -> tuple[dict[s
     D : fmpz_poly
         A multiple of its z^m D.
     """
+    return next(((evidence, steps) for evidence, steps in bounds(Q, S, D) if no_escape_modulo(Q, S, steps, _LARGE)), None)
+
+
+def bounds(Q: Sequence[Any], S: Sequence[Any], D: fmpz_poly) -> Iterator[tuple[dict[str, Any], int]]:
+    """Yield, for each prime that dominates, evidence and a step from which on no determinant vanishes, whatever happens before."""
     unity, rest = _split(D)
     common = gcd(*(int(c) for i, c in enumerate(rest.coeffs()) if 2 * i != rest.degree()))
-    candidates = [p for p in _few(primes()) if rest.degree() > 0 and common % p == 0]
+    candidates = [p for p in islice(primes(), _PRIMES) if rest.degree() > 0 and common % p == 0]
     N = common_period(unity.coeffs()) if candidates else None
-    m = len(Q) - 1
-    size = 2 * comb(2 * m, m)
+    size = 2 * comb(2 * len(Q) - 2, len(Q) - 1)
     if N is None or N * size > _MOST:
-        return None
-    values = determinants([fmpq(x) if isinstance(x, int) else x for x in Q], list(S), N * size)
-    classes = [_parts([fmpq(x.numerator, x.denominator) for x in values[k::N]]) for k in range(N)]
+        return
+    values = determinants(*([fmpq(x.numerator, x.denominator) for x in f] for f in (Q, S)), N * size)
     for p in candidates:
         try:
+            classes = [_parts([fmpq(x.numerator, x.denominator) for x in values[k::N]]) for k in range(N)]
             chosen = [_first_dominates(parts, p) for parts in classes]
             evidence = {"prime": p, "modulus": _LARGE, "classes": [[[_words(M), [_words(row) for row in C]] for M, C in parts] for parts in chosen]}
-            steps = last_escape(list(Q), list(S), evidence)
+            yield evidence, last_escape(list(Q), list(S), evidence)
         except Undefined:
             continue
-        if no_escape_modulo(Q, S, steps, _LARGE):
-            return evidence, steps
-    return None
-
-
-def _few(some: Any) -> list[int]:
-    return [p for p, _ in zip(some, range(_PRIMES), strict=False)]
 
 
 def _split(D: fmpz_poly) -> tuple[fmpz_poly, fmpz_poly]:
@@ -91,10 +90,9 @@ def _split(D: fmpz_poly) -> tuple[fmpz_poly, fmpz_poly]:
 def _parts(values: list[fmpq]) -> _Parts:
     """The sums of powers that have the values, of the least recursion."""
     half = len(values) // 2
-    p = (1 << 61) - 1
-    if any(x.q % p == 0 for x in values):
+    if any(x.q % _LARGE == 0 for x in values):
         raise Undefined("a denominator is no unit")
-    r = nmod_mat(half, half, [int(x.p) * pow(int(x.q), -1, p) % p for i in range(half) for x in values[i:i + half]], p).rank()
+    r = nmod_mat(half, half, [int(x.p) * pow(int(x.q), -1, _LARGE) % _LARGE for i in range(half) for x in values[i:i + half]], _LARGE).rank()
     hankel = fmpq_mat([values[i:i + r] for i in range(r)])
     recursion = hankel.solve(fmpq_mat([[-x] for x in values[r:2 * r]]))
     chi = fmpq_poly([*(recursion[i, 0] for i in range(r)), 1])

@@ -105,15 +105,14 @@ def power_sums(M: list[Fraction], count: int) -> list[Fraction]:
 def last_zero(parts: list[Powers], p: int) -> int:
     """A t from which on F(-t) is not zero; see statements 2 and 3."""
     first, d = parts[0], len(parts[0].M) - 1
-    a = [_valuation(c, p) for c in first.M]
-    _need(a[1] is not None, "no zero dominates")
-    w = Fraction(a[0] - a[1])
-    u = max([Fraction(a[1] - x, j - 1) for j, x in enumerate(a) if j > 1 and x is not None] + [_largest(x.M, p) for x in parts[1:]], default=None)
-    if u is None:
-        raise Undefined("there is nothing to dominate")
-    _need(w > u, "no zero dominates")
-    h = max(Fraction(-v, len(x.M) - 1 - j) for x in parts for j, c in enumerate(x.M[:-1]) if (v := _valuation(c, p)) is not None)
-    bounds = [b * max(h, 0) - v for x in parts for row in x.C for b, c in enumerate(row) if (v := _valuation(c, p)) is not None]
+    a = _valuations(first.M, p)
+    _need(1 in a, "no zero dominates")
+    w = a[0] - a[1]
+    others = [Fraction(a[1] - x, j - 1) for j, x in a.items() if j > 1] + [_largest(x.M, p) for x in parts[1:]]
+    _need(bool(others) and w > max(others), "no zero dominates")
+    u = max(others)
+    h = max(Fraction(-v, len(x.M) - 1 - j) for x in parts for j, v in _valuations(x.M[:-1], p).items())
+    bounds = [b * max(h, Fraction(0)) - v for x in parts for row in x.C for b, v in _valuations(row, p).items()]
     _need(bool(bounds), "all coefficients are zero")
     R = _norm(first)
     _need(bool(R), "the norm of the dominant coefficient is zero")
@@ -132,12 +131,13 @@ def last_zero(parts: list[Powers], p: int) -> int:
 
 def _largest(M: list[Fraction], p: int) -> Fraction:
     """The largest valuation of a zero."""
-    a = [_valuation(c, p) for c in M]
-    return max(Fraction(a[0] - x, j) for j, x in enumerate(a) if j and x is not None)
+    a = _valuations(M, p)
+    return max(Fraction(a[0] - x, j) for j, x in a.items() if j)
 
 
-def _valuation(x: Fraction, p: int) -> int | None:
-    return None if x == 0 else exponent(x.numerator, p) - exponent(x.denominator, p)
+def _valuations(values: list[Fraction], p: int) -> dict[int, int]:
+    """The valuations of those that are not zero, by their places."""
+    return {j: exponent(x.numerator, p) - exponent(x.denominator, p) for j, x in enumerate(values) if x != 0}
 
 
 def _norm(part: Powers) -> list[Fraction]:
