@@ -65,7 +65,7 @@ def headline(answer: Answer) -> str:
         case "undecided":
             return "undecided"
         case "not convergent, not periodic" if answer.is_open:
-            return "the orbit is not convergent, not periodic; undecided is whether it ever escapes"
+            return "the orbit is not convergent, not periodic; an escape is not excluded"
     return f"the orbit is {answer.behaviour}"
 
 
