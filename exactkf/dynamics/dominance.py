@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-r"""A prime at which one product of zeros of `D` is larger than all others, so that escapes end.
+r"""An absolute value at which one product of zeros of `D` is larger than all others, so that escapes end.
 
 Main definitions
 ----------------
@@ -13,8 +13,9 @@ See `exactkf.kernel.orbit_dominated`.
 Choice of algorithm
 -------------------
 :math:`\det X_t` is a sum of :math:`\lambda^t`, :math:`\lambda` the products of `m` zeros of `D`, with polynomials in `t` for coefficients.  If all zeros
-of `D` but roots of unity have p-adic moduli other than one, and `N` is a common order of those roots, one :math:`\lambda^N` is the largest.  That is so if `p`
-divides all coefficients but the middle one of `D` without the factors that have roots of unity.  The recursion of the determinants and the
+of `D` but roots of unity have moduli other than one, and `N` is a common order of those roots, one :math:`\lambda^N` is the largest.  That is so if `p`
+divides all coefficients but the middle one of `D` without the factors that have roots of unity; at the real absolute value, if there is no zero on the
+circle but roots of unity.  The recursion of the determinants and the
 coefficients come from linear equations.
 
 References
@@ -33,8 +34,10 @@ from typing import Any
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly, nmod_mat
 
 from exactkf.dynamics.wandering import common_period, no_escape_modulo, primes
+from exactkf.exact.balls import precision
+from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, power_sums
+from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, last_zero_by_size, power_sums
 from exactkf.kernel.orbit_polynomial import determinants
 
 __all__ = ["bounds", "dominating"]
@@ -57,20 +60,24 @@ def dominating(Q: Sequence[Any], S: Sequence[Any], D: fmpz_poly) -> tuple[dict[s
 
 
 def bounds(Q: Sequence[Any], S: Sequence[Any], D: fmpz_poly) -> Iterator[tuple[dict[str, Any], int]]:
-    """Yield, for each prime that dominates, evidence and a step from which on no determinant vanishes, whatever happens before."""
+    """Yield, for each absolute value at which one dominates, evidence and a step from which on no determinant vanishes, whatever happens before."""
     unity, rest = _split(D)
     common = gcd(*(int(c) for i, c in enumerate(rest.coeffs()) if 2 * i != rest.degree()))
-    candidates = [p for p in islice(primes(), _PRIMES) if rest.degree() > 0 and common % p == 0]
+    candidates: list[int | None] = [p for p in islice(primes(), _PRIMES) if rest.degree() > 0 and common % p == 0]
+    if rest.degree() > 0 and not count_roots(rest).on:
+        candidates.append(None)
     N = common_period(unity.coeffs()) if candidates else None
     size = 2 * comb(2 * len(Q) - 2, len(Q) - 1)
     if N is None or N * size > _MOST:
         return
-    values = determinants(*([fmpq(x.numerator, x.denominator) for x in f] for f in (Q, S)), N * size)
+    q, s = ([fmpq(x.numerator, x.denominator) for x in f] for f in (Q, S))
+    values = determinants(q, s, N * size)
     for p in candidates:
         try:
             classes = [_parts([fmpq(x.numerator, x.denominator) for x in values[k::N]]) for k in range(N)]
-            chosen = [_first_dominates(parts, p) for parts in classes]
-            evidence = {"prime": p, "modulus": _LARGE, "classes": [[[_words(M), [_words(row) for row in C]] for M, C in parts] for parts in chosen]}
+            at = {"prime": p} if p else {"radii": [str(x) for x in _radii(classes)]}
+            chosen = [_first_dominates(parts, at) for parts in classes]
+            evidence = {**at, "modulus": _LARGE, "classes": [[[_words(M), [_words(row) for row in C]] for M, C in parts] for parts in chosen]}
             yield evidence, last_escape(list(Q), list(S), evidence)
         except Undefined:
             continue
@@ -112,16 +119,33 @@ def _parts(values: list[fmpq]) -> _Parts:
     return parts
 
 
-def _first_dominates(parts: _Parts, p: int) -> _Parts:
+def _radii(classes: list[_Parts]) -> tuple[Fraction, Fraction]:
+    """Numbers between the smallest and the next modulus of a zero."""
+    polynomials = {tuple(map(str, M)): fmpq_poly(M).numer() for parts in classes for M, _ in parts}
+    with precision(128):
+        roots: Any = [z for f in polynomials.values() for z in f.complex_roots()]  # pairs of a ball and a multiplicity
+        sizes = sorted(Fraction(str(z.abs_lower().mid().fmpq())) for z, _ in roots)
+    gap = sizes[1] - sizes[0] if len(sizes) > 1 else Fraction(0)
+    if gap * 1000 < sizes[0]:
+        raise Undefined("the smallest zero is not alone")
+    near = 2 + int(8 / gap)
+    return (sizes[0] + gap / 4).limit_denominator(near), (sizes[1] - gap / 4).limit_denominator(near)
+
+
+def _first_dominates(parts: _Parts, at: dict[str, Any]) -> _Parts:
     """The same with the polynomial first that has the dominating zero, or Undefined."""
     for i in range(len(parts)):
         order = [parts[i], *parts[:i], *parts[i + 1:]]
+        read = [Powers(_fractions(M), [_fractions(row) for row in C]) for M, C in order]
         try:
-            last_zero([Powers(_fractions(M), [_fractions(row) for row in C]) for M, C in order], p)
+            if "prime" in at:
+                last_zero(read, at["prime"])
+            else:
+                last_zero_by_size(read, *map(Fraction, at["radii"]))
         except Undefined:
             continue
         return order
-    raise Undefined(f"no zero dominates at {p}")
+    raise Undefined("no zero dominates")
 
 
 def _fractions(values: Sequence[fmpq]) -> list[Fraction]:

@@ -465,14 +465,15 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
 
 
 def _dominated(case: _Case, pair: Readings) -> dict[str, Any] | None:
-    """Evidence from a prime at which one product of zeros of D is the largest, or None."""
+    """Evidence from an absolute value at which one product of zeros of D is the largest, or None."""
     if pair.integral is None or (found := dominating(_fractions(case.reduced.Q), _fractions(case.reduced.S), pair.integral)) is None:
         return None
     evidence, steps = found
-    p, t = evidence["prime"], case.reduced.start + steps
-    case.facts.append(Fact(f"In the determinants whose zeros are the escapes one power outgrows all others in the {p}-adic numbers: "
+    p, t = evidence.get("prime"), case.reduced.start + steps
+    words, field = (f"in the {p}-adic numbers", f"\\mathbb{{Q}}_{{{p}}}") if p else ("in size", r"\mathbb{C}")
+    case.facts.append(Fact(f"In the determinants whose zeros are the escapes one power outgrows all others {words}: "
                            f"none vanishes from step {t} on, and there is no escape before.",
-                           f"$\\det X_t$ is a sum of powers, one of them the largest in $\\mathbb{{Q}}_{{{p}}}$ for $t \\ge {t}$, "
+                           f"$\\det X_t$ is a sum of powers, one of them the largest in ${field}$ for $t \\ge {t}$, "
                            f"and not zero for $t < {t}$."))
     return {"dominated": evidence}
 

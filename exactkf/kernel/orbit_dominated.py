@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-r"""Orbits of the fast filter with zeros of `D` that are p-adically large: a time after which they never escape.
+r"""Orbits of the fast filter with zeros of `D` that are large, p-adically or at all: a time after which they never escape.
 
 Main statements
 ---------------
@@ -17,6 +17,10 @@ Let f(s) = det X_{-(k + Ns)} (see `exactkf.kernel.orbit_sieve`); an escape in th
    with integers c and n_j, of degree g.  From the first t on at which |n_g| t^g is more than all other |n_j| t^j together R(t) is not zero, and p to the power
    v(c R(t)) is at most H t^g, H = sum |n_j|.  As (w - u)t log p - g log t increases for t >= 2g/(w - u), f(-t) is not zero from a t on at which, besides, p to
    the power (w - u)t - d beta + v(c) is more.  This is Liouville's inequality; the numbers need not be known to be irrational.
+4. *At the real absolute value.*  One zero y_0 of M_0 has |y_0| <= r_0, all others of all M_i have |y| >= r_1 > r_0.  All are below Y, by Cauchy's bound, and so
+   all |C_i(-t, y)| at most B t^e, B the largest sum of |c_{lb}| Y^b and t > 0.  If f(-t) = 0, |C_0(-t, y_0)| is at most n B t^e (r_0 / r_1)^t, n the number of
+   zeros, and 1 / c <= |R(t)| <= n B^d t^{ed} (r_0 / r_1)^t where R(t) is not zero.  As log(r_1 / r_0) >= 1 - r_0 / r_1, (r_1 / r_0)^t t^{-ed} increases
+   for t >= ed r_1 / (r_1 - r_0).
 
 References: C. Lech, Ark. Mat. 2 (1953); G. Everest et al., Recurrence Sequences (2003), chapter 2.
 """
@@ -33,9 +37,9 @@ from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.orbit_polynomial import determinants, interpolated
 from exactkf.kernel.orbit_sieve import exponent
-from exactkf.kernel.roots import divmod_poly, times_poly
+from exactkf.kernel.roots import count_circle, divmod_poly, times_poly
 
-__all__ = ["Powers", "last_escape", "last_zero", "power_sums", "sum_of_powers"]
+__all__ = ["Powers", "last_escape", "last_zero", "last_zero_by_size", "power_sums", "sum_of_powers"]
 
 
 class Powers(NamedTuple):
@@ -52,10 +56,9 @@ def last_escape(Q: list, S: list, evidence: Mapping[str, Any]) -> int:
     ----------
     Q, S : lists of Fraction
     evidence : mapping
-        ``prime``; ``classes``, for k = 0, ..., N - 1 a list of the pairs M_i, C_i, first M_0.
+        ``prime``, or ``radii``, those of statement 4; ``classes``, for k = 0, ..., N - 1 a list of the pairs M_i, C_i, first M_0.
     """
-    p, classes = evidence["prime"], [[_powers(x) for x in parts] for parts in evidence["classes"]]
-    _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "what is to dominate is not at a prime")
+    classes = [[_powers(x) for x in parts] for parts in evidence["classes"]]
     _need(bool(classes) and all(classes), "no class of times is named")
     m, N = len(Q) - 1, len(classes)
     orders = [sum((len(x.M) - 1) * len(x.C) for x in parts) for parts in classes]
@@ -66,6 +69,11 @@ def last_escape(Q: list, S: list, evidence: Mapping[str, Any]) -> int:
     for k, (parts, order) in enumerate(zip(classes, orders, strict=True)):
         count = comb(2 * m, m) + order
         _need(sum_of_powers(parts, count) == values[k::N][:count], f"the determinants at times {-k} modulo {N} are other sums of powers")
+    if "radii" in evidence:
+        inner, outer = map(fraction, evidence["radii"])
+        return N * max(last_zero_by_size(parts, inner, outer) for parts in classes)
+    p = evidence["prime"]
+    _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "what is to dominate is not at a prime")
     return N * max(last_zero(parts, p) for parts in classes)
 
 
@@ -114,19 +122,44 @@ def last_zero(parts: list[Powers], p: int) -> int:
     h = max(Fraction(-v, len(x.M) - 1 - j) for x in parts for j, v in _valuations(x.M[:-1], p).items())
     bounds = [b * max(h, Fraction(0)) - v for x in parts for row in x.C for b, v in _valuations(row, p).items()]
     _need(bool(bounds), "all coefficients are zero")
-    R = _norm(first)
-    _need(bool(R), "the norm of the dominant coefficient is zero")
-    c = lcm(*(x.denominator for x in R))
-    n, g = [int(x * c) for x in R], len(R) - 1
-    H, less = sum(map(abs, n)), d * max(bounds) - exponent(c, p)
+    n, c = _norm(first)
+    g, H, less = len(n) - 1, sum(map(abs, n)), d * max(bounds) - exponent(c, p)
     t = ceil(max(Fraction(1), 2 * g / (w - u)))
     while True:
         within(t, STEPS, "a time after which there is no escape")
         most = H * t**g
-        leads = 2 * abs(n[-1]) * t**g > sum(abs(x) * t**j for j, x in enumerate(n))
-        if leads and p ** min(max(0, floor((w - u) * t - less)), most.bit_length() + 1) > most:
+        if _leads(n, t) and p ** min(max(0, floor((w - u) * t - less)), most.bit_length() + 1) > most:
             return t
         t += 1 + t // 8
+
+
+def last_zero_by_size(parts: list[Powers], inner: Fraction, outer: Fraction) -> int:
+    """A t from which on F(-t) is not zero; see statement 4."""
+    _need(0 < inner < outer, "the radii are not positive and in increasing order")
+    first, d = parts[0], len(parts[0].M) - 1
+    within(sum(x.bit_length() for r in (inner, outer) for x in (r.numerator, r.denominator)), 512, "bits of the radii")
+    _need(sum(_zeros_within(first.M, inner)[:2]) == 1 == _zeros_within(first.M, outer)[0], "no zero dominates")
+    _need(all(_zeros_within(x.M, outer)[0] == 0 for x in parts[1:]), "no zero dominates")
+    Y = 1 + max(abs(c) for x in parts for c in x.M)
+    B = max(sum((abs(c) * Y**b for row in x.C for b, c in enumerate(row)), Fraction(0)) for x in parts)
+    n, c = _norm(first)
+    power, factor = d * (max(len(x.C) for x in parts) - 1), c * sum(len(x.M) - 1 for x in parts) * B**d
+    t = ceil(max(Fraction(1), power * outer / (outer - inner)))
+    while True:
+        within(t, STEPS >> 6, "a time after which there is no escape")
+        if _leads(n, t) and (outer / inner) ** t > factor * t**power:
+            return t
+        t += 1 + t // 8
+
+
+def _zeros_within(M: list[Fraction], r: Fraction) -> tuple[int, int, int]:
+    """How many zeros have a modulus less than r, r, or more."""
+    return count_circle([c * r**j for j, c in enumerate(M)])
+
+
+def _leads(n: list[int], t: int) -> bool:
+    """Whether the leading term is more than all others together at t, and so from there on."""
+    return 2 * abs(n[-1]) * t ** (len(n) - 1) > sum(abs(x) * t**j for j, x in enumerate(n))
 
 
 def _largest(M: list[Fraction], p: int) -> Fraction:
@@ -140,8 +173,8 @@ def _valuations(values: list[Fraction], p: int) -> dict[int, int]:
     return {j: exponent(x.numerator, p) - exponent(x.denominator, p) for j, x in enumerate(values) if x != 0}
 
 
-def _norm(part: Powers) -> list[Fraction]:
-    """R, from the power zero of t up, without zeros at the end."""
+def _norm(part: Powers) -> tuple[list[int], int]:
+    """The n_j, the last of them not zero, and c."""
     M, C = part
     d, values = len(M) - 1, []
     for t in range(d * (len(C) - 1) + 1):
@@ -153,7 +186,10 @@ def _norm(part: Powers) -> list[Fraction]:
             rows.append(image)
             image = times_poly([Fraction(0), Fraction(1)], image)
         values.append(char_coefficients(Matrix(rows))[0] * (-1) ** d)
-    return interpolated(values)
+    R = interpolated(values)
+    _need(bool(R), "the norm of the dominant coefficient is zero")
+    c = lcm(*(x.denominator for x in R))
+    return [int(x * c) for x in R], c
 
 
 def _need(condition: bool, step: str) -> None:

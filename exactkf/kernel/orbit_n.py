@@ -35,7 +35,7 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
 6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N from some step on, where N divides no denominator,
    1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`, and
-   valuations in `exactkf.kernel.orbit_dominated`.
+   sums of powers with one that outgrows the others in `exactkf.kernel.orbit_dominated`.
 
 References
 ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Orbits with multiple zeros of D beside zeros that wander: valuations exclude late escapes, and never one that happens."""
+"""Orbits with multiple zeros of D beside others: valuations, or sizes, exclude late escapes, and never one that happens."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from flint import fmpq, fmpq_poly
 from exactkf.dynamics.dominance import bounds, dominating
 from exactkf.dynamics.every_order import _case, _fractions, decide
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, power_sums, sum_of_powers
+from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, last_zero_by_size, power_sums, sum_of_powers
 from exactkf.kernel.orbit_polynomial import determinants
 from exactkf.kernel.replay import Rejected, replay
 from exactkf.theory.orbits import first_escape
@@ -135,6 +135,56 @@ def test_a_planted_zero_is_before_the_bound():
             assert last_zero(parts, p) > t
         except Undefined as error:  # a coefficient that is zero for every t
             assert "zero" in str(error)
+
+
+#: spectra with no zero on the circle but roots of unity, some double
+OFF_CIRCLE = [[[1, 0, 1], [1, -1, -1], [1, 1, -1], [1, -1], [1, -1]],
+              [[1, 1, 2], [2, 1, 1], [1, -1, 1], [1, -1], [1, -1]], [[1, -1, 1], [1, 3, 1], [1, 1], [1, 1]]]
+
+
+def off_circle():
+    """Starts with these spectra."""
+    rng = random.Random(1)
+    for spectrum in OFF_CIRCLE:
+        chi = [fmpq(1)]
+        for f in spectrum:
+            chi = times(chi, [fmpq(c) for c in f])
+        yield next(made for _ in range(50) if (made := with_spectrum(rng, chi[len(chi) // 2:])))
+
+
+def test_a_power_that_is_the_largest_in_size():
+    """Such orbits are decided; other radii, and other sums of powers, are rejected."""
+    for a, g in off_circle():
+        answer = decide(a, g)
+        assert (answer.behaviour, answer.never_escapes, answer.torus_dimension) == (WANDERS, True, 0) and first_escape(a, g, 300) is None
+        certificate, there = answer.certificate, ("evidence", "dominated")
+        replay(certificate)
+        if len(a) > 3:
+            continue
+        evidence = certificate["evidence"]["dominated"]
+        lo, hi = evidence["radii"]
+        for path, value in ((("radii",), [hi, lo]), (("radii",), [lo, lo]), (("radii",), ["0", hi]), (("radii",), [lo, "5"]), (("radii",), ["1/1000", hi]),
+                            (("radii",), [lo]), (("radii",), [f"-{lo}", hi]), (("classes", 0, 0, 1, 0, 0), "7"), (("classes",), evidence["classes"][:-1])):
+            with pytest.raises(Rejected):
+                replay(edited(certificate, (*there, *path), value))
+                pytest.fail(f"accepted: {path}, {value}")
+
+
+def test_a_planted_zero_is_before_the_bound_in_size():
+    """The same at the real absolute value, with two real zeros, of which the smaller one dominates."""
+    rng = random.Random(3)
+    for _ in range(100):
+        t, b = rng.randint(1, 60), rng.randint(3, 9)
+        M = [Fraction(1), Fraction(rng.choice((b, -b))), Fraction(1)]
+        C = [[Fraction(rng.randint(-9, 9), rng.randint(1, 4)) for _ in range(2)] for _ in range(rng.randint(1, 3))]
+        sums = power_sums(M, t + 1)
+        value = sum(c * (-t) ** k * sums[abs(t - b)] for k, row in enumerate(C) for b, c in enumerate(row))
+        if any(map(any, C)):
+            parts = [Powers(M, C), Powers([Fraction(-1), Fraction(1)], [[-value]])]
+            assert last_zero_by_size(parts, Fraction(1, 2), Fraction(3, 4)) > t
+            for radii in ((Fraction(1, 20), Fraction(3, 4)), (Fraction(1, 2), Fraction(2)), (Fraction(3, 4), Fraction(1, 2))):
+                with pytest.raises(Undefined):
+                    last_zero_by_size(parts, *radii)
 
 
 def test_where_no_zero_dominates():
