@@ -14,6 +14,7 @@ its periodic points of every period p >= 3.
 from exactkf.claims import claim, not_checked
 from exactkf.evidence import example, instances, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_steady import CONVERGES, CONVERGES_BY, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
 
 un, wn, p, y, rest, Qm, fixed, flat = symbols("u_next w_next p y remainder Q_m fixed flat")
@@ -38,19 +39,17 @@ claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) ==
       note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
 S23 = "r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t tend to zero one after the other, and every limit point of Q_t/r_t is the Schur spectral factor of D"
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"]
-claim("BLM91-T3.3.2a", "positive real data converge", (dist < rational("1/1000")) & (abs(r20 - dd) < rational("1/1000")), sizes=["n"], over=STEADY_OVER, where=STEADY, given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=CLASSIC, prose=S23), *STEADY_BY],
-      note="As for the steady-state filter in Section II: on data with known spectral factor (n <= 2, rate bounded by the standing hypotheses) the state at t = 20 is within 1/1000 (squared) of the equilibrium (x, 0), which is "
-           "stable because the polynomial with coefficients x is a Schur polynomial.")
+claim("BLM91-T3.3.2a", "positive real data converge", CONVERGES[0] & CONVERGES[1], **STEADY_WORDS, by=CONVERGES_BY,
+      note=READ + " Defined for all t: r_(t+1) = (1 - gamma_t^2) r_t is d + h'(P - S_(t+1))h, not 0. The limit (x, 0) is stable because x(z) is a Schur polynomial.")
 claim("BLM91-T3.3.2b", "Q_t is a Schur polynomial", schur(Qm) & pos_on_circle(rest), sizes=["n", "m"], over={a: vector(n), g: vector(n)},
       where=[*stripped(g + a, g), *POLYNOMIALS, *DATA, let(Qm, Qp(m)), let(rest, Qp(m) * recip(Qp(m)) - Qs(m) * recip(Qs(m)))], given=REAL,
       by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"], prose="|Q*_t| < |Q_t| on the circle while r_t > 0; Q_0 - Q*_0 = a(z) is Schur, Q_(t+1) = Q_t - gamma_t z Q*_t, and |gamma_t| < 1 by Schwarz's lemma"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
       note="m is the time t; the second part is r_t D > 0 on the circle, the state at time t.")
-claim("BLM91-T3.3.2c", "the limit is the stable spectral factor", (rest == dd * sg * recip(sg)) & schur(sg) & (dist < rational("1/1000")), sizes=["n"], over=STEADY_OVER,
-      where=[*STEADY, let(rest, D)], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.28", facts=CLASSIC, prose=S23 + "; Schur because Q_t is for every t and D has no zero on the circle"), *STEADY_BY],
-      note="x holds the coefficients of Q_infinity/r_infinity, d is r_infinity; see T3.3.2a for what is tested.")
+claim("BLM91-T3.3.2c", "the limit is the stable spectral factor", CONVERGES[0] & (D == dd * sg * recip(sg)), **{
+          **STEADY_WORDS, "where": [*STEADY_WORDS["where"], let(sg, polynomial_of(x)), let(rest, polynomial_of(g, 0)), let(Qm, polynomial_of(g + a)), let(D, Qm * recip(Qm) - rest * recip(rest))]},
+      by=[steps("BLM91-E2.28", facts=[FACTOR, POWERS], prose="x(z) is the Schur factor of D; that q_t tends to x and r_t to d is shown for every n in T3.3.2a, by the first formula"), DRAWN],
+      note=READ + " D is that of the initial data; with d x(z)x(1/z) = D, the limits Q_infinity = d x(z) and r_infinity = d give Q_infinity Q_infinity* = r_infinity D.")
 PERIODIC = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), let(q0, al0 * E1), let(qs0, ga0 * E1), *stripped(q0, qs0))
 back = sym("back")
 BACK_N = function(back, [t], (q[t] == q0) & (qs[t] == qs0))
