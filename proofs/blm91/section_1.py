@@ -82,8 +82,7 @@ claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz ma
 claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, covariance(output(i - 1), output(j - 1))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
       where=[*STATE, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ],
       by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))])
-CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
-near_, grows_, kept = symbols("increment monotone positive")
+kept = sym("positive")
 claim("BLM91-S5", "convergence of gain and covariance", RICCATI_CONVERGES[0] & RICCATI_CONVERGES[1] & RICCATI_CONVERGES[2], **STEADY_MODEL, by=RICCATI_CONVERGES_BY,
       note="Positive real data: P solves P = FPF' + (g - FPh)(1 - h'Ph)^(-1)(g - FPh)' with the gain k = (g - FPh)/d and d = 1 - h'Ph > 0, and A = F - kh' is stable; such a P the Schur factor of D gives, P being the sum of d F^j kk'F'^j. "
            "P - Pi_t, between 0 and A^t P A'^t, tends to zero, 1 - h'Pi_t h to d, and the gain to k, the difference being A(P - Pi_t)h/(1 - h'Pi_t h). "

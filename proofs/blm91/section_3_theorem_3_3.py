@@ -12,7 +12,7 @@ its periodic points of every period p >= 3.
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, instances, steps
+from exactkf.evidence import example, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, CONVERGES_BY, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
@@ -37,7 +37,6 @@ claim("BLM91-T3.3.1b", "convergence needs a sign definite D", SEMI[0] & SEMI[1],
 claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) == r[m] * D + Qs(m) * recip(Qs(m)), sizes=["n", "m"], over=POINT, where=ORBIT_N,
       by=[steps("BLM91-E2.28", prose="the last term tends to zero with q*_t, r_t and Q_t converge"), instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
       note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
-S23 = "r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t tend to zero one after the other, and every limit point of Q_t/r_t is the Schur spectral factor of D"
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"]
 claim("BLM91-T3.3.2a", "positive real data converge", CONVERGES[0] & CONVERGES[1], **STEADY_WORDS, by=CONVERGES_BY,
       note=READ + " Defined for all t: r_(t+1) = (1 - gamma_t^2) r_t is d + h'(P - S_(t+1))h, not 0. The limit (x, 0) is stable because x(z) is a Schur polynomial.")
@@ -71,11 +70,12 @@ PARTS = (*STEADY, let(q0, g + a), let(qs0, g), *STEP[2:], let(fixed, (un == q0) 
          let(steady, (n <= 2) & schur(az) & (D == dd * sg * recip(sg)) & (SX <= rational("1/2")) & (dd >= rational("1/4"))), let(near, dist < rational("1/1000")))
 claim("BLM91-T3.3", "Theorem 3.3", iff(fixed, flat) & SEMI[0] & SEMI[1] & (rest == Qp(m) * recip(Qp(m))) & (steady >> (near & schur(Qm) & schur(sg))) & forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1),
       sizes=["n", "m"], over={**STEADY_OVER, p: integer(3, 6), u: integer(2, 3)}, where=[*PARTS, *PLANE],
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+      by=[part("convergence for n <= 2, as far as 20 steps, where the zeros of the factor are well inside"),
+          steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the parts, in this order, are T3.3.1a to T3.3.3, argued there"),
           instances(20, n=(1, 2), m=(0, 1, 2), using={w: vector(n)}, made_by={x: w}), instances(6, n=(1, 2), m=(1, 2), **STEADY_DRAW),
           *(example(n=i_, m=1, a=[1, 2, 3][:i_], g=[0, 0, 0][:i_], x=[0, 0, 0][:i_], p=3, u=2) for i_ in (1, 2)), example(n=2, m=1, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"], p=4, u=2)],
-      note="The conjunction of the parts at one point (a, g) with q_0 = g + a, q*_0 = g: equilibria, necessity and spectral factor; convergence for positive real data whose spectral factor x is known (steady); periodic points of order n. "
+      note="The conjunction of the parts at one point (a, g) with q_0 = g + a, q*_0 = g: equilibria, necessity and spectral factor; convergence for positive real data whose spectral factor x is known (steady), which T3.3.2a has for every n; periodic points of order n. "
            "Part 1) refers to D as that of (3.28); it is that of (2.28).")
 
 # ---------------------------------------------------------------------- remarks
