@@ -27,7 +27,7 @@ Proposition 1.3, by induction on n: the null vectors of A*C of a product are tho
 and on them the upper left block of the product agrees with the product of the A.
 """
 
-from exactkf.claims import claim, repair
+from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import example, identity, induction, instances, null_vector, order, restated, within
 from exactkf.language import (
     Identity,
@@ -156,13 +156,8 @@ claim("B93-S9", "the relations between the blocks of a symplectic matrix",
       over=ANY_BLOCKS, where=[BLOCKS], given=[given("M in Sp", symplectic(M))],
       by=[order(), instances(d=(1, 2, 3, 6), **_symplectic()), instances(8, d=(1, 2, 3), **_symplectic(lower=True))])
 
-claim("B93-S10", "a family of members of H",
-      in_h(M, A, A * P, Q * A), sizes=["d"],
-      over={A: nonsingular(d), P: positive_semidefinite(d), Q: positive_semidefinite(d)},
-      where=[let(M, block([[A, A * P], [Q * A, inv(T(A)) + Q * A * P]]))],
-      by=[order([], [], [A * P * T(A)], [T(A) * Q * A]), instances(d=UP_TO_6)],
-      note="A definition. What is checked is that the set is not empty: each nonsingular A with nonnegative P and Q "
-           "gives a member. S38 shows that there are no others.")
+not_checked("B93-S10", "the set H of Hamiltonian matrices", "a definition: it fixes notation and asserts nothing",
+            note="That H is not empty, S11 shows; S12 that it holds nothing else.")
 
 claim("B93-S11", "Hamiltonian matrices are in H",
       in_h(M, A, S * inv(T(A)), R * A), sizes=["d", "p", "q"], over=PARAMETERS, where=SYSTEM,

@@ -16,7 +16,7 @@ R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
 every symmetric P.
 """
 
-from exactkf.evidence import example, instances, lemma
+from exactkf.evidence import example, lemma
 from exactkf.language import (
     Identity,
     T,
@@ -234,7 +234,6 @@ STEADY_GIVEN = [standing("few states", n <= 2), standing("a(z) Schur", schur(az)
                 standing("factor well inside", SX <= rational("1/2")), standing("data well inside", dd >= rational("1/4"))]
 STEADY_DRAW = dict(using={w: vector(n)}, made_by={
     x: w / (2 * (1 + SW)), a: (WEIGHTS - J * WEIGHTS) / (1 - WEIGHTS[1]), g: (J * WEIGHTS - WEIGHTS[1] * WEIGHTS) / (1 - WEIGHTS[1] ** 2)})
-STEADY_BY = [instances(n=(1, 2), **STEADY_DRAW), example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])]
 STEADY_OVER = {a: vector(n), g: vector(n), x: vector(n)}
 
 # ---------------------------------------------------------------------- regions of Fig. 2, n = 1

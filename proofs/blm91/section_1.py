@@ -27,6 +27,7 @@ from proofs.blm91.lemmas_covariance import (
 )
 from proofs.blm91.lemmas_estimate import BY_ESTIMATE, CLOSED, ESTIMATE, ESTIMATE_LEMMAS, FILTER_WEIGHTS, KALMAN, PROJECTED, RICCATI_GAIN, SOME, filtered
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
+from proofs.blm91.lemmas_steady import RICCATI_CONVERGES, RICCATI_CONVERGES_BY, STEADY_MODEL
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_covariance import AB, MA, MA_NOTE, PHI, PSD_MODEL, SUM, TOEPLITZ, WEAK, Mk, Q, S, Tm, Toep, cc, num, p, sigma
 from proofs.blm91.section_2_filtering import FAST, fk, fks
@@ -75,20 +76,17 @@ claim("BLM91-E1.6", "the positive real part", (2 * laurent(p, 0) == 1) & forall(
 claim("BLM91-S4", "positive realness is positive definiteness of all Toeplitz matrices", iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
       by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
-                    by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
+                    by=[steps("BLM91-E2.3", "BLM91-X.20", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"], prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}), example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
       note=MA_NOTE + " Read as an equivalence of three: positive realness, a stochastic system, positive Toeplitz matrices. Between the two latter alone it fails as well: y_t = x_0 has c_k = 1, a stationary model with F = 1, and a singular T_1.")
 claim("BLM91-E1.7", "the Toeplitz matrix is the covariance of y_0 .. y_t", matrix_of(i, j, m + 1, m + 1, covariance(output(i - 1), output(j - 1))[1, 1]) == Toep(m), sizes=["n", "m"], over=SYSTEM,
       where=[*STATE, function(cc, [k], when(k == 0, 1, (T(h) * F ** (k - 1) * g)[1, 1])), TOEPLITZ],
       by=[generic_index(*WRITTEN_OUT), instances(n=(1, 2, 3), m=(1, 2, 3))])
-CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor", "a monotone bounded sequence of symmetric matrices converges"]
-near_, grows_, kept = symbols("increment monotone positive")
-claim("BLM91-S5", "convergence of gain and covariance", (dist < rational("1/1000")) & (near_ < rational("1/1000")) & grows_, sizes=["n", "m"], over=STEADY_OVER,
-      where=[*STEADY, *CANONICAL, RICCATI, let(near_, trace(Pi[20] - Pi[19])), let(grows_, loewner(Pi[m + 1], Pi[m]))], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.25", "BLM91-E2.28", "BLM91-E4.3", facts=CLASSIC, prose="Pi_(t+1) - Pi_t = r_t q*_t q*_t' with r_t > 0: Pi_t grows, and P - Pi_t is an error covariance for every state covariance P, so that the limit is the smallest (that P - Pi_t is semidefinite is tested in E1.8b); "
-                "k_t = q_t - a converges with q_t"),
-          instances(n=(1, 2), m=(0, 1, 2), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
-      note="On data with known spectral factor, as for the steady-state filter in Section II: at t = 20 the gain is within 1/1000 (squared) of x - a and the increment of Pi below 1/1000; at time m Pi grows.")
+kept = sym("positive")
+claim("BLM91-S5", "convergence of gain and covariance", RICCATI_CONVERGES[0] & RICCATI_CONVERGES[1] & RICCATI_CONVERGES[2], **STEADY_MODEL, by=RICCATI_CONVERGES_BY,
+      note="Positive real data: P solves P = FPF' + (g - FPh)(1 - h'Ph)^(-1)(g - FPh)' with the gain k = (g - FPh)/d and d = 1 - h'Ph > 0, and A = F - kh' is stable; such a P the Schur factor of D gives, P being the sum of d F^j kk'F'^j. "
+           "P - Pi_t, between 0 and A^t P A'^t, tends to zero, 1 - h'Pi_t h to d, and the gain to k, the difference being A(P - Pi_t)h/(1 - h'Pi_t h). "
+           "P_2 is the covariance of any state, with semidefinite noise covariance: it lies above every Pi_t, hence above their limit P, the P_- of the print.")
 DATA_PI = (*CANONICAL, RICCATI, *stripped(g + a, g), *DATA)
 claim("BLM91-E1.8a", "1 - h'Pi h is not negative for positive real data", (1 - (T(h) * Pi[m] * h)[1, 1] == r[m]) & kept, sizes=["n", "m"], over={a: vector(n), g: vector(n)}, where=[*DATA_PI, let(kept, r[m] > 0)], given=REAL,
       by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"], prose="1 - h'Pi_t h is r_t, and |gamma_t| < 1 keeps r_t positive"), instances(n=(1, 2, 3), m=(0, 1, 2), **CLASSICAL), *EDGE],

@@ -25,8 +25,8 @@ spectral density: y_t = (e_t + e_(t-1))/sqrt 2 has c_1 = 1/2, every T_t > 0,
 gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
-from exactkf.claims import claim, repair
-from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
+from exactkf.claims import claim, not_checked, repair
+from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, restated, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -62,12 +62,13 @@ claim("BLM91-E2.3", "Phi_+ has the covariances as its coefficients at infinity",
 # chi = det(zI - F), gz/chi = h'(zI - F)^(-1) g, num = chi chi* (Phi_+(z) + Phi_+(1/z))
 POPOV = (let(chi, charpoly(F)), let(gz, charpoly(F - g * T(h)) - chi),
          let(num, chi * recip(chi) + gz * recip(chi) + recip(gz) * chi))
-claim("BLM91-E2.4", "the Popov condition, cleared of denominators",
+not_checked("BLM91-E2.4", "the Popov condition, and positive real functions", "a definition: it fixes notation and asserts nothing", note="It is used in the form of X.20.")
+claim("BLM91-X.20", "the Popov condition, cleared of denominators",
       (p + recip(p)) * chi * recip(chi) == num, sizes=["n"],
       over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI, *POPOV],
       by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
-      note="(2.4) defines the condition. Checked is the form in which it is used below: as chi(z)chi(1/z) > 0 on the circle for a stability "
-           "matrix F, it says that the pseudo-polynomial chi(z)chi(1/z)(Phi_+(z) + Phi_+(1/z)) is positive there.")
+      note="Not printed. As chi(z)chi(1/z) > 0 on the circle for a stability matrix F, the Popov condition says "
+           "that the pseudo-polynomial chi(z)chi(1/z)(Phi_+(z) + Phi_+(1/z)) is positive there.")
 
 u = sym("u")
 # a bona fide model: F a contraction (or orthogonal), P a multiple of I, S = Q u, R - S'Q^(-1)S >= 0
@@ -87,7 +88,7 @@ claim("BLM91-S13", "covariances of a stationary model make Phi_+ positive real",
                     over={F: matrix(n, n), h: vector(n), P: positive_semidefinite(n), S: vector(n)}, where=[*GAIN, *POPOV],
                     given=[given("white noise", psd(block([[Q, S], [T(S), R]]))),
                            given("state covariance nonsingular", invertible(P))],
-                    by=[steps("BLM91-E2.4", facts=["a pseudo-polynomial that is a form of a semidefinite matrix is nonnegative on the circle"],
+                    by=[steps("BLM91-X.20", facts=["a pseudo-polynomial that is a form of a semidefinite matrix is nonnegative on the circle"],
                               prose="Phi_+(z) + Phi_+(1/z) is the noise covariance between (h'(zI - F)^(-1), 1) and its value at 1/z; w*Pw (1 - |lambda|^2) = w*Qw >= 0 for a left eigenvector w"),
                         instances(n=(1, 2, 3), using={Mk: matrix(n, n), u: vector(n), x: positive()},
                                   made_by={F: Mk / (1 + trace(Mk * T(Mk))), **PSD_MODEL}),
@@ -106,15 +107,23 @@ SUM = sum_of(i, 1, n, abs(x[i]))
 
 MA_NOTE = ("Read on moving averages y_t = sum sigma_j e_(t-j) with E y_t^2 = 1: there F = J is nilpotent, Phi_+(z) + Phi_+(1/z) is the sum of "
            "c_k z^k over all k, and T_t is positive definite for every t, being a Gram matrix of shifted copies of a nonzero vector; "
-           "so the right side, tested for t <= m, holds for all t.")
+           "so the right side holds for t <= m exactly if it holds for all t, and what refutes the formula refutes the print. For the counterexample X.21 "
+           "shows it for every t. Of the equivalence the formula is the part for moving averages.")
 WEAK = ("positive Toeplitz matrices give only a nonnegative spectral density: c = 1, 1/2, 0, 0, ... has T_t > 0 for every t "
         "and a zero at z = -1; necessary as printed, while T_t > 0 for all t gives no more than >= in the Popov condition")
+QF, SQ = symbols("form squares")
+claim("BLM91-X.21", "the Toeplitz matrices of a moving average with a zero on the circle are positive definite",
+      always(t, 2 * QF[t] == SQ[t] + x[t] ** 2), over={x: signal(0)},
+      where=[rec(QF, t, x[0] ** 2, QF[t] + x[t + 1] ** 2 + x[t] * x[t + 1]), rec(SQ, t, x[0] ** 2, SQ[t] + (x[t] + x[t + 1]) ** 2)],
+      by=[induction(), restated("a sum of squares of real numbers is zero only if each is"), instances()],
+      note="Not printed. form is x'T_t x for x = (x_0, .., x_t) and c = 1, 1/2, 0, 0, ..: twice it is x_0^2 + (x_0 + x_1)^2 + .. + (x_(t-1) + x_t)^2 + x_t^2, "
+           "zero only for x = 0. So all T_t are positive definite, and the spectral density 1 + (z + 1/z)/2 vanishes at z = -1.")
 claim("BLM91-S14", "positive realness is positive definiteness of all Toeplitz matrices",
       iff(pos_on_circle(num), forall(t, 0, m, pd(Toep(t)))), sizes=["n", "m"], over={sigma: sequence(0, n)}, where=[*MA, TOEPLITZ],
       by=[example(n=1, m=6, sigma=[1, 1]), instances(n=(1, 2), m=(3, 4))],
       repair=repair("boundary case", WEAK, nonneg_on_circle(num) >> pd(Tm), sizes=["n", "m"],
                     over={a: vector(n), g: vector(n)}, where=[*AB, TOEPLITZ, let(Tm, Toep(m))], given=[given("F stable", schur(F))],
-                    by=[steps("BLM91-E2.3", "BLM91-E2.4", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
+                    by=[steps("BLM91-E2.3", "BLM91-X.20", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
                               prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
                         example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),
@@ -125,7 +134,7 @@ claim("BLM91-S16", "positive realness is |gamma_t| < 1 for all t",
       repair=repair("boundary case", WEAK.replace("positive Toeplitz matrices give", "Schur parameters inside (-1, 1) give").replace("T_t > 0 for every t", "gamma_t = (-1)^t/(t+2)"),
                     nonneg_on_circle(num) >> (abs(gm) < 1), sizes=["n", "m"],
                     over={a: vector(n), g: vector(n)}, where=[*AB, *szego(cc), let(gm, gam(m))], given=[given("F stable", schur(F))],
-                    by=[steps("BLM91-E2.3", "BLM91-E2.4", "BLM91-E2.13", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
+                    by=[steps("BLM91-E2.3", "BLM91-X.20", "BLM91-E2.13", facts=["c_k are the Fourier coefficients of the spectral density when F is stable"],
                               prose="x'T_t x is the mean of |x(z)|^2 times a nonnegative density that is not zero; T_t > 0 for all t makes all r_t positive"),
                         instances(48, n=(1, 2), m=(0, 1, 2, 3, 4), using={x: vector(n)}, made_by={a: x / (1 + SUM)}),
                         example(n=1, m=6, a=[0], g=["1/2"]), example(n=1, m=6, a=[0], g=["-1/2"])]),

@@ -100,10 +100,10 @@ claim("BLM91-E2.18", "the gain by a reversed Szego polynomial",
       forall(t, 0, m, GAIN == 1 / r[t] * substitute(phis[t], F) * g), sizes=["n", "m"], over=SYSTEM,
       where=[*MODELLED, *FORWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phi, innovation), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
       note="k_t is (2.17), E{x_(t+1) y~_t}/r_t. " + COEFFICIENTS)
-claim("BLM91-E2.19", "what the companion gain is: phi in place of its reversal",
-      forall(t, 0, m, substitute(phi[t], F) * g == covariance(state(t + 1), from_the_past(t, t))), sizes=["n", "m"], over=SYSTEM,
+claim("BLM91-E2.19", "the companion gain, by phi in place of its reversal",
+      forall(t, 0, m, 1 / r[t] * substitute(phi[t], F) * g == 1 / r[t] * covariance(state(t + 1), from_the_past(t, t))), sizes=["n", "m"], over=SYSTEM,
       where=[*MODELLED, *BACKWARD], by=[generic_index(REVERSED, *WRITTEN_OUT, sums_with(phis, from_the_past), **BY_SUMS), instances(n=(1, 2, 3), m=(1, 2))],
-      note="The display defines k*_t = phi_t(F)g/r_t. Checked is that this is to the backward innovation (reversed coefficients: y_0 minus its "
+      note="The left side is k*_t, which the display defines. Checked is that it is to the backward innovation (reversed coefficients: y_0 minus its "
            "prediction from y_1 .. y_t) what k_t is to the innovation. " + COEFFICIENTS.replace("y~_t is a sum with the coefficients of phi_t", "it is a sum with the coefficients of phi_t*").replace("ytilde", "yback"))
 
 # ---------------------------------------------------------------------- the fast algorithm

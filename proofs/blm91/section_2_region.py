@@ -25,6 +25,7 @@ linear fractional map with fixed points p and 1/p: the quotient (alpha - p)/(alp
 from exactkf.claims import claim
 from exactkf.evidence import example, identity, induction, instances, restated, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_steady import CONVERGES, CONVERGES_BY, READ, STEADY_WORDS
 from proofs.blm91.notation import *
 
 AG = {a: vector(n), g: vector(n)}
@@ -50,23 +51,8 @@ claim("BLM91-S24", "each step gives data of another stochastic system",
       note="a := q_t - q*_t and g := q*_t are positive real; den is r_t times a(z), m is the time t.")
 
 # ---------------------------------------------------------------------- convergence for positive real data
-x, last, low = symbols("x dist r_last")
-SX, XX = sum_of(i, 1, n, abs(x[i])), 1 + sum_of(i, 1, n, x[i] ** 2)
-MA = matrix_of(i, j, n, 1, (x[i] + sum_of(k, 1, n - i, x[k] * x[k + i])) / XX)  # c_1 .. c_n of a moving average with weights 1, x_1 .. x_n
-claim("BLM91-S23", "convergence to the steady-state filter",
-      (last < rational("1/1000")) & (abs(low - d) < rational("1/1000")), sizes=["n"], over={a: vector(n), g: vector(n), x: vector(n)},
-      where=[*POLY, *DATA, INVARIANT, let(sg, polynomial_of(x)), let(d, coeff(D, 0) / coeff(sg * recip(sg), 0)),
-             let(last, trace(T(q[20] - x) * (q[20] - x)) + trace(T(qs[20]) * qs[20])), let(low, r[20])],
-      given=[standing("few states", n <= 2), standing("a(z) Schur", schur(az)), given("spectral factor", D == d * sg * recip(sg)), standing("factor well inside", SX <= rational("1/2")),
-             standing("data well inside", d >= rational("1/4"))],
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=["r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
-                prose="r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t then tend to zero one after "
-                      "the other, q_t being bounded, and every limit point of Q_t/r_t is the Schur spectral factor of D"),
-          instances(n=(1, 2), using={w: vector(n)},
-                    made_by={x: w / (2 * (1 + SW)), a: (MA - J * MA) / (1 - MA[1]), g: (J * MA - MA[1] * MA) / (1 - MA[1] ** 2)}),
-          example(n=1, a=[0], g=["2/5"], x=["1/2"]), example(n=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
-      note="The limit has no finite test. On the instances, whose spectral factor z^n + x_1 z^(n-1) + .. is known and whose rate is bounded by the "
-           "standing hypotheses (n <= 2 among them), the state at t = 20 is within 1/1000 (squared) of (x, 0), and r_20 within 1/1000 of D/(x x*).")
+claim("BLM91-S23", "convergence to the steady-state filter", CONVERGES[0] & CONVERGES[1], **STEADY_WORDS, by=CONVERGES_BY,
+      note=READ + " With q_t - a, k_t tends to x - a, the steady-state gain.")
 
 # ---------------------------------------------------------------------- shape of the positive real region
 binom = sym("binomial")

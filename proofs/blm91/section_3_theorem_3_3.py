@@ -12,8 +12,9 @@ its periodic points of every period p >= 3.
 """
 
 from exactkf.claims import claim, not_checked
-from exactkf.evidence import example, instances, steps
+from exactkf.evidence import example, instances, part, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_steady import CONVERGES, CONVERGES_BY, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
 
 un, wn, p, y, rest, Qm, fixed, flat = symbols("u_next w_next p y remainder Q_m fixed flat")
@@ -36,21 +37,18 @@ claim("BLM91-T3.3.1b", "convergence needs a sign definite D", SEMI[0] & SEMI[1],
 claim("BLM91-T3.3.1c", "the limit is a spectral factor", Qp(m) * recip(Qp(m)) == r[m] * D + Qs(m) * recip(Qs(m)), sizes=["n", "m"], over=POINT, where=ORBIT_N,
       by=[steps("BLM91-E2.28", prose="the last term tends to zero with q*_t, r_t and Q_t converge"), instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
       note="Q_infinity Q_infinity* = r_infinity D is the limit of this identity for an orbit that converges; m is the time t.")
-S23 = "r_t decreases to a positive limit, so gamma_t is square summable; by (2.25) the components of q*_t tend to zero one after the other, and every limit point of Q_t/r_t is the Schur spectral factor of D"
 CLASSIC = ["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"]
-claim("BLM91-T3.3.2a", "positive real data converge", (dist < rational("1/1000")) & (abs(r20 - dd) < rational("1/1000")), sizes=["n"], over=STEADY_OVER, where=STEADY, given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", facts=CLASSIC, prose=S23), *STEADY_BY],
-      note="As for the steady-state filter in Section II: on data with known spectral factor (n <= 2, rate bounded by the standing hypotheses) the state at t = 20 is within 1/1000 (squared) of the equilibrium (x, 0), which is "
-           "stable because the polynomial with coefficients x is a Schur polynomial.")
+claim("BLM91-T3.3.2a", "positive real data converge", CONVERGES[0] & CONVERGES[1], **STEADY_WORDS, by=CONVERGES_BY,
+      note=READ + " Defined for all t: r_(t+1) = (1 - gamma_t^2) r_t is d + h'(P - S_(t+1))h, not 0. The limit (x, 0) is stable because x(z) is a Schur polynomial.")
 claim("BLM91-T3.3.2b", "Q_t is a Schur polynomial", schur(Qm) & pos_on_circle(rest), sizes=["n", "m"], over={a: vector(n), g: vector(n)},
       where=[*stripped(g + a, g), *POLYNOMIALS, *DATA, let(Qm, Qp(m)), let(rest, Qp(m) * recip(Qp(m)) - Qs(m) * recip(Qs(m)))], given=REAL,
       by=[steps("BLM91-E2.27", "BLM91-E2.28", facts=["Rouche's theorem", "Schwarz's lemma"], prose="|Q*_t| < |Q_t| on the circle while r_t > 0; Q_0 - Q*_0 = a(z) is Schur, Q_(t+1) = Q_t - gamma_t z Q*_t, and |gamma_t| < 1 by Schwarz's lemma"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3), **CLASSICAL), *EDGE],
       note="m is the time t; the second part is r_t D > 0 on the circle, the state at time t.")
-claim("BLM91-T3.3.2c", "the limit is the stable spectral factor", (rest == dd * sg * recip(sg)) & schur(sg) & (dist < rational("1/1000")), sizes=["n"], over=STEADY_OVER,
-      where=[*STEADY, let(rest, D)], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.28", facts=CLASSIC, prose=S23 + "; Schur because Q_t is for every t and D has no zero on the circle"), *STEADY_BY],
-      note="x holds the coefficients of Q_infinity/r_infinity, d is r_infinity; see T3.3.2a for what is tested.")
+claim("BLM91-T3.3.2c", "the limit is the stable spectral factor", CONVERGES[0] & (D == dd * sg * recip(sg)), **{
+          **STEADY_WORDS, "where": [*STEADY_WORDS["where"], let(sg, polynomial_of(x)), let(rest, polynomial_of(g, 0)), let(Qm, polynomial_of(g + a)), let(D, Qm * recip(Qm) - rest * recip(rest))]},
+      by=[steps("BLM91-E2.28", facts=[FACTOR, POWERS], prose="x(z) is the Schur factor of D; that q_t tends to x and r_t to d is shown for every n in T3.3.2a, by the first formula"), DRAWN],
+      note=READ + " D is that of the initial data; with d x(z)x(1/z) = D, the limits Q_infinity = d x(z) and r_infinity = d give Q_infinity Q_infinity* = r_infinity D.")
 PERIODIC = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), let(q0, al0 * E1), let(qs0, ga0 * E1), *stripped(q0, qs0))
 back = sym("back")
 BACK_N = function(back, [t], (q[t] == q0) & (qs[t] == qs0))
@@ -72,11 +70,12 @@ PARTS = (*STEADY, let(q0, g + a), let(qs0, g), *STEP[2:], let(fixed, (un == q0) 
          let(steady, (n <= 2) & schur(az) & (D == dd * sg * recip(sg)) & (SX <= rational("1/2")) & (dd >= rational("1/4"))), let(near, dist < rational("1/1000")))
 claim("BLM91-T3.3", "Theorem 3.3", iff(fixed, flat) & SEMI[0] & SEMI[1] & (rest == Qp(m) * recip(Qp(m))) & (steady >> (near & schur(Qm) & schur(sg))) & forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1),
       sizes=["n", "m"], over={**STEADY_OVER, p: integer(3, 6), u: integer(2, 3)}, where=[*PARTS, *PLANE],
-      by=[steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
+      by=[part("convergence for n <= 2, as far as 20 steps, where the zeros of the factor are well inside"),
+          steps("BLM91-E2.25", "BLM91-E2.27", "BLM91-E2.28", "BLM91-S55", "BLM91-X.2", facts=["a nilpotent matrix has no eigenvalue but 0", *CLASSIC, "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the parts, in this order, are T3.3.1a to T3.3.3, argued there"),
           instances(20, n=(1, 2), m=(0, 1, 2), using={w: vector(n)}, made_by={x: w}), instances(6, n=(1, 2), m=(1, 2), **STEADY_DRAW),
           *(example(n=i_, m=1, a=[1, 2, 3][:i_], g=[0, 0, 0][:i_], x=[0, 0, 0][:i_], p=3, u=2) for i_ in (1, 2)), example(n=2, m=1, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"], p=4, u=2)],
-      note="The conjunction of the parts at one point (a, g) with q_0 = g + a, q*_0 = g: equilibria, necessity and spectral factor; convergence for positive real data whose spectral factor x is known (steady); periodic points of order n. "
+      note="The conjunction of the parts at one point (a, g) with q_0 = g + a, q*_0 = g: equilibria, necessity and spectral factor; convergence for positive real data whose spectral factor x is known (steady), which T3.3.2a has for every n; periodic points of order n. "
            "Part 1) refers to D as that of (3.28); it is that of (2.28).")
 
 # ---------------------------------------------------------------------- remarks

@@ -23,6 +23,7 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 from exactkf.claims import claim, repair
 from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, restated, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
 
 A, V, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
@@ -41,15 +42,13 @@ claim("BLM91-S53", "the limit of Q_t is a spectral factor",
       by=[steps("BLM91-E2.28", prose="q*_t tends to zero, so r_t q*_t does with r_t bounded, and both sides tend to zero; r_t = D_0/(1 + |q_t|^2 - |q*_t|^2) converges with q_t"),
           instances(n=(1, 2, 3), m=(0, 1, 2, 3))],
       note="The limit has no finite test; checked is the exact difference Q_t Q_t* - r_t D = Q*_t (Q*_t)*, which tends to zero with q*_t. m is the time t.")
-Qm = sym("Q_m")
 claim("BLM91-S54", "positive real data: q*_t tends to zero, Q_t and its limit are stable",
-      (dist < rational("1/1000")) & schur(Qm) & schur(sg), sizes=["n", "m"], over=STEADY_OVER, where=[*STEADY, let(Qm, Qp(m))], given=STEADY_GIVEN,
-      by=[steps("BLM91-E2.28", "BLM91-E2.27", facts=["Rouche's theorem", "r_t is bounded below by the minimum of the spectral density", "a positive D has one monic Schur spectral factor"],
-                prose="as for the convergence of the filter in Section II"),
-          instances(n=(1, 2), m=(0, 3), **STEADY_DRAW), example(n=1, m=1, a=[0], g=["2/5"], x=["1/2"]),
-          example(n=2, m=2, a=[0, 0], g=[0, "2/5"], x=[0, "1/2"])],
-      note="Tested as in Section II on data with known spectral factor: the state at t = 20 is within 1/1000 (squared) of (x, 0). The print names [14] (Levinson) as its source; whether "
-           "that source contains it is not judged. m is the time t.")
+      CONVERGES[0] & always(t, schur(J - q[t] * T(h))), **STEADY_WORDS,
+      by=[steps("BLM91-E2.28", "BLM91-E2.27", facts=["Rouche's theorem", "Schwarz's lemma", FACTOR, POWERS],
+                prose="the first formula is shown for every n in T3.3.2a; |Q*_t| < |Q_t| on the circle as r_t > 0, so that Q_t has as many zeros in the disc as Q_t - Q*_t, and Q_(t+1) = Q_t - gamma_t z Q*_t as many again"),
+          DRAWN, example(n=2, J=[[0, 1], [0, 0]], F=[[0, 1], [0, 0]], h=[1, 0], a=[0, 0], g=["-342/505", "18/101"], x=["-9/5", "9/10"],
+                         P=[["81/101", "-162/505"], ["-162/505", "81/505"]], d="20/101")],
+      note=READ + " J - q_t h' has the characteristic polynomial Q_t/r_t; the limit x(z) is a Schur polynomial. The print names [14] (Levinson) as its source; whether that source contains it is not judged.")
 claim("BLM91-S55", "only first components: the scalar algorithm",
       always(t, (q[t] == al[t] * E1) & (qs[t] == ga1[t] * E1)), sizes=["n"], over={al0: scalar(), ga0: scalar()},
       where=[*stripped(al0 * E1, ga0 * E1), *scalar_orbit(al0, ga0, ga1)], given=[standing("n >= 1", n >= 1)],

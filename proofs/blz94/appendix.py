@@ -24,7 +24,6 @@ from exactkf.language import (
     Z,
     Zero,
     always,
-    block,
     coeff,
     column,
     eq,
@@ -42,7 +41,6 @@ from exactkf.language import (
     sum_of,
     symbols,
     vector,
-    vstack,
     when,
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
@@ -195,16 +193,16 @@ claim("BLZ94-EA.7", "the k-th equation of (2.16a), k = 1, ..., n", forall(k, 1, 
                         use(1, k=n - k, t=0, u=n - 1), use(6, k=n - k, t=1), use(7, k=n - k, t=0), *TO_NEXT(n - k, 0), *LOWEST(1)]),
                         instances(n=(3, 4))]))
 
-_PAIR = vstack(psi(1, t), phi(1, t)), vstack(psi(0, t + 1), phi(0, t + 1))
+_ONE_MORE, _ONE_LESS = 1 + gamma[0], 1 - gamma[0]
+_INVERSE = HALF * (1 / (Z * (1 - gamma[0] ** 2)))
 claim("BLZ94-SA2", "shift identity for the Szego polynomials, and its inverse",
-      forall(t, 0, n, (_PAIR[1] == HALF * block([[(1 + gamma[0]) * (Z + 1), (1 - gamma[0]) * (Z - 1)],
-                                                 [(1 + gamma[0]) * (Z - 1), (1 - gamma[0]) * (Z + 1)]]) * _PAIR[0])
-             & (_PAIR[0] == HALF * (1 / (Z * (1 - gamma[0] ** 2))) * block([[(1 - gamma[0]) * (1 + Z),
-                 (1 - gamma[0]) * (1 - Z)],
-                                                                           [(1 + gamma[0]) * (1 - Z),
-                                                                               (1 + gamma[0]) * (1 + Z)]]) * _PAIR[1])),
-      sizes=["n"], over=GAMMA, where=[*SHIFTED], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
-      note="phi(s, t), psi(s, t) have degree t and the parameters gamma_s, gamma_{s+1}, ....")
+      forall(t, 0, n, (psi(0, t + 1) == HALF * (_ONE_MORE * (Z + 1) * psi(1, t) + _ONE_LESS * (Z - 1) * phi(1, t)))
+             & (phi(0, t + 1) == HALF * (_ONE_MORE * (Z - 1) * psi(1, t) + _ONE_LESS * (Z + 1) * phi(1, t)))
+             & (psi(1, t) == _INVERSE * (_ONE_LESS * (1 + Z) * psi(0, t + 1) + _ONE_LESS * (1 - Z) * phi(0, t + 1)))
+             & (phi(1, t) == _INVERSE * (_ONE_MORE * (1 - Z) * psi(0, t + 1) + _ONE_MORE * (1 + Z) * phi(0, t + 1)))),
+      sizes=["n"], over=GAMMA, where=[*SHIFTED],
+      by=[generic_index(SHIFT_BACK, uses=[use(0, t=t, z=x) for x in (z - 1, z)]), instances(n=(1, 2, 3))],
+      note="The two matrix equations, row by row. phi(s, t), psi(s, t) have degree t and the parameters gamma_s, gamma_{s+1}, ....")
 
 _SHIFT = {"sizes": ["n"], "over": GAMMA, "where": [*SHIFTED]}
 claim("BLZ94-EA.8", "phi_t^(1) from pi_{t+1} and rho_{t+1}",
