@@ -53,9 +53,9 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
           instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
       note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
 ratio, ended, closed, first, radius, arrives = symbols("c ended closed first radius arrives")
-#: the orbit in closed form, alpha = 1/p aside, and the first step within this distance of (p, 0), or -1 if the orbit ends before
+#: the orbit in closed form, alpha = 1/p aside, and the first step within this distance of (p, 0), or -1 if the orbit ends before or is not there by step 90
 ALTERNATIVE = (*ORBIT, let(ratio, (al0 - p) / (p * al0 - 1)), let(ended, (al0 == 0) | exists(i, 1, 30, ratio * p ** (2 * i + 1) == 1)), let(radius, (1 - p**2) / (2 * k)),
-               function(first, [t], when(~defined(ga[t]), -1, when(abs(al[t] - p) + abs(ga[t]) <= radius, t, first(t + 1)))), let(arrives, first(0) >= 0))
+               function(first, [t], when(~defined(ga[t]), -1, when(abs(al[t] - p) + abs(ga[t]) <= radius, t, when(t >= 90, -1, first(t + 1))))), let(arrives, first(0) >= 0))
 LEAVES = dict(using={u: nonzero(), i: integer(1, 3)}, made_by={p: SHARE, al0: (p - 1 / p ** (2 * i + 1)) / (1 - 1 / p ** (2 * i)), ga0: (1 - p**2) / (1 - 1 / p ** (2 * i)) / p ** (i + 1)})
 claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends",
       iff(arrives, ~ended) & (al[m] * (1 - ratio * p ** (2 * m + 1)) == p - ratio * p ** (2 * m)) & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],

@@ -68,17 +68,15 @@ POINT_OF = (let(lam, turn / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 DENSE = (*POINT_OF, *ORBIT, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
 ANY_POINT = {turn: integer(-8, 8), u: scalar()}
 IRRATIONAL = ~exists(k, -1, 1, 2 * lam == k)
-pick, double = symbols("pick double")
-SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("2/5"), rational("-4/5"))))
-first, goal_al, goal_ga, radius, near = symbols("first alpha_goal gamma_goal radius nearer")
-#: the first step within the radius of another point of the hyperbola; 0 if the orbit ends before, -1 if it is periodic
-NEARS = (*POINT_OF, *ORBIT, BACK, let(goal_al, 2 * (lam + x) / (1 - x**2)), let(goal_ga, 1 + x * goal_al), let(radius, 1 / (1 + k)),
-         function(first, [t], when(~defined(ga[t]), 0, when((abs(al[t] - goal_al) <= radius) & (abs(ga[t] - goal_ga) <= radius), t, when(back(t), -1, first(t + 1))))), let(near, first(1)))
-claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", near >= 0, over={**ANY_POINT, x: integer(-4, 4), k: integer(0, 2)}, where=NEARS, given=[given("irrational angle", IRRATIONAL)],
+goal_al, goal_ga, radius, close, stops, near, comes = symbols("alpha_goal gamma_goal radius close stops near comes_near")
+#: does the orbit end with this step, is it near another point of the hyperbola
+NEARS = (*POINT_OF, *ORBIT, let(goal_al, 2 * (lam + x) / (1 - x**2)), let(goal_ga, 1 + x * goal_al), let(radius, 1 / (1 + k)),
+         function(stops, [t], ~defined(ga[t])), function(close, [t], (abs(al[t] - goal_al) <= radius) & (abs(ga[t] - goal_ga) <= radius)), let(comes, exists(t, 1, 400, stops(t) | close(t))))
+claim("BLM91-T3.7.2a", "irrational angle: every orbit ends or is dense", comes & (1 + goal_al**2 - goal_ga**2 == 2 * lam * goal_al), over={**ANY_POINT, x: integer(-4, 4), k: integer(0, 1)}, where=NEARS, given=[given("irrational angle", IRRATIONAL)],
       by=[steps("BLM91-X.1", "BLM91-X.2", "BLM91-E5.7", "BLM91-E5.8", facts=[KRONECKER], prose="in the coordinate a the algorithm is a turn of lines by the angle omega in a suitable basis, and each point of the hyperbola has its own a; the points of the orbit are dense among the lines"),
-          instances(30), example(turn=5, u=2, x=-3, k=2), example(turn=0, u=2, x=3, k=2), example(turn=-5, u=3, x=2, k=2), example(turn=-8, u=-2, x=2, k=1), example(turn=6, u=0, x=2, k=1)],
-      note="1/kappa = -8/10, .., 8/10, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2; u runs through all points of the hyperbola. nearer: the first step at which both coordinates are within 1/(1 + k) of another "
-           "point of the hyperbola, on the line of slope x through (0, 1); 0 if the orbit ends before.")
+          instances(30), example(turn=5, u=2, x=-3, k=1), example(turn=0, u=2, x=3, k=1), example(turn=-5, u=3, x=2, k=1), example(turn=-8, u=-2, x=2, k=1), example(turn=6, u=0, x=2, k=1)],
+      note="1/kappa = -8/10, .., 8/10, where the angle is irrational unless 1/kappa is 0, 1/2 or -1/2; u runs through all points of the hyperbola. The goal is another point of the hyperbola, on the line of slope x through (0, 1); "
+           "close: both coordinates of (3.10) are within 1/(1 + k) of it. Tried for 400 steps.")
 pick, double = symbols("pick double")
 SOME = when(pick == 1, rational("3/5"), when(pick == 2, rational("-1/3"), when(pick == 3, rational("2/5"), rational("-4/5"))))
 TARGET = (CHEBYSHEV, let(hits, sum_of(i, 1, 120, when(2 * abs(Ut[i] - x * Ut[i - 1]) < abs(Ut[i - 1]), 1, 0))), let(far, sum_of(i, 1, 120, when(Ut[i] == 0, 1, 0))))

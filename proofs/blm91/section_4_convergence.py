@@ -192,13 +192,13 @@ claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == 
       by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
           instances(8), example(d=2, n_angle=1, u=2, x=2), example(d=3, n_angle=1, u=3, x=3), example(d=5, n_angle=2, u=2, x=2)],
       note="1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. (4.7) is run in the number field.")
-claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & (near >= 1), over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar(), y: integer(-5, 5), k: integer(0, 2)},
-      where=[*ON_FRACTION, function(first, [t], when(abs(pit[t] - y) * (1 + k) <= 1, t, when(pit[t] == x, -1, first(t + 1)))), let(near, first(1)), let(whole, forall(t, 1, 8, pit[t] != x))],
+claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & near, over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar(), k: integer(-3, 3)},
+      where=[*ON_FRACTION, function(goal, [t], abs(1 - pit[t] - k * al0) <= abs(al0)), let(near, exists(t, 1, 700, goal(t))), let(whole, forall(t, 1, 8, pit[t] != x))],
       given=[given("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("alpha_0 not 0", al0 != 0)],
       by=[steps("BLM91-E5.4", "BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
                 prose="the lines turn by an irrational angle in a suitable basis, so that they are dense; otherwise a solution converges (T4.1.1) or is periodic (T4.1.2), and then is not dense"),
-          instances(30), example(numerator=3, denominator=12, u=2, x=0, y=3, k=2), example(numerator=0, denominator=11, u=2, x=0, y=3, k=2), example(numerator=6, denominator=12, u=3, x=2, y=-3, k=2)],
-      note="1/kappa is a fraction with |kappa| > 1, whose angle is irrational but for 0, 1/2, -1/2; u runs through the points of the hyperbola. No return within 8 steps, and nearer is the first step at which pi_t is within 1/(1 + k) of a given y.")
+          instances(30), example(numerator=3, denominator=12, u=2, x=0, k=-3), example(numerator=0, denominator=11, u=2, x=0, k=2), example(numerator=6, denominator=12, u=3, x=2, k=-3)],
+      note="1/kappa is a fraction with |kappa| > 1, whose angle is irrational but for 0, 1/2, -1/2; u runs through the points of the hyperbola. No return within 8 steps, and pi_t comes within |alpha_0| of 1 - k alpha_0, tried for 700 steps.")
 GRID = (function(pit, [i, j, t], when(t == 0, x, ((i**2 - j**2) * pit(i, j, t - 1) + j**2) / (1 - pit(i, j, t - 1)))), let(hitsN, sum_of(i, 2, 4, sum_of(j, 1, 4, when(defined(pit(i, j, 3)), 1, 0)))))
 claim("BLM91-T4.1.4", "for each pi_0 few parameters escape", hitsN >= 6, over={x: scalar()}, where=GRID, by=[example(x=1), instances()],
       repair=repair("boundary case", "pi_0 = 1 is the pole of every equation, so that all parameters escape; for pi_0 not 1 the statement is right", hitsN >= 6, over={x: scalar()}, where=GRID, given=[given("not the pole", x != 1)],
