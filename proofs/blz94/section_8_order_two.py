@@ -225,13 +225,14 @@ claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
           instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
 
 _F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
-cosines, beta1, beta2, back = symbols("T c_1 c_2 back")
+cosines, beta1, beta2, back, zeros = symbols("T c_1 c_2 back zeros")
 #: c_1 = 2 cos(pi/8), c_2 = 2 cos(pi/9) in the field of cos(pi/72); a = z^2 + 1/2 and a b with these values of z + 1/z at the zeros of D; the first return of the fast algorithm
 _ANGLES = (rec(cosines, t, [2, 2 * cospi(1, 72)], 2 * cospi(1, 72) * cosines[t] - cosines[t - 1]), let(beta1, cosines[9]), let(beta2, cosines[8]))
 _POINT144 = (let(n, 2), *_ANGLES, let(d, rational("3/4") / (beta1 * beta2 + 1)), let(y, -2 * (beta1 + beta2) * d / 3), let(a0, rows([[0], [HALF]])), let(g0, rows([[y], [d - HALF]])), *FAST,
-             let(D, symmetric_part(Z**2 + HALF, Z**2 + HALF + 2 * y * Z + 2 * d - 1)), function(back, [t], (a[t] == a0) & (g[t] == g0)), let(r, sum_of(t, 1, 144, when(back(t), t, 0))))
+             let(D, symmetric_part(Z**2 + HALF, Z**2 + HALF + 2 * y * Z + 2 * d - 1)), function(back, [t], (a[t] == a0) & (g[t] == g0)), let(r, sum_of(t, 1, 144, when(back(t), t, 0))),
+             let(zeros, (coeff(D, 1) == -coeff(D, 2) * (beta1 + beta2)) & (coeff(D, 0) == coeff(D, 2) * (beta1 * beta2 + 2))))
 claim("BLZ94-X8.2", "the period 144",
-      (w * w == Identity(14)) & (p < 1) & (coeff(D, 1) == -coeff(D, 2) * (beta1 + beta2)) & (coeff(D, 0) == coeff(D, 2) * (beta1 * beta2 + 2)) & (r == 144),
+      (w * w == Identity(14)) & (p < 1) & zeros & (r == 144),
       where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
                  let(u, X**24), let(v, u**2), let(w, u**3),
                  let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0)), *_POINT144],
