@@ -14,7 +14,6 @@ from exactkf.language import (
       circle_roots,
       coeff,
       coprime,
-      cospi,
       defined,
       det,
       function,
@@ -45,7 +44,7 @@ from exactkf.language import (
       vector,
       when,
 )
-from proofs.blz94.notation import FAST, HALF, ORBIT, D, a, a0, alpha, alpha0, b, g, g0, gamma, gamma0, i, j, k, n, symmetric_part, t, u
+from proofs.blz94.notation import HALF, ORBIT, D, a, alpha, alpha0, b, gamma, gamma0, i, j, k, n, symmetric_part, t, u
 from proofs.blz94.section_7_convergence import ALONG, CONVERGENCE, POWERS_TEND, TENDS
 from proofs.blz94.section_8 import CURVE_B, ONE, al, ga
 
@@ -225,21 +224,14 @@ claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
           instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
 
 _F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
-cosines, beta1, beta2, back, zeros = symbols("T c_1 c_2 back zeros")
-#: c_1 = 2 cos(pi/8), c_2 = 2 cos(pi/9) in the field of cos(pi/72); a = z^2 + 1/2 and a b with these values of z + 1/z at the zeros of D; the first return of the fast algorithm
-_ANGLES = (rec(cosines, t, [2, 2 * cospi(1, 72)], 2 * cospi(1, 72) * cosines[t] - cosines[t - 1]), let(beta1, cosines[9]), let(beta2, cosines[8]))
-_POINT144 = (let(n, 2), *_ANGLES, let(d, rational("3/4") / (beta1 * beta2 + 1)), let(y, -2 * (beta1 + beta2) * d / 3), let(a0, rows([[0], [HALF]])), let(g0, rows([[y], [d - HALF]])), *FAST,
-             let(D, symmetric_part(Z**2 + HALF, Z**2 + HALF + 2 * y * Z + 2 * d - 1)), function(back, [t], (a[t] == a0) & (g[t] == g0)), let(r, sum_of(t, 1, 144, when(back(t), t, 0))),
-             let(zeros, (coeff(D, 1) == -coeff(D, 2) * (beta1 + beta2)) & (coeff(D, 0) == coeff(D, 2) * (beta1 * beta2 + 2))))
 claim("BLZ94-X8.2", "the period 144",
-      (w * w == Identity(14)) & (p < 1) & zeros & (r == 144),
+      (w * w == Identity(14)) & (p < 1),
       where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
                  let(u, X**24), let(v, u**2), let(w, u**3),
-                 let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0)), *_POINT144],
+                 let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0))],
       by=[steps("BLZ94-E6.16", "BLZ94-P6.6", prose="By (6.16) the orbit is back at time t if S^t is the identity. The eigenvalues of S are among those of X, and S^72 has 1 and -1 for eigenvalues."), instances()],
       note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
-           "matrix is X; p counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b. "
-           "Besides, the fast algorithm is run from one point of X_D, exactly in the field of cos(pi/72): a = z^2 + 1/2, and D vanishes where z + 1/z = c_1 = 2 cos(pi/8) or c_2 = 2 cos(pi/9). r is the sum of all t <= 144 at which it is back: 144 alone is 144. The other points rest on the powers of S.")
+           "matrix is X; p counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
 
 
 # ---------------------------------------------------------------------- Figures 8.4 to 8.6, sign indefinite D
