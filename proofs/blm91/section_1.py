@@ -133,10 +133,15 @@ claim("BLM91-S8", "excursions, periods, and returns to the classical region",
       note="Period k for 1/kappa = -cos(2 pi/k), and period i of the Riccati equation (4.7) from -u for 1/kappa = cos(pi/i); an excursion |alpha_t| > 5 from (2, 2) within 60 steps; (1, 3) is in the positive real region after one step.")
 LISTED = [example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=-1, gamma0=2), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=2), example(alpha0="1/4", gamma0="1/4"), example(alpha0=1, gamma0=3)]
 ROOTS = (D1, let(poly, al0 * Z**2 + (1 + al0**2 - ga0**2) * Z + al0), let(bound, 2 + abs((1 + al0**2 - ga0**2) / al0)), let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(real, real_roots(poly, -bound, bound) >= 1))
-claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, real) & iff(real, far <= 0) & (ga[2] ** 2 == (al[2] - lam) ** 2 + far), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT, LAMBDA, let(far, 1 - lam**2)],
-      by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative"],
-                prose="along an orbit gamma^2 = (alpha - lambda)^2 + 1 - lambda^2, lambda = 1/kappa: where D changes sign gamma_t^2 >= 1 - lambda^2 > 0 for all t, and nothing converges; where D has one sign every orbit that does not end converges (S39)"), instances(60), *LISTED],
-      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. real: z D has real zeros; the identity for gamma^2 is taken at t = 2.")
+first, small, rests = symbols("first small comes_to_rest")
+#: does gamma_t become small: at most 1/100 if D has one sign, at most half of its lower bound on the hyperbola if not
+RESTS = (LAMBDA, let(far, 1 - lam**2), let(small, when(far > 0, far / 2, rational("1/100"))), function(first, [t], when(ga[t] ** 2 <= small, t, when(t >= 60, -1, first(t + 1)))), let(rests, first(0) >= 0))
+claim("BLM91-S9", "convergence exactly for sign definite D", iff(definite, rests) & iff(real, far <= 0) & (ga[2] ** 2 == (al[2] - lam) ** 2 + far), over={al0: nonzero(), ga0: scalar()}, where=[*ROOTS, *ORBIT, *RESTS],
+      by=[steps("BLM91-E3.13", "BLM91-E5.1", "BLM91-X.1", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "p^(2m) tends to 0 for |p| < 1"],
+                prose="along an orbit gamma^2 = (alpha - lambda)^2 + 1 - lambda^2, lambda = 1/kappa: where D changes sign gamma_t^2 >= 1 - lambda^2 > 0 for all t, and nothing converges, since equilibria have gamma = 0; "
+                      "where D has one sign every orbit that does not end converges (S39)"), instances(60), *LISTED],
+      note="alpha_0 not 0; for alpha_0 = 0 D is constant and the orbit is at (0, 0) after one step. An orbit comes to rest if gamma_t^2 falls below 1/100 or, where D changes sign, below half of 1 - 1/kappa^2, tried for t <= 60; orbits that "
+           "end before are left aside. real: z D has real zeros; the identity for gamma^2 is taken at t = 2.")
 claim("BLM91-S10", "sign definite is the same as real roots", iff(definite, real) & (poly == Z * D), over={al0: nonzero(), ga0: scalar()}, where=ROOTS,
       by=[steps("BLM91-E3.12", facts=["a quadratic polynomial has real zeros exactly when its discriminant is not negative", "an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                 prose="both say |1 + alpha^2 - gamma^2| >= 2|alpha|"), instances(60), *LISTED])

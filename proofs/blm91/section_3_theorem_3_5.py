@@ -52,12 +52,19 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
       by=[steps("BLM91-E5.1", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step, and gamma^2 follows alpha"),
           instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
       note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
-MOVE = (al[m] - p) * (p * al0 - 1) == p ** (2 * m) * (al0 - p) * (p * al[m] - 1)
-claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends", MOVE & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
-      over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step, and gamma^2 = (alpha - p)(alpha - 1/p) on the hyperbola"),
-          instances(40, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINE)],
-      note="While the orbit exists, alpha_m - p is p^(2m) times a bounded factor (alpha_0 not 1/p), |p| < 1, and gamma_m follows. m is the time.")
+ratio, ended, closed, first, radius, arrives = symbols("c ended closed first radius arrives")
+#: the orbit in closed form, alpha = 1/p aside, and the first step within this distance of (p, 0), or -1 if the orbit ends before or is not there by step 90
+ALTERNATIVE = (*ORBIT, let(ratio, (al0 - p) / (p * al0 - 1)), let(ended, (al0 == 0) | exists(i, 1, 30, ratio * p ** (2 * i + 1) == 1)), let(radius, (1 - p**2) / (2 * k)),
+               function(first, [t], when(~defined(ga[t]), -1, when(abs(al[t] - p) + abs(ga[t]) <= radius, t, when(t >= 90, -1, first(t + 1))))), let(arrives, first(0) >= 0))
+LEAVES = dict(using={u: nonzero(), i: integer(1, 3)}, made_by={p: SHARE, al0: (p - 1 / p ** (2 * i + 1)) / (1 - 1 / p ** (2 * i)), ga0: (1 - p**2) / (1 - 1 / p ** (2 * i)) / p ** (i + 1)})
+claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends",
+      iff(arrives, ~ended) & (al[m] * (1 - ratio * p ** (2 * m + 1)) == p - ratio * p ** (2 * m)) & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
+      over={al0: scalar(), ga0: scalar(), p: nonzero(), k: integer(1, 6)}, where=ALTERNATIVE, given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
+      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step, and gamma^2 = (alpha - p)(alpha - 1/p) on the hyperbola; "
+                "the closed form tends to p, and the orbit ends where it divides by zero, or at (0, 1), (0, -1)"),
+          instances(30, m=(0, 1, 2, 3, 4), using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), instances(12, m=(0, 1, 2), **LEAVES), example(m=2, alpha0="1/3", gamma0=0, p="1/3", k=1), example(m=0, alpha0=0, gamma0=1, p="1/3", k=1)],
+      note="kappa = 2p/(1 + p^2), p = alpha_+, so that 0 < |p| < 1 is 0 < kappa^2 < 1. c = (alpha_0 - p)/(p alpha_0 - 1), and m is the time. arrives: the orbit comes within (1 - p^2)/(2k) of (p, 0), which no orbit does that ends later; "
+           "that it stays near is the closed form, whose distance from p is |c|(1 - p^2) p^(2m)/|1 - c p^(2m+1)|. ended: c p^(2i+1) = 1 for a step i (tried to 30), or alpha_0 = 0.")
 
 # ---------------------------------------------------------------------- a) 1) from region to region
 claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached", grows & (four1 | three1) & kept, over={al0: nonzero(), ga0: nonzero()}, where=REGION, given=[given("in IV", four0), SMALL_KAPPA],
@@ -149,7 +156,7 @@ claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) 
                     by=[part("the steps between regions for kappa^2 < 1"), steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
       note="The conjunction of the parts, represented by the steps between regions.")
 AWAY = p ** (2 * m) / (al[m] - p) == 1 / (al0 - p) - sum_of(j, 1, m, p ** (2 * j - 1))
-claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", AWAY, sizes=["m"], over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"), instances(40, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINE),
+claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", AWAY, sizes=["m"], over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT, standing("0 < |p| <= 1", abs(p) <= 1)],
+      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"), instances(40, m=(0, 1, 2, 3, 4), using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}),
           example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0=4, gamma0=3, p=1)],
       note="The sign definite regions are kappa^2 <= 1: p is real there, |p| <= 1, and the equation shows that alpha_m - p tends to 0 (for |p| = 1 because the sum grows); alpha_0 = 0 leads to (0, 0) by S36. The equilibrium 1/p itself stays where it is.")

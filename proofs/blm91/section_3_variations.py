@@ -66,11 +66,16 @@ claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", fora
       where=[*CIRCLE, function(flag, [t], t == d), function(above, [t], Ut[t - 1] == 0)], given=LOW, by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(20, d=range(2, 13)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
       note="1/kappa = cos(pi n/d), and slopes are moved by A = [[2/kappa, -1], [1, 0]]. A^t is a multiple of the identity first for t = d, and has no real eigenvector before: every slope that does not end has period d. U_(t-1) = 0 first for "
            "t = d, so that the slopes U_i/U_(i-1), i < d, are all that end.")
-claim("BLM91-R3.12.3", "irrational angles are near", hits >= 1, over={d: integer(2, 16), nn: integer(1, 15)},
-      where=[GCD, let(lam, cospi(nn, d)), let(hits, sum_of(k, -99, 99, when((abs(100 * lam - k) < 2) & (k != 0) & (abs(k) != 50), 1, 0)))], given=LOW,
+beside, at_k, stops, close, comes = symbols("lambda_near at_k stops close comes_near")
+#: a rational number with irrational angle beside lambda; does the orbit of its slope map end with this step, is it near j
+BESIDE = (function(at_k, [k], when((abs(20 * lam - k) < 2) & (k != 0) & (abs(k) != 10), k, at_k(k + 1))), let(beside, at_k(-19) / 20), rec(be, t, x, 1 / (2 * beside - be[t])),
+          function(stops, [t], ~defined(be[t])), function(close, [t], abs(be[t] - j) <= 1), let(comes, exists(t, 1, 600, stops(t) | close(t))))
+claim("BLM91-R3.12.3", "irrational angles are near", (abs(beside - lam) * 10 < 1) & (beside**2 < 1) & comes, over={d: integer(2, 16), nn: integer(1, 15), x: scalar(), j: integer(-3, 3)},
+      where=[GCD, let(lam, cospi(nn, d)), *BESIDE], given=LOW,
       by=[steps("BLM91-X.6", facts=["a rational zero of a monic polynomial with integer coefficients is an integer", "Kronecker: multiples of an irrational part of a full turn are dense on the circle"],
-                prose="rational values of 1/kappa other than 0, 1/2, -1/2 have irrational angles and are dense; there every orbit is dense or ends"), instances(10), example(d=2, n_angle=1), example(d=3, n_angle=1)],
-      note="hits: rational numbers k/100 with irrational angle within 1/50 of 1/kappa = cos(pi n/d).")
+                prose="rational values of 1/kappa other than 0, 1/2, -1/2 have irrational angles and are dense; there every orbit is dense or ends"), instances(20), example(d=2, n_angle=1, x=0, j=2), example(d=3, n_angle=1, x=2, j=-3),
+          example(d=4, n_angle=1, x="7/5", j=3)],
+      note="lambda_near is a rational number k/20 with irrational angle within 1/10 of 1/kappa = cos(pi n/d); (3.16) is run with it from x, until it ends or is within 1 of j, tried for 600 steps.")
 claim("BLM91-R3.12.4", "periodic or dense, nothing else", forall(t, 1, 6, iff(be[t] == x, back(t))) & (slope * (1 - 2 * lam * x + x**2) == 1 - 2 * lam * be[1] + be[1] ** 2), over={d: integer(-11, 11), x: scalar()},
       where=[let(lam, d / 12), rec(be, t, x, 1 / (2 * lam - be[t])), let(slope, be[1] ** 2), function(back, [t], (lam == 0) & exists(k, 1, 3, 2 * k == t) | (4 * lam**2 == 1) & exists(k, 1, 2, 3 * k == t))],
       by=[steps("BLM91-S71", "BLM91-X.6", facts=["Kronecker: multiples of an irrational part of a full turn are dense on the circle"],

@@ -45,7 +45,7 @@ claim("BLM91-S78", "escape times for a rational angle",
              let(last, d - 1), function(ends, [i], defined(be(i, i - 1)) & ~defined(be(i, i))), function(closes, [i], Ut[i - 1] == 0)],
       given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
       note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
-           "U_(d-1) = 0 closes the list.")
+           "U_(d-1) = 0 closes the list. T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
 claim("BLM91-S79", "every alpha belongs to two points of the hyperbola", 1 + x**2 - 2 * lam * x > 0, over={lam: scalar(), x: scalar()}, given=[given("|kappa| > 1", lam**2 < 1)],
       by=[positivity([(1, x - lam, []), (1, 1, ["|kappa| > 1"])]), restated("orbits from (alpha, gamma) and (alpha, -gamma) are mirror images, (3.3), with the first coordinate of (5.1)"), instances(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), example(**{"lambda": 2, "x": 1}), example(**{"lambda": 1, "x": 1})],
       note="gamma^2 = 1 + alpha^2 - 2 lambda alpha is positive, so that gamma and -gamma are different points; their orbits are mirror images by (3.3).")

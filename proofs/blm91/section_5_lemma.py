@@ -37,18 +37,19 @@ WITNESS = ((p1 - 2 * q1 == 1) & ((2 * j - 1) * q2 - (j - 1) * p2 == 1) & (j * (p
            & (4 * q1 - p1 == 2 * (j - 1) + 1) & (4 * q2 - p2 == 4 * (j - 1)) & (4 * q3 - p3 == 8 * (j - 1) + 2) & (4 * q4 - p4 == 8 * (j - 1) + 6))
 claim("BLM91-X.12", "a fraction with denominator p between 1/4 and 1/2, in lowest terms, for every p", WITNESS, over={j: scalar()}, where=FAMILIES,
       by=[identity(), restated("Bezout: numbers of which a combination with integer coefficients is 1 are coprime", "every p >= 3 other than 6 is 2j + 1, 4j, 8j + 2 or 8j + 6 for some j >= 1"), instances()],
-      note="p = 2j + 1, 4j, 8j + 2, 8j + 6 with j >= 1 are all p >= 3 but 6. The first four equations make q coprime to p; the others give 0 < p - 2q and 4q - p >= 0.")
+      note="p = 2j + 1, 4j, 8j + 2, 8j + 6 with j >= 1 are all p >= 3 but 6. The first four equations make q coprime to p; the others give 0 < p - 2q and 4q - p >= 0. That these families exhaust p, and that such a combination makes numbers coprime, are the two facts named; variables over all integers are not in the language.")
 #: is there such a q for p
 SERVES = (*COPRIME, function(serves, [p], exists(q, 1, p - 1, coprime_(p, q) & MEANT)))
 READ = "The lemma names (5.6), a formula for escaping points; the double inequality of the case kappa > 1 is (5.9), with its lower bound pi/4. (With the bound 1/4 in its print q = 1 would serve for p = 6 too: the misprint of E5.9, not counted twice.)"
 BEZOUT = ["Bezout: numbers of which a combination with integer coefficients is 1 are coprime"]
+LIMITS = (" For every p by X.12, whose identities are proved for every j; integer variables of a statement are bounded, so that the residue of p and Bezout stand as named facts in prose, and the formula itself is tried for p up to 60.")
 ALL_P = "the four families of X.12 are all p >= 3 but 6, and their q serve"
 claim("BLM91-L5.1.1", "a coprime q exists for p >= 3 other than 6", serves(p), over={p: integer(3, 60)}, where=SERVES, given=[given("p not 6", p != 6)],
-      by=[steps("BLM91-X.12", facts=BEZOUT, prose=ALL_P), instances(57), example(p=6)], note=READ + " For every p by X.12; tried up to 60.")
+      by=[steps("BLM91-X.12", facts=BEZOUT, prose=ALL_P), instances(57), example(p=6)], note=READ + LIMITS)
 claim("BLM91-L5.1.2", "no such q for p = 1, 2, 6", ~serves(p), over={p: integer(1, 6)}, where=SERVES, given=[given("exceptional p", (p == 1) | (p == 2) | (p == 6))],
       by=[evaluation(), instances(), example(p=3)], note=READ)
 claim("BLM91-L5.1", "coprime fractions, both parts", iff(serves(p), ~((p == 1) | (p == 2) | (p == 6))), over={p: integer(1, 60)}, where=SERVES,
-      by=[steps("BLM91-X.12", "BLM91-L5.1.2", facts=BEZOUT, prose=ALL_P + "; for p = 1, 2, 6 no q does"), instances(60), example(p=1), example(p=2), example(p=6)], note=READ + " For every p by X.12; tried up to 60.")
+      by=[steps("BLM91-X.12", "BLM91-L5.1.2", facts=BEZOUT, prose=ALL_P + "; for p = 1, 2, 6 no q does"), instances(60), example(p=1), example(p=2), example(p=6)], note=READ + LIMITS)
 
 # ---------------------------------------------------------------------- the paper's proof, p = 4r + s
 BETWEEN = (let(lo, r + 1), let(hi, 2 * r - 1), function(inside, [x], (r < x) & (x < 2 * r)))

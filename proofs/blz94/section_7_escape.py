@@ -176,7 +176,8 @@ claim("BLZ94-T7.1.1", "the points that escape, and the closure of those among th
       where=[*ORBIT, *VECTORS, let(D, symmetric_part(monic_of(a_of[0]), monic_of(b_of[0]))), *_RETURNS, *_DOUBLE, *_LINE],
       given=[given("D is sign definite", nonneg_on_circle(D) | nonneg_on_circle(-D)), given("not in F_1", coprime(monic_of(a_of[0]), monic_of(b_of[0]))),
              standing("not in F_2", coprime(p, d) | (alpha0[n] == 0))],
-      by=[steps(*_GAP, facts=[*_POWERS_OF_S, *_TAME, *_NULL],
+      by=[restated(*_NULL, *_TAME, "a line with infinitely many points in the zero set of a polynomial lies in it"),
+          steps(*_GAP, facts=[*_POWERS_OF_S, *_TAME, *_NULL],
                 prose="What step t divides by is a rational function of (alpha, gamma), as long as no step before divided by the zero function; it is one at "
                       "equilibria, where nothing moves (X.4), so it is not the zero function. The points that escape at time t are in its zero set. The "
                       "closure lies in the union of the definite points that escape and the two sets of S56, in which the polynomials of X.12 vanish."),
@@ -185,7 +186,7 @@ claim("BLZ94-T7.1.1", "the points that escape, and the closure of those among th
           example({alpha0: [0, 2], gamma0: ["1/2", "1/3"]}, n=2, m=1),
           example({alpha0: [4, 0], gamma0: ["1/2", 2]}, n=2, m=1),
           instances(14, n=(1, 2), m=(1,)), instances(6, n=(1,), m=(2, 3))],
-      note="y(t) is what step t divides by along the line through (alpha, 0) at z = 0 and (alpha, gamma) at z = 1: it is one at z = 0, so the points that "
+      note="Measure itself is not computed: it comes in by the named facts. y(t) is what step t divides by along the line through (alpha, 0) at z = 0 and (alpha, gamma) at z = 1: it is one at z = 0, so the points that "
            "escape at time t are finitely many on this line. For the closure: if a point with sign definite D is in neither of the sets F_1 and F_2 of S56, "
            "its orbit enters the positive real region, at a time q; then no point near it escapes. S54 describes the points that escape at first.")
 

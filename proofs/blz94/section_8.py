@@ -26,6 +26,7 @@ from exactkf.language import (
     given,
     iff,
     inside_roots,
+    integer,
     let,
     nonneg_on_circle,
     nonzero,
@@ -70,6 +71,7 @@ from proofs.blz94.notation import (
 
 p, q, v, w, x, y, kappa, lam, c, d, e, f, S, X = symbols("p q v w x y kappa lambda c d e f S X")
 k1, k2, al, ga = symbols("kappa1 kappa2 alpha_bar gamma_bar")
+s, goal, near = symbols("s goal near")
 
 #: (8.1) from (al, ga)
 ONE = (rec(alpha, t, al, alpha[t] / (1 - gamma[t] ** 2)), rec(gamma, t, ga, -gamma[t] * alpha[t] / (1 - gamma[t] ** 2)))
@@ -224,18 +226,20 @@ claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(ration
            "to alpha = 0, which nothing moves to, and there the list ends.")
 
 claim("BLZ94-X8.B", "other angles: no orbit returns, and infinitely many points escape",
-      (d == 1) & (c == m), sizes=["m"], over={x: scalar(), e: scalar()},
+      (d == 1) & (c == m) & near, sizes=["m"], over={x: scalar(), e: scalar(), s: integer(1, 3)},
       where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]),
              function(y, [k], when(k == 1, 2 * e, 2 * e - 1 / y(k - 1))),
              let(d, sum_of(k, 0, m, when(alpha[k] - gamma[k] == x, 1, 0))),
-             let(c, sum_of(k, 1, m, when((y(k) == 0) | exists(j, 1, k - 1, y(j) == y(k)), 0, 1)))],
+             let(c, sum_of(k, 1, m, when((y(k) == 0) | exists(j, 1, k - 1, y(j) == y(k)), 0, 1))), let(goal, HALF * (s + (e * s - 1) / (s - e))),
+             let(near, exists(k, 1, 700, (abs(alpha[k] - goal) <= 1) & (abs(gamma[k] - goal + s) <= 1)))],
       given=[standing("indefinite", abs(e) < 1), given("the angle is not k pi/j for j <= 2m + 2", forall(k, 1, 2 * m + 2, v[k] != 0))],
       by=[steps("BLZ94-X.9", facts=["Kronecker: the multiples of an irrational angle are dense in the circle"],
                 prose="The curve is a circle on which each step is a rotation by one angle, by X.9; v_k is a multiple of sin(k phi), which never vanishes for an irrational angle. So no orbit "
                       "returns, each is dense, and going back from infinity never ends."),
-          example({"m": 3, x: "1/3", e: "1/2"}), example({"m": 4, x: "1/3", e: 0}), example({"m": 6, x: "1/3", e: "-1/2"}),
+          example({"m": 3, x: "1/3", e: "1/2", s: 2}), example({"m": 4, x: "1/3", e: 0, s: 2}), example({"m": 6, x: "1/3", e: "-1/2", s: 2}),
           instances(30, m=(3, 5), using={u: scalar()}, made_by={e: u / (1 + u**2)})],
-      note="1/kappa = e. d counts the visits at the start within m steps, c the different ones among the alpha y(1), ..., y(m), which escape after as many steps.")
+      note="1/kappa = e. d counts the visits at the start within m steps, c the different ones among the alpha y(1), ..., y(m), which escape after as many steps. near: the orbit "
+           "comes within 1 of another point of the curve, that with alpha - gamma = s, tried for 700 steps.")
 
 claim("BLZ94-S62", "the degenerate curves kappa = 1, -1",
       always(t, (alpha[t] - c) * w[t] == x - c), sizes=["p"], over={x: scalar()},
@@ -257,15 +261,19 @@ claim("BLZ94-S63", "kappa_2 = ... = kappa_n = 0 restricts the algorithm to order
       note="By Lemma 4.4 d_2 = ... = d_n = 0 means alpha_2 = ... = alpha_n = 0. Then (alpha_1, gamma_{n-1}) moves by (8.1), on the curve with kappa = 2 d_1/d_0 = kappa_1; the other entries of gamma "
            "are earlier values of gamma_{n-1} after n - 1 steps.")
 
+#: a rational s with irrational angle beside e; the orbit of the point of its curve with the same alpha - gamma
+_BESIDE = (function(c, [k], when((abs(40 * e - k) < 2) & (k != 0) & (abs(k) != 20), k, c(k + 1))), let(s, c(-39) / 40), let(goal, HALF * (x + (s * x - 1) / (x - s))),
+           rec(u, t, goal, u[t] / (1 - v[t] ** 2)), rec(v, t, goal - x, -v[t] * u[t] / (1 - v[t] ** 2)), let(near, exists(t, 1, 700, ~defined(u[t]) | (abs(u[t]) > 5))))
 claim("BLZ94-P8.1", "infinitely many points of each period, in dimension two as in dimension one",
-      w == p, sizes=["p"], over={x: scalar()},
+      (w == p) & (2 * (goal - al) * (x - e) * (x - s) == (s - e) * (x**2 - 1)) & (20 * abs(s - e) < 1) & near, sizes=["p"], over={x: scalar()},
       where=[let(n, 2), let(e, -cospi(2, p)), let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)),
              let(alpha0, rows([[al], [0]])), let(gamma0, rows([[-ga / al], [ga]])), *ORBIT,
-             function(f, [k], when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, f(k + 1)), f(k + 1))), let(w, f(1))],
+             function(f, [k], when(alpha[k][1] - gamma[k][2] == x, when(gamma[k][1] == gamma0[1], k, f(k + 1)), f(k + 1))), let(w, f(1)), *_BESIDE],
       given=[standing("p > 2", p > 2)],
       by=[steps("BLZ94-E8.4", "BLZ94-X.9", "BLZ94-S63", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t",
                                                               "Kronecker: the multiples of an irrational angle are dense in the circle"],
                 prose="On the curves with angle pi/p every x gives another point. Arbitrarily close to any kappa are those with irrational angle, whose orbits are dense in the "
                       "unbounded curve."),
           instances(12, p=(3, 4, 5, 6, 7))],
-      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. alpha_2 = 0 is the case of S63.")
+      note="gamma_0 = -gamma_1/alpha_1 is the earlier value of the parameter. alpha_2 = 0 is the case of S63. The neighbour has the same alpha - gamma = x and the "
+           "rational 1/kappa = s, whose angle is irrational; the equation says how far it is, less than any distance as s tends to e. near: its orbit, (u_t, v_t) of order one, has |u_t| > 5 or ends, for some t <= 700.")
