@@ -181,6 +181,13 @@ class System:
             self._write(total, c, left, rule, right, scalars)
         return self._listed(total)
 
+    def normal_form(self, p: Poly, deadline: float) -> dict[str, Any]:
+        """What is left of a polynomial, by keys that are the same for all from when on no rule is added."""
+        self.deadline = deadline
+        while clock() < deadline and self._grow():
+            pass
+        return self._reduce(self.encode(p))[0]
+
     def _listed(self, total: dict) -> list[list]:
         out = []
         for (left, name, right, scalars), c in total.items():

@@ -48,6 +48,7 @@ from exactkf.kernel.words import size_tree
 from exactkf.language import Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
+from exactkf.lemma.classical import by_classical_facts
 from exactkf.lemma.grammar import read_lemma
 from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse
 from exactkf.lemma.neighbours import neighbours
@@ -288,7 +289,8 @@ class _Run:
         """Keep a certificate of a statement; how it was proved, or None."""
         seconds = self._share(part, math.inf) / 2
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
-        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
+        facts = (seal("lemma", "order", data, found) for found in by_classical_facts(data, self.degree, seconds))
+        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds / 2), facts):
             if self._keep(certificate):
                 return _HOW[certificate["kind"]].format(multiples_in_words(certificate["evidence"]))
         return None
