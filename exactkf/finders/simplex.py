@@ -150,7 +150,8 @@ class _Table:
         self.rows, self.basis = [self.rows[n] for n in keep], [self.basis[n] for n in keep]
 
     def _leaving(self, entering: int) -> int | None:
-        ratios = [(row.get(_LAST, fmpq(0)) / row[entering], b, n) for n, (row, b) in enumerate(zip(self.rows, self.basis, strict=True)) if row.get(entering, 0) > 0]
+        above = [(row, b, n) for n, (row, b) in enumerate(zip(self.rows, self.basis, strict=True)) if row.get(entering, 0) > 0]
+        ratios = [(row.get(_LAST, fmpq(0)) / row[entering], b, n) for row, b, n in above]
         return min(ratios)[2] if ratios else None
 
     def _pivot(self, place: int, entering: int, cost: Row) -> None:

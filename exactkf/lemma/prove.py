@@ -35,8 +35,8 @@ from typing import Any
 from flint import fmpq
 
 from exactkf._errors import BadInput
-from exactkf._wording import multiples_in_words, over_primes
 from exactkf._facts import facts_used
+from exactkf._wording import multiples_in_words, over_primes
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
 from exactkf.finders.completion import Stuck

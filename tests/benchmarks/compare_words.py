@@ -30,11 +30,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # of a clone; it need not be installed
 
-from exactkf.claims import load  # noqa: E402
-from exactkf.finders.membership import find_membership  # noqa: E402
-from exactkf.kernel.reader import Reader, relations, residual_blocks  # noqa: E402
-from exactkf.kernel.replay import replay, seal  # noqa: E402
-from exactkf.lemma import read_lemma  # noqa: E402
+from exactkf.claims import load
+from exactkf.finders.membership import find_membership
+from exactkf.kernel.reader import Reader, relations, residual_blocks
+from exactkf.kernel.replay import replay, seal
+from exactkf.lemma import read_lemma
 
 DEGREE = 8
 LIMIT = 60.0  # seconds for one question to another system
