@@ -90,7 +90,7 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
 
 def _of_form(reader: Reader, tree: Any) -> Iterator[str]:
     """What makes a term semidefinite, as `exactkf.kernel.definite.definiteness` reads it."""
-    if isinstance(tree, int):
+    if not isinstance(tree, (list, tuple)) or not tree or tree[0] == "^" or tree[0] == "rat":
         yield "number"
     elif _by_hypothesis(reader, tree):
         yield "hypothesis"
