@@ -9,14 +9,14 @@ from typing import Any
 
 from flint import fmpz
 
-__all__ = ["multiples_in_words", "number_of", "proof_in_words"]
+from exactkf._facts import facts_used
+
+__all__ = ["multiples_in_words", "number_of", "over_primes", "proof_in_words"]
 
 _FOR_EVERY_SIZE = {
     "membership": "for every size: {}, expanded in words",
-    "order": "for every size: sums of terms that are semidefinite by their form, inverses, multiples of the assumptions; "
-             "classical facts: sums, congruences, inverses, roots and null vectors of semidefinite matrices",
-    "word induction": "for every size, by induction: base and step by multiples of the assumptions in words, "
-                      "and sums of terms that are semidefinite by their form",
+    "order": "for every size: multiples of the assumptions in words; classical facts: {}",
+    "word induction": "for every size, by induction: base and step by multiples of the assumptions in words; classical facts: {}",
     "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
 }
 
@@ -36,8 +36,9 @@ def proof_in_words(certificate: Mapping[str, Any]) -> str:
     >>> proof_in_words({"kind": "membership", "evidence": {"terms": []}})
     'for every size: without assumptions, expanded in words'
     """
-    evidence = certificate["evidence"]
-    return _FOR_EVERY_SIZE[certificate["kind"]].format(multiples_in_words(evidence)) + _of_stable(evidence) + _over_primes(evidence)
+    evidence, kind = certificate["evidence"], certificate["kind"]
+    used = multiples_in_words(evidence) if kind == "membership" else ", ".join(facts_used(certificate)) or "none"
+    return _FOR_EVERY_SIZE[kind].format(used) + _of_stable(evidence) + over_primes(evidence)
 
 
 def multiples_in_words(evidence: Mapping[str, Any]) -> str:
@@ -46,7 +47,7 @@ def multiples_in_words(evidence: Mapping[str, Any]) -> str:
     return f"{number_of(count, 'multiple')} of the assumptions" if count else "without assumptions"
 
 
-def _over_primes(evidence: Mapping[str, Any]) -> str:
+def over_primes(evidence: Mapping[str, Any]) -> str:
     """The ring in which the multiples are taken, where that is not the integers."""
     below = {Fraction(c).denominator for c in _coefficients(evidence)}
     primes = sorted({int(p) for d in below for p, _ in fmpz(d).factor()})

@@ -36,8 +36,9 @@ from exactkf.finders.effort import clock, spend
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Poly, Relation, times_scalars
 
-__all__ = ["Stuck", "System", "system_of"]
+__all__ = ["COMPLETE", "NO_MORE", "Stuck", "System", "system_of"]
 
+NO_MORE, COMPLETE = "no more overlaps up to this degree", "the assumptions are completed"
 _FIRST_LETTER, _FIRST_SCALAR = 0x100, 0x8000  # characters; those of a scalar and its inverse differ in the last bit
 _MOST_RULES = 600
 _SEARCHED = 5  # steps that it takes to look for a rule
@@ -94,6 +95,7 @@ class System:
         self.queue: list[tuple] = []
         self.count = self.made = self.reached = 0
         self.deadline = float("inf")
+        self.cut = False  # an overlap was longer than the degree allows
         self.written: dict[int, dict] = {}
         self.assumed = dict(assumed)
         self.rows: Any = None  # of the polynomial that is being reduced
@@ -173,13 +175,27 @@ class System:
                 return self._stuck("out of time", rest)
             if not self._grow():
                 late = clock() > deadline
-                return self._stuck("out of time" if late else "too many rules" if self.queue else "no more overlaps up to this degree", rest)
+                return self._stuck("out of time" if late else "too many rules" if self.queue else NO_MORE if self.cut else COMPLETE, rest)
             rest, more = self._reduce(rest)
             used += more
         total: dict = {}
         for c, left, rule, right, scalars in used:
             self._write(total, c, left, rule, right, scalars)
         return self._listed(total)
+
+    def normal_form(self, p: Poly, deadline: float) -> dict[str, Any]:
+        """What is left of a polynomial, by keys that are the same for all from when on no rule is added."""
+        self.deadline = deadline
+        while clock() < deadline and self._grow():
+            pass
+        return self._reduce(self.encode(p))[0]
+
+    def bound(self, deadline: float) -> str:
+        """What the completion ends at, in the words of `Stuck`."""
+        self.deadline = deadline
+        while clock() < deadline and self._grow():
+            pass
+        return self._stuck("out of time" if clock() >= deadline else "too many rules" if self.queue else NO_MORE if self.cut else COMPLETE, {}).reason
 
     def _listed(self, total: dict) -> list[list]:
         out = []
@@ -398,6 +414,7 @@ class System:
                 self._push(len(u), first, "", second, u[:at], u[at + len(v):])
 
     def _push(self, length: int, *pair: Any) -> None:
+        self.cut = self.cut or length > self.degree
         if length <= self.degree:
             self.count += 1
             heapq.heappush(self.queue, (length + len(pair[0].scalars) + len(pair[2].scalars), self.count, length, pair))

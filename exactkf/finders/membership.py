@@ -10,6 +10,8 @@ Main definitions
     Equations as multiples of the assumptions; the first says how far it got.
 `find_order`
     Order, invertibility and equations, leaf by leaf.
+`part_of_order`, `own_part_of_order`
+    One leaf of an order.
 `find_induction`
     Base and step.
 """
@@ -29,7 +31,7 @@ from exactkf.kernel.reader import Reader, relations, residual_blocks
 from exactkf.kernel.recursion import Induction, along, before, inductions
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["Membership", "find_induction", "find_membership", "find_order", "search_membership"]
+__all__ = ["Membership", "find_induction", "find_membership", "find_order", "own_part_of_order", "part_of_order", "search_membership"]
 
 
 _DEGREE_WITH_LEMMAS = 12
@@ -234,14 +236,25 @@ def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, de
     """The terms, with the multiples of assumptions that make up for the rest."""
     more = {key: value if key == "stein" else [list(x) for x in value] for key, value in more.items() if value}
     for way in _ways(case, formula, terms if asked else []):
-        try:
-            leaf = Leaf(case, formula, terms, **more, **way)
-            blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
-        except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
-            continue
-        if None not in blocks:
-            return {"sum": terms, **_spelled(blocks), **more, **way}
+        if (found := part_of_order(case, formula, terms, {**more, **way}, degree, seconds)) is not None:
+            return found
     return None
+
+
+def part_of_order(case: dict, formula: Any, terms: list, more: dict, degree: int, seconds: float) -> dict | None:
+    """The part of an ``order`` for one leaf, from its terms and what else its proof brings in, or None."""
+    try:
+        leaf = Leaf(case, formula, terms, **more)
+        blocks = [_terms_for(leaf, k, degree, seconds) for k in range(len(leaf.goals))]
+    except (Unknown, Undefined, TypeError, AttributeError):  # such as a definition that is no matrix where one is needed
+        return None
+    return None if None in blocks else {"sum": terms, **_spelled(blocks), **more}
+
+
+def own_part_of_order(case: dict, formula: Any, degree: int, seconds: float) -> dict | None:
+    """The same from the terms that the leaf itself suggests."""
+    tries = (_complete(case, formula, terms, {}, False, degree, seconds) for terms in _own_terms(case, formula))
+    return next((found for found in tries if found is not None), None)
 
 
 def _spelled(blocks: list) -> dict:

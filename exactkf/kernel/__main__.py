@@ -24,7 +24,13 @@ def main(paths: list[str]) -> int:
         except Rejected as error:
             print(one_line(f"{path}: rejected: {error}"))
             worst = max(worst, 1)
-        except (NotACertificate, OSError, ValueError, RecursionError) as error:
+        except IsADirectoryError:
+            print(one_line(f"argument FILE = {path!r} is a folder; pass the files in it, such as {path.rstrip('/')}/*.json"), file=sys.stderr)
+            worst = 2
+        except OSError as error:
+            print(one_line(f"argument FILE = {path!r} cannot be read ({error.strerror or error}); pass a file that you may read"), file=sys.stderr)
+            worst = 2
+        except (NotACertificate, ValueError, RecursionError) as error:
             print(one_line(f"{path}: {error}"), file=sys.stderr)
             worst = 2
     return worst

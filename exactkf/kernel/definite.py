@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the form of a term shows: definite, positive, nonsingular, defined.
 
-The facts are those of `exactkf.kernel.order`, under their numbers there.
+The facts are those of `exactkf.kernel.order.FACTS`.
 
 Main definitions
 ----------------

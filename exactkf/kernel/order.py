@@ -2,35 +2,17 @@
 """Order and invertibility of matrices of every size, by a few classical facts.
 
 `exactkf.kernel.definite` reads a term and says whether its form alone makes it positive
-(semi)definite under the hypotheses. The facts it uses:
-
-1. a variable of type psd, pd, and a hypothesis that says so; semidefinite and
-   invertible is definite;
-2. the identity is positive definite; a nonnegative number times a
-   semidefinite matrix is semidefinite; sums and products of nonnegative
-   numbers are nonnegative, and so are squares;
-3. a sum of semidefinite matrices is semidefinite, definite if one of them is;
-4. a congruence X'PX of a semidefinite matrix is semidefinite, and of a definite
-   one definite if X is nonsingular or has full column rank; a block diagonal
-   matrix is semidefinite if its blocks are;
-5. the inverse of an invertible semidefinite matrix is definite;
-6. a semidefinite matrix is the square of one;
-7. a null vector of a sum of semidefinite matrices is one of each of them, and
-   a null vector of X'PX one of PX; x'Px = 0 gives Px = 0;
-8. a matrix has full column rank, and a square one is nonsingular, if Xv = 0
-   only for v = 0;
-9. AT = TB with a nonsingular T makes A and B similar, and then they have one
-   characteristic polynomial;
-10. the rank of BC is the number of columns of B if B has a left and C a right inverse;
-11. the determinant of a product of square matrices is the product of theirs, that
-   of a transpose the same, of a block triangular matrix that of its diagonal blocks.
+(semi)definite under the hypotheses. The facts are named and said in `FACTS`. Two more that
+are often named need no rule: Schur complements are congruences with a block triangular matrix,
+and P >= Q > 0 gives inv(Q) >= inv(P), as inv(Q) - inv(P) = KDK' + KD inv(Q) DK', where
+K = inv(P) and D = P - Q.
 
 A conclusion is taken apart by `leaves`: conjunctions, implications,
 equivalences and inequations become equations, statements of order and of invertibility, each
 with what may be assumed for it. A certificate of kind ``order`` proves each:
 an equation by multiples of the assumptions (`exactkf.kernel.words`), an order
 by a sum of terms that are semidefinite by their form plus such multiples, an
-invertibility by an inverse. An equation may use fact 7 for a hypothesis Kx = 0
+invertibility by an inverse. An equation may use null vectors for a hypothesis Kx = 0
 with terms that add up to K. Lemmas are shown first and then used. An inverse
 that the evidence brings in must be one of a matrix that is nonsingular by its
 form.
@@ -49,7 +31,29 @@ from exactkf.kernel.stable import is_stable, no_eigenvector
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
-__all__ = ["Leaf", "goal_of", "leaves", "register_inverses"]
+__all__ = ["FACTS", "Leaf", "goal_of", "leaves", "register_inverses"]
+
+#: the classical facts that the checker takes for granted, on real matrices of every size; those on stable ones are in `exactkf.kernel.stable`
+FACTS = {
+    "hypothesis": "a matrix is semidefinite, or definite, if its type or a hypothesis says so; semidefinite and invertible is definite",
+    "identity": "the identity is positive definite, and a square zero semidefinite",
+    "number": "a nonnegative multiple of a semidefinite matrix is semidefinite; sums and products of nonnegative numbers are nonnegative, and so are squares",
+    "sum": "a sum of semidefinite matrices is semidefinite, and definite if one of them is",
+    "congruence": "X'PX is semidefinite if P is, and definite if P is and X is nonsingular or has full column rank",
+    "block diagonal": "a block diagonal matrix is semidefinite, or definite, if its blocks are",
+    "inverse": "the inverse of an invertible semidefinite matrix is definite",
+    "square root": "a semidefinite matrix is the square of one",
+    "null vectors": "a null vector of a sum of semidefinite matrices is one of each of them, and one of X'PX is one of PX; x'Px = 0 gives Px = 0",
+    "nonsingular": "a definite matrix, a transpose, an inverse and a product of nonsingular matrices are nonsingular",
+    "right inverse": "a square matrix X with XY = I is nonsingular",
+    "null space": "a matrix has full column rank, and a square one is nonsingular, if Xv = 0 only for v = 0",
+    "similarity": "AT = TB with a nonsingular T makes A and B similar, and then they have one characteristic polynomial",
+    "rank": "the rank of BC is the number of columns of B if B has a left and C a right inverse",
+    "determinant": "the determinant of a product of square matrices is the product of theirs, that of a transpose the same, "
+                   "of a block triangular matrix that of its diagonal blocks",
+    "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
+    "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
+}
 
 #: operations that need no value of what stands in them, such as a sum over an empty range
 _LAZY = ("forall", "exists", "always", "sum", "prod", "mat", "col", "defined")
@@ -369,7 +373,7 @@ class Leaf:
                     self.shown[f"null {n}/{m}/{k}'"] = Relation(reader.transpose_poly(p), cols, rows)
 
     def assumed(self, goal: int) -> dict[str, Relation]:
-        """Named polynomials that vanish, for one of the goals; what fact 7 gives is not there for its own premise."""
+        """Named polynomials that vanish, for one of the goals; what null vectors give is not there for their own premise."""
         return {**self.always, **self.shown} if goal >= self.first > 0 else self.always
 
 

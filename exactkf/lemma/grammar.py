@@ -33,7 +33,9 @@ item                                        meaning
 
 Terms, tightest first: ``X'`` transpose, ``X^-1`` or ``inv(X)`` inverse, ``X^3`` power; ``*`` and ``/``; ``+`` and ``-``. ``I`` is an
 identity and ``0`` a zero whose size follows from what stands beside it, ``I(n)`` and ``O(n, p)`` say it. ``[A, B; C, D]`` is a
-block matrix; ``2``, ``1/3``, ``0.25`` are exact numbers; ``det(X)``, ``trace(X)``, ``rank(X)`` are numbers.
+block matrix. ``2``, ``1/3``, ``0.25`` are exact numbers; ``det(X)``, ``trace(X)``, ``rank(X)`` are numbers.
+
+A left or a right inverse of a matrix that need not be square is a letter, and what it does is said by ``assume L*A == I`` or ``assume A*R == I``.
 
 Formulas, tightest first: ``A == B`` (or ``=``; chains are allowed), ``A != B``, ``A >= B`` (order of symmetric matrices, or of numbers), ``A > B``
 (the difference is positive definite), ``X symmetric``, ``X psd``, ``X pd``, ``X invertible``, ``X symplectic`` (the property may stand in front);

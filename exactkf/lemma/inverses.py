@@ -20,12 +20,14 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from typing import Any
 
 from exactkf.finders.membership import find_order
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 from exactkf.language.statement import as_lists, as_tuples
+from exactkf.lemma.classical import by_classical_facts
 from exactkf.lemma.sizes import SCALAR, ZERO, Misfit, Sizes, size_tree
 
 __all__ = ["claimed_inverses", "exists_by_assumption", "invertibility", "show_inverse"]
@@ -114,6 +116,11 @@ def show_inverse(data: Mapping[str, Any], term: Any, degree: int, seconds: float
                 return certificate
         except (Rejected, NotACertificate, Undefined, Unknown):
             continue
+    for evidence in by_classical_facts(goal, degree, seconds):
+        certificate = seal("lemma: an inverse exists", "order", goal, evidence)
+        with suppress(Rejected, NotACertificate, Undefined, Unknown):
+            replay(certificate)
+            return certificate
     return None
 
 

@@ -17,11 +17,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from fractions import Fraction
+from itertools import repeat
 from typing import Any
 
 from exactkf.finders.prove import every_size
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
+from exactkf.kernel.order import goal_of
 from exactkf.kernel.reader import Reader, residual_blocks
 from exactkf.language.mutate import Mutant, mutants
 from exactkf.language.statement import as_tuples
@@ -34,6 +37,7 @@ _MOST = 48  # changed conclusions looked at, spread evenly
 _GRANTS = ("invertible", "pd", "!=", ">")  # without one of these the lemma would speak of fewer matrices, not of more
 _SECONDS, _FEW_SECONDS = 1.0, 0.2  # for one assumption left out, for the proof of a changed conclusion
 _WORLDS = 40  # instances a changed conclusion is tried on, large ones first
+_ORDERS = ("psd", "pd", "loewner")
 _SHOWN = 4  # changed conclusions named
 
 
@@ -79,12 +83,38 @@ def _judged(data: dict, mutant: Mutant, worlds: Sequence[World]) -> bool | None:
 
 
 def _same(data: dict, says: Any) -> bool:
+    """The changed conclusion says the same in each place: a multiple, or the transpose."""
     try:
-        reader = Reader(data)
-        old, new = ([p for b in residual_blocks(reader, formula) for p, _, _ in b.cells()] for formula in (data["says"], says))
-        return old == new or old == [{k: -c for k, c in p.items()} for p in new]
-    except (Unknown, Undefined, TypeError):
+        return _alike(Reader(data), data["says"], says)
+    except (Unknown, Undefined, TypeError, AttributeError):
         return False
+
+
+def _alike(reader: Reader, old: Any, new: Any) -> bool:
+    if old == new:
+        return True
+    if old[0] in ("and", "or", "=>", "<=>", "not"):
+        return new[0] == old[0] and len(new) == len(old) and all(map(_alike, repeat(reader), old[1:], new[1:]))
+    if old[0] in _ORDERS:
+        (a, level), (b, other) = goal_of(reader, old), goal_of(reader, new)
+        return level == other and any(_ratio(x.cells(), b.cells()) > 0 for x in (a, reader.transpose(a)))
+    if old[0] == "invertible":
+        a, b = reader.read(old[1]), reader.read(new[1])
+        return new[0] == old[0] and any(_ratio(x.cells(), b.cells()) for x in (a, reader.transpose(a)))
+    equations, changed = ([p for b in residual_blocks(reader, f) for p, _, _ in b.cells() if p] for f in (old, new))
+    return len(equations) == len(changed) and all(_multiple(reader, p, q) for p, q in zip(equations, changed, strict=True))
+
+
+def _multiple(reader: Reader, p: Any, q: Any) -> bool:
+    return any(_ratio([(x, None, None)], [(q, None, None)]) for x in (p, reader.transpose_poly(p)))
+
+
+def _ratio(cells: list, others: list) -> Any:
+    """The number by which these blocks are multiples of those, 0 if they are none."""
+    if [(set(p), *sizes) for p, *sizes in cells] != [(set(p), *sizes) for p, *sizes in others]:
+        return 0
+    found = {Fraction(str(q[key])) / Fraction(str(c)) for (p, *_), (q, *_) in zip(cells, others, strict=True) for key, c in p.items()}
+    return found.pop() if len(found) == 1 else 0
 
 
 def _left_out(data: dict, label: str, degree: int, deadline: float, seed: int) -> tuple[bool, str]:

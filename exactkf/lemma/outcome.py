@@ -69,13 +69,13 @@ class Outcome:
     def to_json(self) -> dict[str, Any]:
         """Plain data, with the lemma as text of the grammar and as LaTeX."""
         from exactkf.language.latex import given_latex, over_latex, says_latex, statement_latex, where_latex
-        from exactkf.lemma.show import lemma_text
+        from exactkf.lemma.show import facts_of, lemma_text
 
         return {
             "verdict": self.verdict, "reason": self.reason or None, "text": lemma_text(self.statement), "statement": self.statement.to_json(),
             "statement_latex": statement_latex(self.statement), "over_latex": over_latex(self.statement), "where_latex": where_latex(self.statement),
             "given_latex": given_latex(self.statement), "says_latex": says_latex(self.statement),
             "assuming": self.assuming, "counterexample": self.counterexample, "witness": self.witness,
-            "reached": self.reached, "warnings": self.warnings, "checks": self.checks, "seconds": round(self.seconds, 3),
+            "facts": facts_of(self), "reached": self.reached, "warnings": self.warnings, "checks": self.checks, "seconds": round(self.seconds, 3),
             "certificates": self.certificates,
         }

@@ -35,10 +35,12 @@ from typing import Any
 from flint import fmpq
 
 from exactkf._errors import BadInput
-from exactkf._wording import multiples_in_words
+from exactkf._facts import facts_used
+from exactkf._wording import multiples_in_words, over_primes
 from exactkf.describe import instance_lines
 from exactkf.evidence import identity
 from exactkf.finders.completion import Stuck
+from exactkf.finders.effort import clock
 from exactkf.finders.membership import find_order, search_membership
 from exactkf.finders.prove import candidates, every_size
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
@@ -48,6 +50,8 @@ from exactkf.kernel.words import size_tree
 from exactkf.language import Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
+from exactkf.lemma.bounds import why_open
+from exactkf.lemma.classical import by_classical_facts
 from exactkf.lemma.grammar import read_lemma
 from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse
 from exactkf.lemma.neighbours import neighbours
@@ -173,6 +177,7 @@ class _Run:
         self.deadline = self.started + time_limit
         self.limit, self.degree, self.seed, self.progress = time_limit, degree, seed, progress
         self.data = statement.to_json()
+        self.late = False  # a search for a proof ended for lack of time
         self.found = Outcome(statement)
         self.sides = [side for part in _claims(self.data["says"]) if part[0] == "=" for side in part[1:] if isinstance(side, list)]
 
@@ -286,11 +291,13 @@ class _Run:
 
     def _proof_of(self, data: dict, part: float) -> str | None:
         """Keep a certificate of a statement; how it was proved, or None."""
-        seconds = self._share(part, math.inf) / 2
+        seconds, began = self._share(part, math.inf) / 2, clock()
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
-        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds)):
+        facts = (seal("lemma", "order", data, found) for found in by_classical_facts(data, self.degree, seconds))
+        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds / 2), facts):
             if self._keep(certificate):
-                return _HOW[certificate["kind"]].format(multiples_in_words(certificate["evidence"]))
+                return _how(certificate)
+        self.late = self.late or clock() - began > 0.9 * seconds
         return None
 
     def _in_parts(self) -> bool:
@@ -304,9 +311,8 @@ class _Run:
                 self.found.reached.append(f"{_text(part)}: {how}")
         for part in open_:
             self.found.reached.append(f"{_text(part)}: neither proved nor refuted; {self._stuck(part)}")
-        ended = "out of time" if self._left() <= 0 else f"no proof with words of up to {self.degree} letters"
-        self.found.reason = (f"{ended}, and no counterexample; a larger --degree or --time-limit (degree=, time_limit=), "
-                             "or a further assumption or claim on the way, may settle it") if open_ else ""
+        if open_:
+            self.found.reason = why_open(self.data, open_, self.late or self._left() <= 0, self.degree, self._share(0.2, 5.0))
         return not open_
 
     def _stuck(self, part: Any) -> str:
@@ -359,20 +365,24 @@ class _Run:
 _CONNECTIVES = ("and", "or", "not", "=>", "<=>")
 _HOW = {
     "membership": "{}, expanded in words of letters",
-    "order": "by multiples of the assumptions and classical facts on semidefinite matrices",
+    "order": "by multiples of the assumptions and classical facts: {}",
     "identity": "an identity of rational functions in the entries",
-    "word induction": "by induction, base and step in words of letters",
+    "word induction": "by induction, base and step in words of letters; classical facts: {}",
 }
 
 
+def _how(certificate: dict) -> str:
+    """How a statement was proved: what the certificate uses, and the primes that it divides by."""
+    evidence, kind = certificate["evidence"], certificate["kind"]
+    used = multiples_in_words(evidence) if kind == "membership" else ", ".join(facts_used(certificate)) or "none"
+    return _HOW[kind].format(used) + over_primes(evidence)
+
+
 def _by_sides(data: dict, sides: Sequence[Any], degree: int, seconds: float) -> Iterator[dict]:
-    """Proofs of an order by a term that an equation of the lemma names, and of an equation by null vectors of semidefinite matrices."""
-    if data["says"][0] in ("psd", "pd", "loewner"):
-        tried = [*([side] for side in sides), *_squares(data)]
-    elif data["says"][0] == "=":
-        tried = [list(terms) for _, formula, _ in data["given"] if (terms := _null_terms(formula))]
-    else:
+    """Proofs of an order by a term that an equation of the lemma names, or by the form of an update."""
+    if data["says"][0] not in ("psd", "pd", "loewner"):
         return
+    tried = [*([side] for side in sides), *_squares(data)]
     deadline = time.perf_counter() + seconds
     for terms in tried:
         if (left := deadline - time.perf_counter()) <= 0:
@@ -430,14 +440,6 @@ def _written_out(data: dict, tree: Any) -> Any:
         body = next((d[3] for d in data["where"] if d[0] == "let" and d[1] == tree[1] and not d[2]), None)
         return tree if body is None else _written_out(data, body)
     return tree
-
-
-def _null_terms(formula: Any) -> Sequence[Any]:
-    """The summands of K in an assumption K x = 0."""
-    if formula[0] != "=" or formula[1][:1] != ["*"] or (formula[2] != 0 and formula[2][0] != "O"):
-        return ()
-    first = formula[1][1] if len(formula[1]) == 3 else ["*", *formula[1][1:-1]]
-    return first[1:] if first[0] == "+" else [first]
 
 
 def _not_in_words(data: dict, tree: Any) -> str:

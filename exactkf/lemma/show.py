@@ -5,6 +5,8 @@ Main definitions
 ----------------
 `lemma_text`
     The lemma as it was read, in the grammar where that is possible.
+`facts_of`
+    Classical facts that the proof uses.
 `outcome_lines`
     Lemma, verdict, matrices, how far it got.
 """
@@ -15,13 +17,15 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from exactkf._errors import BadInput
+from exactkf._facts import facts_used
 from exactkf._wording import number_of
+from exactkf.kernel.order import FACTS
 from exactkf.language import Statement
 from exactkf.language.text import statement_text
 from exactkf.lemma.outcome import Outcome
 from exactkf.lemma.write import write_lemma
 
-__all__ = ["lemma_text", "matrix_lines", "outcome_lines", "verdict_line"]
+__all__ = ["facts_of", "lemma_text", "matrix_lines", "outcome_lines", "verdict_line"]
 
 
 def lemma_text(statement: Statement) -> str:
@@ -40,6 +44,14 @@ def verdict_line(outcome: Outcome) -> str:
     return f"{outcome.verdict}: {outcome.reason}"
 
 
+def facts_of(outcome: Outcome) -> dict[str, str]:
+    """The classical facts that the proof uses, by name."""
+    if outcome.verdict != "proved":
+        return {}
+    used = {name for certificate in outcome.certificates for name in facts_used(certificate)}
+    return {name: sentence for name, sentence in FACTS.items() if name in used}
+
+
 def outcome_lines(outcome: Outcome) -> Iterator[str]:
     """Everything there is to say, line by line."""
     yield from lemma_text(outcome.statement).splitlines()
@@ -50,6 +62,7 @@ def outcome_lines(outcome: Outcome) -> Iterator[str]:
     elif outcome.verdict == "open" and outcome.witness:
         yield from _part("matrices that satisfy every assumption", instance_lines(outcome.witness))
     yield from _part("how far it got" if outcome.verdict == "open" else "what was checked", outcome.reached)
+    yield from _part("classical facts", (f"{name}: {sentence}" for name, sentence in facts_of(outcome).items()))
     yield from _part("to consider", outcome.warnings)
     yield ""
     yield f"{number_of(outcome.checks, 'check')} in {outcome.seconds:.3g} s, {number_of(len(outcome.certificates), 'certificate')}"

@@ -28,6 +28,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))  # of a clone; it need not be installed
+
 from exactkf.claims import load
 from exactkf.finders.membership import find_membership
 from exactkf.kernel.reader import Reader, relations, residual_blocks
@@ -210,7 +212,8 @@ Singular and Macaulay2 are Debian's packages (`apt-get install singular-ui singu
 
 Only exactkf takes statements about typed matrices, checks sizes, and leaves a certificate that a separate checker replays (its time here
 includes that replay). The other systems got the polynomials that exactkf had made of the statement; they know no sizes.
-*no* of Macaulay2 on a true claim: the normal form by its basis up to the degree is not zero (nor with bounds up to 20 on three of them).
+*no* of Macaulay2 on a true claim: for these polynomials, which are not homogeneous, one call of `NCGB` returns a set that is not closed up to
+the degree (nor with bounds up to 20 on three of them); called again on its own result, once, for D71-E3.48 twice, it proves all five.
 Starting a process takes longer than most of these questions, so that the last hundredths of a second of Singular, and the last tenths of
 Macaulay2 and sympy, are noise. *stuck*: sympy has no completion, so a substitution of leading words ends where a consequence of two
 assumptions is needed.

@@ -7,8 +7,10 @@ import json
 
 import pytest
 
+from exactkf._facts import facts_used
 from exactkf.evidence import order
 from exactkf.finders.membership import find_order
+from exactkf.kernel.order import FACTS
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import (
     Identity,
@@ -194,6 +196,37 @@ def test_leaves_are_proved(name):
     data, found = _found(*LEAVES[name])
     assert found is not None
     replay(seal("T", "order", data, {"parts": found}))
+
+
+NAMED = {
+    "a sum of congruences": {"hypothesis", "sum", "congruence"}, "innovation covariance": {"hypothesis", "sum", "congruence"},
+    "a nonnegative number": {"hypothesis", "number", "sum"}, "a Gram matrix": {"congruence"}, "a block diagonal matrix": {"hypothesis", "block diagonal"},
+    "nonsingular congruence": {"hypothesis", "congruence", "nonsingular"}, "an inverse": {"hypothesis", "sum", "congruence", "inverse"},
+    "a Gram matrix plus I": {"identity", "sum", "congruence", "nonsingular", "right inverse"}, "an implication": set(),
+    "null vectors of a sum": {"hypothesis", "sum", "null vectors"}, "null vectors of a congruence": {"hypothesis", "congruence", "null vectors"},
+    "rank of a product": {"null space", "nonsingular"}, "similar products": {"similarity", "nonsingular"},  # with inverses that are brought in
+}
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_the_facts_of_a_certificate_are_named(name):
+    """Those that it uses, and no others."""
+    parts, sums, roots = LEAVES[name] if name in LEAVES else (*TRUE[name], {})
+    data, found = _found(parts, sums, roots)
+    certificate = seal("T", "order", data, {"parts": found})
+    replay(certificate)
+    assert NAMED[name] == set(facts_used(certificate))
+    assert facts_used(certificate) == [fact for fact in FACTS if fact in NAMED[name]]
+
+
+def test_facts_of_roots_and_factors():
+    """A square root, and a product of determinants, are facts of their own."""
+    data, found = _found(*LEAVES["I + PQ"])
+    assert {"square root", "right inverse"} <= set(facts_used(seal("T", "order", data, {"parts": found})))
+    parts, factors = DETERMINANTS["Schur"]
+    data = Statement(**parts).to_json()
+    found = find_order(data, factors=json.loads(json.dumps(order(factors=factors).hints["factors"])))
+    assert ["determinant"] == facts_used(seal("T", "order", data, {"parts": found}))
 
 
 @pytest.mark.parametrize("name", NOT_LEAVES)

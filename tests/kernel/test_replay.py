@@ -384,3 +384,11 @@ def test_a_replay_does_not_depend_on_how_names_are_hashed(tmp_path, seed):
     path.write_text(json.dumps(next(c for c in made if c["kind"] == "combination")))
     done = subprocess.run([sys.executable, "-m", "exactkf.kernel", str(path)], env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, text=True)
     assert (0, "") == (done.returncode, done.stderr)
+
+
+@pytest.mark.parametrize(("name", "words"), [("", ["is a folder", "/*.json"]), ("nowhere.json", ["cannot be read", "No such file"])])
+def test_a_file_that_cannot_be_read_is_said_in_a_line(tmp_path, name, words):
+    """Argument, value and remedy, and exit status 2."""
+    done = subprocess.run([sys.executable, "-m", "exactkf.kernel", str(tmp_path / name)], capture_output=True, text=True)
+    assert (2, "", 1) == (done.returncode, done.stdout, done.stderr.count("\n"))
+    assert all(word in done.stderr for word in ["argument FILE = ", str(tmp_path), *words]) and "Errno" not in done.stderr

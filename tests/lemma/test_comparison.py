@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import subprocess
 import sys
 from pathlib import Path
 
@@ -22,6 +23,15 @@ def test_the_comparison_asks_what_exactkf_answers():
         joseph = next(q for q in compare.questions() if q.title.startswith("D71 Joseph"))
         assert joseph.letters == 1 + max(k for p in (*joseph.goals, *joseph.assumed) for word in p for k in word)
         table = (FILE.parent / "COMPARISON.md").read_text(encoding="utf-8")
+        assert table.startswith(compare.HEAD)
         assert [] == [title for title in answers if f"| {title} |" not in table]
     finally:
         del sys.modules["compare_words"]
+
+
+def test_the_comparison_runs_from_a_clone(tmp_path):
+    """As its first lines say, with nothing installed: the packages of the clone are found from any folder."""
+    program = f"import runpy; runpy.run_path({str(FILE)!r}); import exactkf, proofs; print(exactkf.__file__, proofs.__file__)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=tmp_path, check=False)
+    assert "" == done.stderr
+    assert [str(FILE.parents[2] / name / "__init__.py") for name in ("exactkf", "proofs")] == done.stdout.split()
