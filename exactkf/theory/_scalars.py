@@ -12,7 +12,6 @@ Main definitions
 ``unify_pair``     two vectors of equal length, at least one
 ``units``          zero and one of that type
 ``check_length``   a vector has the length that another argument asks for
-``check_count``    a number of steps, an index or an exponent
 ``refused``        the error that names argument, value and remedy
 
 Notation
@@ -34,7 +33,7 @@ from flint import fmpq, fmpz
 from exactkf._errors import BadInput
 from exactkf.exact._messages import shown
 
-__all__ = ["Scalar", "Vector", "check_count", "check_length", "one_type", "refused", "scalar", "shown", "unify", "unify_pair", "units"]
+__all__ = ["Scalar", "Vector", "check_length", "one_type", "refused", "scalar", "shown", "unify", "unify_pair", "units"]
 
 Scalar: TypeAlias = Any
 Vector: TypeAlias = tuple[Scalar, ...]
@@ -82,7 +81,7 @@ def _check_mix(named: Mapping[str, Sequence[Scalar]], sample: Scalar) -> None:
             if type(value) not in seen:
                 seen.add(type(value))
                 try:
-                    sample + value
+                    sample + value, sample - value, sample * value
                 except (TypeError, ValueError):
                     raise refused(f"an entry of {name}", value, f"does not combine with {shown(sample)}", "pass scalars of one field") from None
 
@@ -151,15 +150,3 @@ def check_length(name: str, vector: Sequence[Scalar], length: int, reference: st
     """
     if len(vector) != length:
         raise refused(name, vector, f"has length {len(vector)} where {reference} asks for {length}", "pass a vector that fits")
-
-
-def check_count(name: str, value: Any, least: int = 0) -> None:
-    """Raise `BadInput` unless `value` is an integer and at least `least`.
-
-    Raises
-    ------
-    BadInput
-        If it is anything else, a truth value included.
-    """
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise refused(name, value, f"not an integer of at least {least}", f"pass {name} >= {least}")

@@ -56,6 +56,14 @@ __all__ = [
 State = tuple[Vector, Vector]
 
 
+def _coordinates(name: str, values: Sequence[Scalar]) -> Vector:
+    """Return the vector over one scalar type, of length at least one."""
+    (vector,) = unify(**{name: values})
+    if not vector:
+        raise refused(name, vector, "empty, and the filter needs n >= 1", "pass at least one coefficient")
+    return vector
+
+
 def _polynomials(Q: Sequence[Scalar], Q_star: Sequence[Scalar]) -> State:
     """Return `Q` and `Q_star` over one scalar type, of lengths ``n + 1`` and ``n >= 1``."""
     Q, Q_star = unify(Q=Q, Q_star=Q_star)
@@ -175,9 +183,9 @@ def alpha_matrix(gamma: Sequence[Scalar]) -> Matrix:
     Raises
     ------
     BadInput
-        If :math:`\gamma_k^2 = 1` for some `k`.
+        If `gamma` is empty or :math:`\gamma_k^2 = 1` for some `k`.
     """
-    (gamma,) = unify(gamma=gamma)
+    gamma = _coordinates("gamma", gamma)
     rest = [_require_no_escape(f"gamma[{k}]", value) for k, value in enumerate(gamma)]
     zero, one = units(gamma)
     n = len(gamma)
@@ -193,8 +201,14 @@ def alpha_matrix(gamma: Sequence[Scalar]) -> Matrix:
 
 
 def gamma_matrix(alpha: Sequence[Scalar]) -> Matrix:
-    r"""Return :math:`G(\alpha)`, the companion matrix of BLZ94 (4.6)."""
-    (alpha,) = unify(alpha=alpha)
+    r"""Return :math:`G(\alpha)`, the companion matrix of BLZ94 (4.6).
+
+    Raises
+    ------
+    BadInput
+        If `alpha` is empty.
+    """
+    alpha = _coordinates("alpha", alpha)
     zero, one = units(alpha)
     n = len(alpha)
     shift = [tuple(one if j == i + 1 else zero for j in range(n)) for i in range(n - 1)]

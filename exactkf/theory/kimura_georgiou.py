@@ -31,7 +31,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactkf.theory._scalars import Scalar, Vector, check_count, check_length, refused, unify, units
+from exactkf.exact._messages import check_count
+from exactkf.theory._scalars import Scalar, Vector, check_length, refused, unify, units
 from exactkf.theory.szego import levinson, second_kind_polynomials, szego_polynomials
 
 __all__ = ["from_kimura_georgiou", "laurent_covariances", "to_kimura_georgiou"]

@@ -46,8 +46,9 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpz
 
+from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
-from exactkf.theory._scalars import Scalar, Vector, check_count, refused, unify_pair
+from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, step_alpha_gamma
 
 __all__ = ["IntegerState", "Orbit", "exact_orbit", "first_escape", "integer_orbit", "orbit"]

@@ -47,8 +47,9 @@ from math import isqrt
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
+from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
-from exactkf.theory._scalars import Scalar, Vector, check_count, refused, unify_pair
+from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
 from exactkf.theory.orbits import exact_orbit, first_escape
 

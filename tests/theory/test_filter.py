@@ -239,7 +239,7 @@ def test_escape_is_returned_by_orbits_and_raised_by_steps():
     [
         (lambda: step_ag([1], [1, 2]), "g = (1, 2): has length 2 where a asks for 1"),
         (lambda: step_q([], []), "q = ()"),
-        (lambda: orbit(step_ag, ([1], [2]), -1), "steps = -1"),
+        (lambda: orbit(step_ag, ([1], [2]), -1), "argument 'steps' is not an integer of at least 0: -1"),
         (lambda: exact_orbit([1], [2, 3], 1), "g = (2, 3): has length 2 where a asks for 1"),
         (lambda: state_after([1.5], [2], 1), "a[0] = 1.5: not an exact scalar"),
         (lambda: state_after([mpf(1)], [2], 1), "(a, g) = ((mpf('1.0'),), (mpf('2.0'),)): has the entry 1.0"),

@@ -139,7 +139,7 @@ def test_reasons(M, name, reason):
         (lambda: hamiltonian_matrix([[0]], [[1]], [[1]]), "A = ((0,),): singular, its first column is zero"),
         (lambda: to_factors([[2, 0], [0, 1]]), "M = ((2, 0), (0, 1)): not symplectic, A^T D - C^T B"),
         (lambda: to_factors([[0, 1], [-1, 0]]), "the block A of M = ((0,),): singular"),
-        (lambda: from_factors([[1, 0], [0, 1]], [[0, 1], [0, 0]], [[0, 0], [0, 0]]), "P = ((0, 1), (0, 0)): not symmetric, its entries (2, 1) and (1, 2) differ"),
+        (lambda: from_factors([[1, 0], [0, 1]], [[0, 1], [0, 0]], [[0, 0], [0, 0]]), "P = ((0, 1), (0, 0)): not symmetric"),
         (lambda: moebius([[1, 0], [1, 1]], [[-1]]), "CT + D = ((0,),): singular"),
         (lambda: negative_direction([[0, 1], [0, 0]]), "S = ((0, 1), (0, 0)): not symmetric"),
         (lambda: membership([[1, 2], [3]]), "M = [[1, 2], [3]]: has rows of lengths [2, 1]"),
