@@ -66,13 +66,14 @@ GOOD = {
 }
 OWN = {
     "act": {"S": EYE, "P": [[3]]}, "difference_of_squares": {"Q": (1, 1), "Q_star": (HALF,)}, "step_polynomials": {"Q": (1, 1), "Q_star": (HALF,)},
-    "step_numerators": {"Q": (1, 1), "Q_star": (HALF,)}, "estimate": {"H": [[1], [1]]}, "estimable_part": {}, "is_symplectic": {"M": EYE}, "to_factors": {"M": EYE},
+    "step_numerators": {"Q": (1, 1), "Q_star": (HALF,)}, "estimate": {"H": [[1], [1]]}, "is_symplectic": {"M": EYE}, "to_factors": {"M": EYE},
     "membership": {"M": EYE}, "moebius": {"M": EYE, "T": [[3]]}, "riccati_gain": {"g": [[1], [0]], "h": [[0], [1]]}, "is_estimable": {"c": [1, 0]},
     "riccati_step": {"g": [[1], [0]], "h": [[0], [1]]}, "symplectic_matrix": {"g": [[1], [0]], "h": [[0], [1]]}, "palindromic_to_x": {"p": [1, 2, 1]},
     "equilibrium_from_basis": {"Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "basis": [[3, 1]]}, "PseudoPolynomial": {"d": [3, 1]}, "sqrt_field": {"d": 2},
     "stabilizing_equilibrium": {"Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]]}, "refine_root": {"root": exactkf.exact.isolate_real_roots([-2, 0, 1])[0]},
     "limit_digits": {"answer": decide([Fraction(-3, 10)], [HALF]), "digits": 5}, "cyclotomic_real": {"n": 7}, "Filter": {"a": (fmpq(1),), "g": (fmpq(1, 2),)},
-    "from_polynomials": {"a": [1, 2], "b": [1, 1]}, "from_covariances": {"c": [1, HALF, Fraction(1, 4)]}, "from_realization": {"F": [[HALF]], "g": [HALF], "h": [1]},
+    "from_polynomials": {"a": [1, 2], "b": [1, 1]}, "from_covariances": {"c": [1, HALF, Fraction(1, 4)]},
+    "from_realization": {"F": [[HALF]], "g": [HALF], "h": [1]},
     "from_state_space": {"system": SimpleNamespace(A=[[HALF]], B=[[HALF]], C=[[1]], D=[[1]])}, "solve": {"B": [[1], [2]]},
 }
 FREE = {"name"}  # it only appears in messages
@@ -185,7 +186,7 @@ LINE = ([[1, 1], [0, 1]], EYE, [[1, 0]], [[1]])  # Phi, H, M, V
     (lambda: schur_parameters({1, 2}), "c = {1, 2}: not a sequence"),
     (lambda: schur_parameters(fmpz_poly([1, 2])), "c = 2*x + 1: not a sequence"),
     (lambda: schur_parameters([mat(EYE)]), "c[0] = 2x2 matrix [[1, 0], [0, 1]]: not a scalar"),
-    (lambda: schur_parameters([HALF, mpf(1)]), "an entry of c = mpf('1.0'): does not combine with 1/2"),
+    (lambda: schur_parameters([HALF, mpf(1)]), "an entry of c = mpf('1.0'): does not combine with Fraction(1, 2)"),
     (lambda: exactkf.exact.zero(-1), "argument 'n_rows' is not an integer of at least 0: -1"),
     (lambda: exactkf.exact.identity(True), "argument 'n' is not an integer of at least 0: True"),
     (lambda: exactkf.exact.power(EYE, 0.5), "argument 'n' is not an integer: 0.5"),
