@@ -34,17 +34,19 @@ J. Math. and Phys. 39 (1960).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any, NamedTuple
 
 from flint import arb, arb_mat, ctx, fmpq
 
-from exactkf._errors import BadInput, Unsupported
+from exactkf._errors import Unsupported
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide
+from exactkf.exact._messages import bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.orbit_n import reduce_pair
-from exactkf.theory._scalars import Scalar, check_length, unify
+from exactkf.theory._scalars import Scalar, unify_pair
 from exactkf.theory.fast_filter import step_ag
 from exactkf.theory.orbits import exact_orbit, orbit
 from exactkf.theory.power_method import Arrival, state_after
@@ -102,14 +104,14 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     >>> digits_ahead([0], [2], 2, 5).g[0]
     [-1.14285714285714 +/- 2.87e-15]
     """
-    if isinstance(T, bool) or not isinstance(T, int) or T < 0:
-        raise BadInput(f"T = {T!r}: the number of steps must be a nonnegative integer; pass T >= 0")
-    if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
-        raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
-    a, g = unify(a=a, g=g)
-    check_length("g", g, len(a), "a")
-    if not a or not (all(isinstance(x, fmpq) for x in (*a, *g)) or all(isinstance(x, RealNumber) for x in (*a, *g))):
-        raise BadInput("(a, g): not in one field, or empty; pass rationals, or elements of one RealField")
+    check_count("T", T)
+    check_count("digits", digits, 1)
+    if answer is not None and not isinstance(answer, Answer):
+        raise bad("answer", "is not an Answer", answer, "pass what decide returns, or None")
+    a, g = unify_pair(a=a, g=g)
+    a, g = (tuple(fmpq(x.numerator, x.denominator) if isinstance(x, Fraction) else x for x in v) for v in (a, g))
+    if not (all(isinstance(x, fmpq) for x in (*a, *g)) or all(isinstance(x, RealNumber) for x in (*a, *g))):
+        raise bad("(a, g)", "is not in one field", (a, g), "pass rationals, or elements of one RealField")
     answer = decide(a, g) if answer is None else answer
     if answer.escape is not None and answer.escape < T:
         return DigitsAhead((), (), answer.escape, False)

@@ -66,6 +66,7 @@ from exactkf.dynamics.wandering import (
     places_without_escape,
     primes,
 )
+from exactkf.exact._messages import bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.circle import sign_on_circle
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -76,7 +77,7 @@ from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.replay import seal
 from exactkf.kernel.roots import times_poly
-from exactkf.theory._scalars import Scalar, check_length, unify
+from exactkf.theory._scalars import Scalar, unify_pair
 from exactkf.theory.orbits import first_escape, integer_orbit
 
 __all__ = ["LimitDigits", "decide", "limit_digits"]
@@ -135,8 +136,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     >>> decide([0, 1], [0, 0]).period
     1
     """
-    if isinstance(max_steps, bool) or not isinstance(max_steps, int) or max_steps < 0:
-        raise BadInput(f"max_steps = {max_steps!r}: the number of steps must be a nonnegative integer; pass max_steps >= 0")
+    check_count("max_steps", max_steps)
     case = _case(a, g)
     reduced = case.reduced
     if reduced.escape is not None:
@@ -158,10 +158,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
 def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
     a: Any
     g: Any
-    a, g = unify(a=a_0, g=g_0)
-    check_length("g", g, len(a), "a")
-    if not a:
-        raise BadInput("a = (): the filter needs n >= 1; pass at least one coefficient")
+    a, g = unify_pair(a=a_0, g=g_0)
     algebraic = isinstance(a[0], RealNumber)
     for name, vector in (("a", a), ("g", g)):
         for i, x in enumerate(vector):
@@ -544,10 +541,11 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     BadInput
         If the answer has no limit, or `digits` is not a positive integer.
     """
+    if not isinstance(answer, Answer):
+        raise bad("answer", "is not an Answer", answer, "pass what decide returns")
     if answer.limit is None or "alpha" not in answer.limit:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for data that converge to such a limit")
-    if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
-        raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
+    check_count("digits", digits, 1)
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
     if any(isinstance(x, dict) and "minpoly" not in x for x in values):
         case = _case(*_state_of(answer.certificate["statement"]["question"]))

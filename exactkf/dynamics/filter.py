@@ -34,11 +34,13 @@ from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass
 from typing import Any
 
+from flint import fmpq
+
 from exactkf._errors import BadInput
 from exactkf.dynamics.numbers import Number, number
 from exactkf.exact._messages import bad
 from exactkf.exact.compositum import together
-from exactkf.exact.numberfield import RealField
+from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.theory._matrices import solved
 from exactkf.theory.fast_filter import ag_from_alpha_gamma, alpha_gamma_from_ag
 from exactkf.theory.kimura_georgiou import laurent_covariances
@@ -64,6 +66,16 @@ class Filter:
     a: Vector
     g: Vector
     field: RealField | None = None
+
+    def __post_init__(self) -> None:
+        """Refuse what is not exact: the ways in below read other numbers."""
+        for name, vector in (("a", self.a), ("g", self.g)):
+            if not isinstance(vector, tuple) or not all(isinstance(x, (fmpq, RealNumber)) for x in vector):
+                raise bad(name, "is no tuple of fmpq or RealNumber", vector, "use Filter.from_ag, which reads other numbers")
+        if not self.a or len(self.a) != len(self.g):
+            raise bad("g", f"has length {len(self.g)} where a has {len(self.a)}", _plain(self.g), "pass vectors of the same length, at least 1")
+        if not (self.field is None or isinstance(self.field, RealField)):
+            raise bad("field", "is no RealField", self.field, "pass a RealField or None")
 
     @property
     def order(self) -> int:

@@ -20,7 +20,7 @@ import multiprocessing
 import threading
 import time
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, Sequence, Set
 from concurrent.futures import Future, TimeoutError
 from contextlib import contextmanager
 from fractions import Fraction
@@ -38,7 +38,7 @@ from exactkf.dynamics.files import read_filters
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.numbers import number
 from exactkf.dynamics.order_one import decide_order_one, decide_riccati_one
-from exactkf.exact._messages import bad, shown
+from exactkf.exact._messages import bad, check_count, shown
 from exactkf.exact.compositum import together
 from exactkf.pool import PoolBroken, Tasks
 
@@ -79,13 +79,12 @@ def decide_many(starts: Iterable[Start] | str | Path, jobs: int = 1, *, time_lim
     >>> [x.behaviour for x in decide_many([(3, "1/2"), ([0, 2], ["1/2", "1/3"]), {"a": [0, 1], "g": [0, 0]}])]
     ['converges', 'converges', 'converges']
     """
-    if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 1:
-        raise BadInput(f"jobs = {jobs!r}: not a number of processes; pass a positive integer")
+    check_count("jobs", jobs, 1)
     if time_limit is not None and (isinstance(time_limit, bool) or not isinstance(time_limit, (int, float)) or not 0 < time_limit < float("inf")):
         raise BadInput(f"time_limit = {time_limit!r}: not a number of seconds; pass a positive one, or None")
     if isinstance(starts, (str, Path)):
         starts = [data for _, data in read_filters(starts)]
-    if not isinstance(starts, Iterable):
+    if not isinstance(starts, Iterable) or isinstance(starts, (bytes, Mapping, Set)):
         raise bad("starts", "is no list of filters", starts, "pass a list, or the name of a file")
     listed = [_checked(k, start) for k, start in enumerate(starts)]
     answers = []

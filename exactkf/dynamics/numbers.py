@@ -27,7 +27,7 @@ float the parser makes of them.
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Set
 from typing import Any
 
 from flint import fmpq, fmpq_poly, fmpz
@@ -36,7 +36,7 @@ from exactkf._errors import BadInput
 from exactkf.exact._messages import bad, shown
 from exactkf.exact.compositum import square_root, together
 from exactkf.exact.numberfield import RealField, RealNumber, cyclotomic_real
-from exactkf.exact.rationals import rational
+from exactkf.exact.rationals import check_floats, rational
 
 __all__ = ["GRAMMAR", "Number", "number", "numbers"]
 
@@ -76,6 +76,8 @@ def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> N
     >>> number("sqrt(2)") ** 2 == 2
     True
     """
+    if floats is not None:
+        check_floats(floats)
     if isinstance(value, RealNumber):
         return value.rational_value() if value.is_rational() else value
     if type(value).__module__.split(".")[0] == "sympy" and not getattr(value, "is_Rational", False):
@@ -93,8 +95,10 @@ def numbers(values: Iterable[Any], *, floats: str | int | None = None, name: str
     Raises
     ------
     BadInput
-        As `number`; the message names the entry as ``name[k]``.
+        As `number`; the message names the entry as ``name[k]``. If the values are no sequence.
     """
+    if isinstance(values, (str, bytes, Mapping, Set)) or not isinstance(values, Iterable):
+        raise bad(name, "is no sequence of numbers", values, "pass a list of numbers")
     found, field = together([number(v, floats=floats, name=f"{name}[{k}]") for k, v in enumerate(values)])
     return tuple(found), field
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One-line error messages: how a value is shown, and the two errors every module raises."""
+"""One-line error messages: how a value is shown, the error every module raises, and the check of counts."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 from exactkf._errors import BadInput
 
-__all__ = ["bad", "shown"]
+__all__ = ["bad", "check_count", "shown"]
 
 _LIMIT = 120
 
@@ -31,3 +31,15 @@ def shown(value: Any) -> str:
 def bad(name: str, problem: str, value: Any, remedy: str) -> BadInput:
     """Return the `BadInput` saying: argument `name` `problem`: `value`; `remedy`."""
     return BadInput(f"argument '{name}' {problem}: {shown(value)}; {remedy}")
+
+
+def check_count(name: str, value: Any, least: int = 0) -> None:
+    """Refuse `value` unless it is an integer and at least `least`: a number of steps, a size, an exponent.
+
+    Raises
+    ------
+    BadInput
+        If it is less, or anything else, a truth value included.
+    """
+    if isinstance(value, bool) or not isinstance(value, int) or value < least:
+        raise bad(name, f"is not an integer of at least {least}", value, f"pass {name} >= {least}")

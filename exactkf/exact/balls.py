@@ -28,7 +28,7 @@ import flint
 from flint import arb, fmpq
 
 from exactkf._errors import Unsupported
-from exactkf.exact._messages import bad
+from exactkf.exact._messages import bad, check_count
 from exactkf.exact.rationals import rational
 
 __all__ = ["ball", "contains", "decide", "equal", "less", "precision", "sign"]
@@ -45,8 +45,7 @@ def precision(bits: int) -> Iterator[None]:
     BadInput
         If `bits` is not an integer of at least 2.
     """
-    if not isinstance(bits, int) or isinstance(bits, bool) or bits < 2:
-        raise bad("bits", "is not a precision", bits, "pass an integer of at least 2")
+    check_count("bits", bits, 2)
     old = flint.ctx.prec
     flint.ctx.prec = bits
     try:
@@ -112,6 +111,8 @@ def decide(question: Callable[[], T | None], *, start: int = 64, bound: int = 1 
 
     Raises
     ------
+    BadInput
+        If `question` is not callable, `start` is not an integer of at least 2, or `bound` less.
     Unsupported
         If the question is still undecided at `bound` bits.
 
@@ -120,6 +121,10 @@ def decide(question: Callable[[], T | None], *, start: int = 64, bound: int = 1 
     >>> decide(lambda: less(arb(2).sqrt(), 1))
     False
     """
+    if not callable(question):
+        raise bad("question", "is not a function", question, "pass a function without arguments")
+    check_count("start", start, 2)
+    check_count("bound", bound, start)
     bits = start
     while True:
         with precision(bits):

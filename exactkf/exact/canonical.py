@@ -30,6 +30,7 @@ from flint import fmpq, fmpq_mat, fmpq_poly
 from exactkf._errors import Unsupported
 from exactkf.exact._messages import shown
 from exactkf.exact.matrices import _square, columns, hstack, identity, null_space, pivot_columns, zero
+from exactkf.exact.polynomials import polynomial
 
 __all__ = [
     "ElementaryDivisors",
@@ -70,8 +71,9 @@ def minimal_polynomial(A: Any) -> fmpq_poly:
     return result
 
 
-def polynomial_at(p: fmpq_poly, A: Any) -> fmpq_mat:
-    """Return the matrix p(A), by Horner's rule; BadInput if A is not square."""
+def polynomial_at(p: Any, A: Any) -> fmpq_mat:
+    """Return the matrix p(A), by Horner's rule; BadInput if p is no polynomial or A is not square."""
+    p = polynomial(p)
     A = _square(A, "A")
     n = A.nrows()
     one, result = identity(n), zero(n)

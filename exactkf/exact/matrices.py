@@ -27,12 +27,12 @@ A. Ben-Israel, T. N. E. Greville, Generalized Inverses, 2nd ed., chapters 1-2.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence, Set
 from typing import Any, NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpz_mat
 
-from exactkf.exact._messages import bad
+from exactkf.exact._messages import bad, check_count
 from exactkf.exact.rationals import rational
 
 __all__ = [
@@ -59,6 +59,9 @@ __all__ = [
     "vstack",
     "zero",
 ]
+
+
+_NO_ROWS = (str, bytes, Mapping, Set)  # they have a length, and no entries in order
 
 
 class Inertia(NamedTuple):
@@ -109,7 +112,7 @@ def matrix(rows: Any, *, floats: str | int | None = None, name: str = "rows") ->
         return rows
     if isinstance(rows, fmpz_mat):
         return fmpq_mat(rows)
-    if getattr(rows, "ndim", 2) != 2 or isinstance(rows, str):
+    if getattr(rows, "ndim", 2) != 2 or isinstance(rows, _NO_ROWS):
         raise bad(name, "is not a matrix", rows, "pass a list of rows")
     n_rows, n_cols = _shape(rows, name)
     table = rows.tolist() if getattr(rows, "is_Matrix", False) is True else rows
@@ -124,7 +127,7 @@ def _shape(rows: Any, name: str) -> tuple[int, int]:
     if hasattr(rows, "shape"):
         return int(rows.shape[0]), int(rows.shape[1])
     try:
-        lengths = [-1 if isinstance(row, str) else len(row) for row in rows]
+        lengths = [-1 if isinstance(row, _NO_ROWS) else len(row) for row in rows]
     except TypeError:
         lengths = [-1]
     if -1 in lengths:
@@ -135,13 +138,17 @@ def _shape(rows: Any, name: str) -> tuple[int, int]:
 
 
 def identity(n: int) -> fmpq_mat:
-    """Return the n x n identity matrix."""
+    """Return the n x n identity matrix; BadInput if n is not a nonnegative integer."""
+    check_count("n", n)
     return fmpq_mat(n, n, [int(i == j) for i in range(n) for j in range(n)])
 
 
 def zero(n_rows: int, n_cols: int | None = None) -> fmpq_mat:
-    """Return the zero matrix of the given shape (square if only one number is given)."""
-    return fmpq_mat(n_rows, n_rows if n_cols is None else n_cols)
+    """Return the zero matrix of the given shape (square if only one number is given); BadInput if one is no nonnegative integer."""
+    check_count("n_rows", n_rows)
+    n_cols = n_rows if n_cols is None else n_cols
+    check_count("n_cols", n_cols)
+    return fmpq_mat(n_rows, n_cols)
 
 
 def block(blocks: Sequence[Sequence[Any]]) -> fmpq_mat:
@@ -150,8 +157,10 @@ def block(blocks: Sequence[Sequence[Any]]) -> fmpq_mat:
     Raises
     ------
     BadInput
-        If the blocks do not fit together.
+        If it is no table, or the blocks do not fit together.
     """
+    if not isinstance(blocks, (list, tuple)) or not all(isinstance(row, (list, tuple)) for row in blocks):
+        raise bad("blocks", "is not a table of matrices", blocks, "pass a list of lists of matrices")
     return vstack(*(hstack(*row) for row in blocks))
 
 
@@ -301,9 +310,11 @@ def power(A: Any, n: int) -> fmpq_mat:
     Raises
     ------
     BadInput
-        If A is not square, or n is negative and A is singular.
+        If A is not square, n is no integer, or n is negative and A is singular.
     """
     A = _square(A, "A")
+    if isinstance(n, bool) or not isinstance(n, int):
+        raise bad("n", "is not an integer", n, "pass an integer")
     if n < 0:
         A, n = inverse(A), -n
     result = identity(A.nrows())

@@ -431,10 +431,9 @@ def sqrt_field(d: Any) -> RealField:
 
 def _ends(interval: Any) -> tuple[fmpq, fmpq]:
     """Return the ends of an interval as rational numbers."""
-    try:
-        lo, hi = interval
-    except (TypeError, ValueError):
-        raise bad("interval", "is not a pair of ends", interval, "pass (lo, hi)") from None
+    if not isinstance(interval, (tuple, list)) or len(interval) != 2:
+        raise bad("interval", "is not a pair of ends", interval, "pass (lo, hi)")
+    lo, hi = interval
     lo, hi = rational(lo, name="interval[0]"), rational(hi, name="interval[1]")
     if lo > hi:
         raise bad("interval", "has its ends exchanged", (str(lo), str(hi)), "pass (lo, hi) with lo <= hi")

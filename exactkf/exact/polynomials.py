@@ -35,11 +35,12 @@ Algebraic Geometry, 2nd ed., chapters 2, 8 and 10.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Set
 from typing import Any, NamedTuple
 
 from flint import fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_poly
 
-from exactkf.exact._messages import bad
+from exactkf.exact._messages import bad, check_count
 from exactkf.exact.matrices import inertia
 from exactkf.exact.rationals import rational
 
@@ -99,7 +100,7 @@ def polynomial(coefficients: Any, *, floats: str | int | None = None, name: str 
         return coefficients
     if isinstance(coefficients, fmpz_poly):
         return fmpq_poly(coefficients)
-    if isinstance(coefficients, str) or not hasattr(coefficients, "__iter__"):
+    if isinstance(coefficients, (str, bytes, Mapping, Set)) or not hasattr(coefficients, "__iter__"):
         raise bad(name, "is not a polynomial", coefficients, "pass a list of coefficients, lowest degree first")
     return fmpq_poly([rational(c, floats=floats, name=f"{name}[{k}]") for k, c in enumerate(coefficients)])
 
@@ -110,10 +111,11 @@ def reversal(p: Any, n: int | None = None) -> fmpq_poly:
     Raises
     ------
     BadInput
-        If n is less than the degree of p.
+        If n is no integer, or less than the degree of p.
     """
     p = polynomial(p)
     n = max(p.degree(), 0) if n is None else n
+    check_count("n", n)
     if n < p.degree():
         raise bad("n", f"is less than the degree {p.degree()} of p", n, "pass at least the degree")
     coeffs = p.coeffs()
@@ -252,8 +254,10 @@ def refine_root(root: RealRoot, width: Any) -> RealRoot:
     Raises
     ------
     BadInput
-        If the width is not positive.
+        If `root` is no `RealRoot` or the width is not positive.
     """
+    if not isinstance(root, RealRoot):
+        raise bad("root", "is no RealRoot", root, "pass one that isolate_real_roots returned")
     width = rational(width, name="width")
     if width <= 0:
         raise bad("width", "is not positive", width, "pass a positive width")

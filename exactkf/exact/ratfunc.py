@@ -39,7 +39,7 @@ ACM 3 (1956), 6-9.  D. E. Knuth, The Art of Computer Programming 2, section 4.5.
 from __future__ import annotations
 
 import numbers
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from fractions import Fraction
 from typing import Any
 
@@ -82,6 +82,8 @@ class RatField:
     __slots__ = ("_divided", "_one", "_qctx", "_seen", "_zero", "ctx", "names")
 
     def __init__(self, names: Iterable[str] | str) -> None:
+        if isinstance(names, (bytes, Mapping, Set)) or not isinstance(names, Iterable):
+            raise bad("names", "is no list of names", names, 'pass names such as ("x", "y")')
         names = tuple(names.replace(",", " ").split() if isinstance(names, str) else names)
         if not all(isinstance(name, str) and name.isidentifier() for name in names):
             raise bad("names", "holds a name that is not an identifier", names, 'pass names such as ("x", "y")')

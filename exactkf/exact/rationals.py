@@ -77,6 +77,8 @@ def rational(x: Any, *, floats: str | int | None = None, name: str = "x") -> fmp
     >>> rational(0.1, floats="decimal")
     1/10
     """
+    if floats is not None:
+        check_floats(floats)
     if isinstance(x, fmpq):
         return x
     if isinstance(x, bool) or type(x).__name__ in ("bool_", "bool"):
@@ -96,8 +98,9 @@ def rational(x: Any, *, floats: str | int | None = None, name: str = "x") -> fmp
     raise bad(name, "is not a rational number", x, 'pass an int, a Fraction or a string such as "3/4"')
 
 
-def to_fraction(x: fmpq) -> Fraction:
-    """Return the `fractions.Fraction` equal to the `fmpq` `x`."""
+def to_fraction(x: Any) -> Fraction:
+    """Return the `fractions.Fraction` equal to `x`, which is anything `rational` accepts."""
+    x = rational(x)
     return Fraction(int(x.p), int(x.q))
 
 
@@ -138,6 +141,19 @@ def _from_decimal(x: Decimal, name: str) -> fmpq:
     return _scaled(fmpz("".join(map(str, digits)) or "0"), exponent, bool(sign))
 
 
+def check_floats(floats: Any) -> None:
+    """Refuse what is no policy for floats, whether a float comes or not.
+
+    Raises
+    ------
+    BadInput
+        If it is none of None, "exact", "decimal" and an integer of at least one.
+    """
+    if floats in (None, "exact", "decimal") or isinstance(floats, int) and not isinstance(floats, bool) and floats >= 1:
+        return
+    raise bad("floats", "is not a policy", floats, 'pass "exact", "decimal" or a largest denominator >= 1')
+
+
 def _from_float(x: Any, floats: str | int | None, name: str) -> fmpq:
     """Return the rational number a floating point number stands for under the policy `floats`."""
     if not math.isfinite(x):
@@ -147,8 +163,6 @@ def _from_float(x: Any, floats: str | int | None, name: str) -> fmpq:
     if floats == "decimal":
         return _from_string(str(x), name)
     exact = Fraction(*x.as_integer_ratio())
-    if isinstance(floats, int) and not isinstance(floats, bool) and floats >= 1:
-        exact = exact.limit_denominator(floats)
-    elif floats != "exact":
-        raise bad("floats", "is not a policy", floats, 'pass "exact", "decimal" or a largest denominator >= 1')
+    if floats != "exact":
+        exact = exact.limit_denominator(int(floats))
     return fmpq(exact.numerator, exact.denominator)

@@ -4,6 +4,7 @@
 Main definitions
 ----------------
 ``as_matrices``   arguments of one call, checked and brought to one scalar type
+``check_shape``, ``check_square``, ``check_symmetric``   what is asked of a matrix
 ``product``, ``plus``, ``minus``, ``scaled``, ``transposed``, ``identity``, ``blocks``
 ``solved``, ``inverse``   Gaussian elimination with the first nonzero pivot
 
@@ -21,14 +22,16 @@ from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mat
 
-from exactkf._errors import BadInput
-from exactkf.theory._scalars import Scalar, Vector, shown, unify
+from exactkf.theory._scalars import Scalar, Vector, one_type, refused, scalar
 
 __all__ = [
     "Matrix",
     "as_fmpq_mat",
     "as_matrices",
     "blocks",
+    "check_shape",
+    "check_square",
+    "check_symmetric",
     "column",
     "identity",
     "inverse",
@@ -58,15 +61,14 @@ def as_matrices(**named: Any) -> list[Matrix]:
     for name, value in named.items():
         rows = value.tolist() if hasattr(value, "tolist") else value
         if not isinstance(rows, (list, tuple)) or not rows or not all(isinstance(r, (list, tuple)) for r in rows):
-            raise BadInput(f"{name} = {shown(value)}: not a matrix; pass a nonempty list of rows")
+            raise refused(name, value, "not a matrix", "pass a nonempty list of rows")
         if not rows[0] or len({len(row) for row in rows}) != 1:
-            lengths = shown([len(row) for row in rows])
-            raise BadInput(f"{name} has rows of lengths {lengths}: pass rows of equal length >= 1")
+            raise refused(name, value, f"has rows of lengths {[len(row) for row in rows]}", "pass rows of equal length >= 1")
         widths.append(len(rows[0]))
-        flat[name] = [entry for row in rows for entry in row]
+        flat[name] = [scalar(f"{name}[{i}][{j}]", entry) for i, row in enumerate(rows) for j, entry in enumerate(row)]
     return [
         tuple(entries[i : i + width] for i in range(0, len(entries), width))
-        for entries, width in zip(unify(**flat), widths, strict=True)
+        for entries, width in zip(one_type(flat), widths, strict=True)
     ]
 
 
@@ -82,8 +84,52 @@ def as_fmpq_mat(name: str, value: Any) -> fmpq_mat:
     for row in rows:
         for x in row:
             if not isinstance(x, (fmpq, Rational)):
-                raise BadInput(f"{name} has the entry {shown(x)}: not a rational number; pass fmpq or Fraction")
+                raise refused(name, value, f"has the entry {x}, which is not a rational number", "pass fmpq or Fraction")
     return fmpq_mat([[x if isinstance(x, fmpq) else fmpq(x.numerator, x.denominator) for x in row] for row in rows])
+
+
+def check_shape(name: str, matrix: Matrix, shape: tuple[int, int], reference: str = "") -> None:
+    """Raise `BadInput` unless `matrix` has the given shape.
+
+    Raises
+    ------
+    BadInput
+        If the shapes differ; `reference` names the argument that sets the shape, unless it is a matter of being square.
+    """
+    if (len(matrix), len(matrix[0])) != shape:
+        where = f" where {reference} asks for {shape}" if reference else " and is not square"
+        raise refused(name, matrix, f"has shape {len(matrix), len(matrix[0])}{where}", f"pass a matrix of shape {shape}")
+
+
+def check_square(name: str, matrix: Matrix) -> int:
+    """Return the order of `matrix`.
+
+    Raises
+    ------
+    BadInput
+        If it is not square.
+    """
+    check_shape(name, matrix, (len(matrix), len(matrix)))
+    return len(matrix)
+
+
+def check_symmetric(name: str, matrix: Matrix, n: int | None = None, reference: str = "") -> None:
+    """Raise `BadInput` unless `matrix` is symmetric, and of order `n` if that is given.
+
+    Entries that cannot be told apart, such as balls that overlap, count as equal.
+
+    Raises
+    ------
+    BadInput
+        If the shape does not fit, or an entry differs from its mirror image; it is named.
+    """
+    n = len(matrix) if n is None else n
+    check_shape(name, matrix, (n, n), reference)
+    for i in range(n):
+        for j in range(i):
+            if matrix[i][j] != matrix[j][i]:
+                places = f"({i + 1}, {j + 1}) and ({j + 1}, {i + 1})"
+                raise refused(name, matrix, f"not symmetric, its entries {places} differ", "pass a symmetric matrix")
 
 
 def identity(n: int, one: Scalar) -> Matrix:
@@ -113,9 +159,7 @@ def product(first: Matrix, *others: Matrix) -> Matrix:
     result = first
     for other in others:
         if len(result[0]) != len(other):
-            raise BadInput(
-                f"product of shapes {len(result), len(result[0])} and {len(other), len(other[0])}: pass shapes that fit"
-            )
+            raise refused("factor", other, f"has {len(other)} rows where the factor before it has {len(result[0])} columns", "pass shapes that fit")
         columns = transposed(other)
         result = tuple(tuple(_dot(row, col) for col in columns) for row in result)
     return result
@@ -169,13 +213,13 @@ def solved(matrix: Matrix, right: Matrix, name: str = "matrix") -> Matrix:
         If the matrix is singular.
     """
     n = len(matrix)
-    if len(matrix[0]) != n or len(right) != n:
-        raise BadInput(f"{name} has shape {n, len(matrix[0])}: pass a square matrix of order {len(right)}")
+    check_shape(name, matrix, (len(right), len(right)), "the right-hand side")
     work = [list(row) + list(extra) for row, extra in zip(matrix, right, strict=True)]
     for k in range(n):
         pivot = next((i for i in range(k, n) if work[i][k] != 0), None)
         if pivot is None:
-            raise BadInput(f"{name} is singular: its first {k + 1} columns are dependent; pass data that avoid this")
+            dependent = "its first column is zero" if k == 0 else f"its first {k + 1} columns are dependent"
+            raise refused(name, matrix, f"singular, {dependent}", "pass data that avoid this")
         work[k], work[pivot] = work[pivot], work[k]
         work[k] = [x / work[k][k] for x in work[k]]
         for i in range(n):
@@ -193,5 +237,6 @@ def inverse(matrix: Matrix, name: str = "matrix") -> Matrix:
     BadInput
         If the matrix is not square or singular.
     """
+    check_square(name, matrix)
     first = matrix[0][0]
     return solved(matrix, identity(len(matrix), first - first + 1), name)

@@ -23,8 +23,7 @@ from typing import Any
 
 from flint import fmpq_mat, fmpz
 
-from exactkf._errors import BadInput
-from exactkf.theory._matrices import Matrix, as_fmpq_mat, is_symmetric
+from exactkf.theory._matrices import Matrix, as_fmpq_mat, check_symmetric
 from exactkf.theory._scalars import Scalar, Vector
 
 __all__ = ["negative_direction", "nonpositive_direction"]
@@ -59,6 +58,11 @@ def negative_direction(S: Any) -> tuple[fmpz, ...] | None:
 def nonpositive_direction(S: Any) -> tuple[fmpz, ...] | None:
     r"""Return an integer :math:`x \ne 0` with :math:`x^* S x \le 0`, or None if `S` is positive definite.
 
+    Raises
+    ------
+    BadInput
+        If `S` is not symmetric or not rational.
+
     Examples
     --------
     >>> nonpositive_direction([[1, 1], [1, 1]]), nonpositive_direction([[2, 1], [1, 2]])
@@ -69,8 +73,7 @@ def nonpositive_direction(S: Any) -> tuple[fmpz, ...] | None:
 
 def _direction(S: Any, strict: bool) -> tuple[fmpz, ...] | None:
     matrix = tuple(tuple(row) for row in as_fmpq_mat("S", S).tolist())
-    if not is_symmetric(matrix):
-        raise BadInput(f"S has shape {len(matrix), len(matrix[0])} and is not symmetric: pass a symmetric matrix")
+    check_symmetric("S", matrix)
     x = _search(matrix, strict)
     if x is None:
         return None

@@ -40,9 +40,9 @@ from typing import Any
 
 from flint import ctx, fmpq, fmpq_mat, fmpq_poly, fmpz_poly
 
-from exactkf._errors import BadInput, Unsupported
-from exactkf.theory._matrices import Matrix, as_fmpq_mat, as_matrices, is_symmetric
-from exactkf.theory._scalars import Scalar
+from exactkf._errors import Unsupported
+from exactkf.theory._matrices import Matrix, as_fmpq_mat, as_matrices, check_shape, is_symmetric
+from exactkf.theory._scalars import Scalar, refused
 from exactkf.theory.riccati import duven_matrix
 
 __all__ = ["Equilibrium", "EquilibriumSet", "equilibria", "equilibrium_from_basis", "stabilizing_equilibrium"]
@@ -155,9 +155,10 @@ def equilibria(Phi: Any, H: Any, M: Any, V: Any) -> EquilibriumSet:
 
     Parameters
     ----------
-    Phi, H : rational matrices, shape (n, n), `Phi` nonsingular
+    Phi : rational matrix, shape (n, n), nonsingular
+    H : symmetric rational matrix, shape (n, n)
     M : rational matrix, shape (m, n)
-    V : rational matrix, shape (m, m), nonsingular
+    V : symmetric rational matrix, shape (m, m), nonsingular
 
     Returns
     -------
@@ -166,7 +167,7 @@ def equilibria(Phi: Any, H: Any, M: Any, V: Any) -> EquilibriumSet:
     Raises
     ------
     BadInput
-        If the data are not rational, or `Phi` or `V` is singular.
+        If the data are not rational, `Phi` or `V` is singular, `H` or `V` is not symmetric or the shapes do not fit.
 
     Examples
     --------
@@ -218,7 +219,7 @@ def equilibrium_from_basis(Phi: Any, H: Any, M: Any, V: Any, basis: Sequence[Seq
     Raises
     ------
     BadInput
-        If the vectors are dependent, their span is not invariant under :math:`R_p`, or
+        As `equilibria`; if the vectors are dependent, their span is not invariant under :math:`R_p`, or
         :math:`\Gamma` is singular.
 
     Examples
@@ -233,18 +234,17 @@ def equilibrium_from_basis(Phi: Any, H: Any, M: Any, V: Any, basis: Sequence[Seq
     R = _problem(Phi, H, M, V)
     n = R.nrows() // 2
     (rows,) = as_matrices(basis=basis)
-    if len(rows) != n or len(rows[0]) != 2 * n:
-        raise BadInput(f"basis has shape {len(rows), len(rows[0])}: pass {n} vectors of length {2 * n}")
+    check_shape("basis", rows, (n, 2 * n), "Phi")
     B = as_fmpq_mat("basis", rows).transpose()
     if B.rank() < n:
-        raise BadInput(f"basis has rank {B.rank()}: pass {n} independent vectors")
+        raise refused("basis", rows, f"has rank {B.rank()}", f"pass {n} independent vectors")
     image = R * B
     if fmpq_mat([r + s for r, s in zip(B.tolist(), image.tolist(), strict=True)]).rank() > n:
-        raise BadInput("basis: its span is not invariant under R_p; pass eigenvectors or complete Jordan chains")
+        raise refused("basis", rows, "its span is not invariant under R_p", "pass eigenvectors or complete Jordan chains")
     gram = B.transpose() * B
     found = _equilibrium(B, gram.solve(B.transpose() * image).charpoly())
     if found is None:
-        raise BadInput("basis: the lower half Gamma is singular, no equilibrium belongs to it; pass another subspace")
+        raise refused("basis", rows, "the lower half Gamma is singular, no equilibrium belongs to it", "pass another subspace")
     return found
 
 
@@ -286,7 +286,7 @@ def stabilizing_equilibrium(Phi: Any, H: Any, M: Any, V: Any) -> Equilibrium:
     Raises
     ------
     BadInput
-        If :math:`R_p` has an eigenvalue on the unit circle, or :math:`\Gamma` is singular.
+        As `equilibria`; if :math:`R_p` has an eigenvalue on the unit circle, or :math:`\Gamma` is singular.
     Unsupported
         If an irreducible factor has roots on both sides of the unit circle, or is of degree
         two or more with roots on it: then the equilibrium is irrational or does not exist.
@@ -302,7 +302,7 @@ def stabilizing_equilibrium(Phi: Any, H: Any, M: Any, V: Any) -> Equilibrium:
     for p, multiplicity in R.charpoly().factor()[1]:
         place = _position(p)
         if place == "on":
-            raise BadInput(f"R_p has the eigenvalue {-p[0] / p[1]} on the unit circle: pass data without such a mode")
+            raise refused("R_p", R, f"has the eigenvalue {-p[0] / p[1]} on the unit circle", "pass data without such a mode")
         if place == "both":
             raise Unsupported(
                 f"R_p: the factor {p} has roots on both sides of or on the unit circle; no rational result"
@@ -312,5 +312,5 @@ def stabilizing_equilibrium(Phi: Any, H: Any, M: Any, V: Any) -> Equilibrium:
     basis = _kernel(_of_matrix(divisor, R))
     found = None if basis is None else _equilibrium(basis, divisor)
     if found is None:
-        raise BadInput("(Phi, M): an unstable mode is unobservable, so Gamma is singular; pass detectable data")
+        raise refused("(Phi, M)", (Phi, M), "an unstable mode is unobservable, so Gamma is singular", "pass detectable data")
     return found

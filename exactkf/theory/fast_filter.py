@@ -33,9 +33,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from exactkf._errors import BadInput
 from exactkf.theory._matrices import Matrix
-from exactkf.theory._scalars import Scalar, Vector, check_length, shown, unify, units
+from exactkf.theory._scalars import Scalar, Vector, check_length, refused, unify, unify_pair, units
 from exactkf.theory.kimura_georgiou import from_kimura_georgiou, to_kimura_georgiou
 
 __all__ = [
@@ -57,21 +56,28 @@ __all__ = [
 State = tuple[Vector, Vector]
 
 
-def _pair(**named: Sequence[Scalar]) -> tuple[Vector, Vector]:
-    """Return the two named vectors over one scalar type, of equal length at least one."""
-    (first_name, second_name) = named
-    first, second = unify(**named)
-    if not first:
-        raise BadInput(f"{first_name} = (): the filter needs n >= 1; pass at least one coefficient")
-    check_length(second_name, second, len(first), first_name)
-    return first, second
+def _coordinates(name: str, values: Sequence[Scalar]) -> Vector:
+    """Return the vector over one scalar type, of length at least one."""
+    (vector,) = unify(**{name: values})
+    if not vector:
+        raise refused(name, vector, "empty, and the filter needs n >= 1", "pass at least one coefficient")
+    return vector
+
+
+def _polynomials(Q: Sequence[Scalar], Q_star: Sequence[Scalar]) -> State:
+    """Return `Q` and `Q_star` over one scalar type, of lengths ``n + 1`` and ``n >= 1``."""
+    Q, Q_star = unify(Q=Q, Q_star=Q_star)
+    if len(Q) < 2:
+        raise refused("Q", Q, "has fewer than two coefficients, and the filter needs n >= 1", "pass n + 1 coefficients")
+    check_length("Q_star", Q_star, len(Q) - 1, "Q")
+    return Q, Q_star
 
 
 def _require_no_escape(name: str, gamma: Scalar) -> Scalar:
     """Return ``1 - gamma^2``; refuse zero."""
     rest = 1 - gamma * gamma
     if rest == 0:
-        raise BadInput(f"{name} = {shown(gamma)}: no next state exists when gamma_t^2 = 1; pass another value")
+        raise refused(name, gamma, "no next state exists when gamma_t^2 = 1", "pass another value")
     return rest
 
 
@@ -97,7 +103,7 @@ def step_ag(a: Sequence[Scalar], g: Sequence[Scalar]) -> State:
     >>> step_ag([fmpq(-3, 10)], [fmpq(1, 2)])
     ((2/5,), (-2/15,))
     """
-    a, g = _pair(a=a, g=g)
+    a, g = unify_pair(a=a, g=g)
     first = g[0]
     rest = _require_no_escape("g[0]", first)
     shifted = (*g[1:], first - first)
@@ -108,7 +114,7 @@ def step_ag(a: Sequence[Scalar], g: Sequence[Scalar]) -> State:
 
 def step_q(q: Sequence[Scalar], q_star: Sequence[Scalar]) -> State:
     r"""Return the next :math:`(q, q^*)` (BLM91 (2.25)); arguments, result and errors as `step_ag`."""
-    q, q_star = _pair(q=q, q_star=q_star)
+    q, q_star = unify_pair(q=q, q_star=q_star)
     first = q_star[0]
     rest = _require_no_escape("q_star[0]", first)
     shifted = (*q_star[1:], first - first)
@@ -136,10 +142,9 @@ def step_polynomials(Q: Sequence[Scalar], Q_star: Sequence[Scalar]) -> State:
     BadInput
         If the lengths do not fit or ``Q[0] = 0``.  A result with ``Q[0] = 0`` is an escape.
     """
-    Q, Q_star = unify(Q=Q, Q_star=Q_star)
-    check_length("Q_star", Q_star, len(Q) - 1, "Q")
+    Q, Q_star = _polynomials(Q, Q_star)
     if Q[0] == 0:
-        raise BadInput("Q[0] = 0: the leading coefficient r_t must not vanish; pass a state before the escape")
+        raise refused("Q[0]", Q[0], "the leading coefficient r_t must not vanish", "pass a state before the escape")
     gamma = Q_star[0] / Q[0]
     shifted = (*Q_star, gamma - gamma)
     new = tuple(x - gamma * y for x, y in zip(Q, shifted, strict=True))
@@ -159,9 +164,13 @@ def step_numerators(Q: Sequence[Scalar], Q_star: Sequence[Scalar]) -> State:
     Returns
     -------
     Q, Q_star : tuples of ring elements, lengths n + 1 and n
+
+    Raises
+    ------
+    BadInput
+        If the lengths do not fit.
     """
-    Q, Q_star = unify(Q=Q, Q_star=Q_star)
-    check_length("Q_star", Q_star, len(Q) - 1, "Q")
+    Q, Q_star = _polynomials(Q, Q_star)
     lead, first = Q[0], Q_star[0]
     shifted = (*Q_star, first - first)
     new = tuple(lead * x - first * y for x, y in zip(Q, shifted, strict=True))
@@ -174,9 +183,9 @@ def alpha_matrix(gamma: Sequence[Scalar]) -> Matrix:
     Raises
     ------
     BadInput
-        If :math:`\gamma_k^2 = 1` for some `k`.
+        If `gamma` is empty or :math:`\gamma_k^2 = 1` for some `k`.
     """
-    (gamma,) = unify(gamma=gamma)
+    gamma = _coordinates("gamma", gamma)
     rest = [_require_no_escape(f"gamma[{k}]", value) for k, value in enumerate(gamma)]
     zero, one = units(gamma)
     n = len(gamma)
@@ -192,8 +201,14 @@ def alpha_matrix(gamma: Sequence[Scalar]) -> Matrix:
 
 
 def gamma_matrix(alpha: Sequence[Scalar]) -> Matrix:
-    r"""Return :math:`G(\alpha)`, the companion matrix of BLZ94 (4.6)."""
-    (alpha,) = unify(alpha=alpha)
+    r"""Return :math:`G(\alpha)`, the companion matrix of BLZ94 (4.6).
+
+    Raises
+    ------
+    BadInput
+        If `alpha` is empty.
+    """
+    alpha = _coordinates("alpha", alpha)
     zero, one = units(alpha)
     n = len(alpha)
     shift = [tuple(one if j == i + 1 else zero for j in range(n)) for i in range(n - 1)]
@@ -223,7 +238,7 @@ def step_alpha_gamma(alpha: Sequence[Scalar], gamma: Sequence[Scalar]) -> State:
     >>> step_alpha_gamma([fmpq(1, 5)], [fmpq(1, 2)])
     ((4/15,), (-2/15,))
     """
-    alpha, gamma = _pair(alpha=alpha, gamma=gamma)
+    alpha, gamma = unify_pair(alpha=alpha, gamma=gamma)
     rows = alpha_matrix(gamma)
     new_alpha = tuple(_sum(x * y for x, y in zip(row, alpha, strict=True)) for row in rows)
     last = -_sum(x * y for x, y in zip(new_alpha, reversed(gamma), strict=True))
@@ -237,26 +252,26 @@ def _sum(terms: Iterable[Scalar]) -> Scalar:
 
 def q_from_ag(a: Sequence[Scalar], g: Sequence[Scalar]) -> State:
     r"""Return :math:`(q, q^*) = (a + g, g)` (BLM91 (2.24))."""
-    a, g = _pair(a=a, g=g)
+    a, g = unify_pair(a=a, g=g)
     return tuple(x + y for x, y in zip(a, g, strict=True)), g
 
 
 def ag_from_q(q: Sequence[Scalar], q_star: Sequence[Scalar]) -> State:
     r"""Return :math:`(a, g) = (q - q^*, q^*)` (BLM91 after (2.31))."""
-    q, q_star = _pair(q=q, q_star=q_star)
+    q, q_star = unify_pair(q=q, q_star=q_star)
     return tuple(x - y for x, y in zip(q, q_star, strict=True)), q_star
 
 
 def ag_from_alpha_gamma(alpha: Sequence[Scalar], gamma: Sequence[Scalar]) -> State:
     r"""Return :math:`(a, g)` with :math:`g = (b - a)/2` from BLZ94 (3.12)."""
-    alpha, gamma = _pair(alpha=alpha, gamma=gamma)
+    alpha, gamma = unify_pair(alpha=alpha, gamma=gamma)
     a, b = from_kimura_georgiou(alpha, gamma)
     return a, tuple((y - x) / (x - x + 2) for x, y in zip(a, b, strict=True))
 
 
 def alpha_gamma_from_ag(a: Sequence[Scalar], g: Sequence[Scalar]) -> State:
     r"""Return :math:`(\alpha, \gamma)` of :math:`(a, a + 2g)`; fails where `to_kimura_georgiou` does."""
-    a, g = _pair(a=a, g=g)
+    a, g = unify_pair(a=a, g=g)
     return to_kimura_georgiou(a, [x + 2 * y for x, y in zip(a, g, strict=True)])
 
 
@@ -269,6 +284,11 @@ def gain(a_t: Sequence[Scalar], g_t: Sequence[Scalar], a: Sequence[Scalar]) -> V
         The state at time `t`.
     a : sequence of scalars, length n
         The state :math:`a(0)`, which fixes the filter.
+
+    Raises
+    ------
+    BadInput
+        If the lengths differ.
     """
     a_t, g_t, a = unify(a_t=a_t, g_t=g_t, a=a)
     check_length("g_t", g_t, len(a_t), "a_t")

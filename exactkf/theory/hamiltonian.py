@@ -38,15 +38,16 @@ from typing import Any
 
 from flint import fmpq_mat
 
-from exactkf._errors import BadInput
 from exactkf.theory._matrices import (
     Matrix,
     as_fmpq_mat,
     as_matrices,
     blocks,
+    check_shape,
+    check_square,
+    check_symmetric,
     identity,
     inverse,
-    is_symmetric,
     minus,
     plus,
     product,
@@ -54,7 +55,7 @@ from exactkf.theory._matrices import (
     transposed,
     zeros,
 )
-from exactkf.theory._scalars import units
+from exactkf.theory._scalars import refused, units
 from exactkf.theory.definiteness import negative_direction, nonpositive_direction
 
 __all__ = [
@@ -74,7 +75,7 @@ def _blocks_of(M: Matrix) -> Blocks:
     """Return the four blocks ``A, B, C, D`` of a matrix of even order."""
     size = len(M)
     if size != len(M[0]) or size % 2:
-        raise BadInput(f"M has shape {size, len(M[0])}: not a square matrix of even order; pass shape (2d, 2d)")
+        raise refused("M", M, f"has shape {size, len(M[0])} and is not square of even order", "pass a matrix of shape (2d, 2d)")
     d = size // 2
     top, low = M[:d], M[d:]
     left, right = slice(0, d), slice(d, size)
@@ -110,6 +111,9 @@ def hamiltonian_matrix(A: Any, F: Any, C: Any) -> Matrix:
     ((2, 1/2), (18, 5))
     """
     A, F, C = as_matrices(A=A, F=F, C=C)
+    d = check_square("A", A)
+    check_shape("F", F, (d, len(F[0])), "A")
+    check_shape("C", C, (len(C), d), "A")
     S, R = product(F, transposed(F)), product(transposed(C), C)
     low = inverse(transposed(A), "A")
     eye = identity(len(A), units(A[0])[1])
@@ -224,12 +228,12 @@ def from_factors(A: Any, P: Any, Q: Any) -> Matrix:
     Raises
     ------
     BadInput
-        If `A` is singular, or `P` or `Q` is not symmetric.
+        If `A` is singular, `P` or `Q` is not symmetric or the shapes do not fit.
     """
     A, P, Q = as_matrices(A=A, P=P, Q=Q)
-    for name, value in (("P", P), ("Q", Q)):
-        if not is_symmetric(value):
-            raise BadInput(f"{name} is not symmetric: the product would not be symplectic; pass a symmetric matrix")
+    d = check_square("A", A)
+    check_symmetric("P", P, d, "A")  # otherwise the product would not be symplectic
+    check_symmetric("Q", Q, d, "A")
     one = units(A[0])[1]
     eye, none = identity(len(A), one), zeros(len(A), len(A), one)
     middle = blocks([[A, none], [none, inverse(transposed(A), "A")]])
@@ -242,13 +246,13 @@ def to_factors(M: Any) -> tuple[Matrix, Matrix, Matrix]:
     Raises
     ------
     BadInput
-        If `M` is not symplectic or its block `A` is singular.
+        If `M` is not square of even order, not symplectic or its block `A` is singular.
     """
     (M,) = as_matrices(M=M)
     A, B, C, D = _blocks_of(M)
     defect = _symplectic_defect((A, B, C, D))
     if defect is not None:
-        raise BadInput(f"M is not symplectic, {defect}: pass a symplectic matrix")
+        raise refused("M", M, f"not symplectic, {defect}", "pass a symplectic matrix")
     return A, solved(A, B, "the block A of M"), transposed(solved(transposed(A), transposed(C), "the block A of M"))
 
 
@@ -263,7 +267,7 @@ def moebius(M: Any, T: Any) -> Matrix:
     Raises
     ------
     BadInput
-        If :math:`CT + D` is singular, which is impossible for `M` in H and nonnegative `T`.
+        If the shapes do not fit or :math:`CT + D` is singular, which is impossible for `M` in H and nonnegative `T`.
 
     Examples
     --------
@@ -272,5 +276,6 @@ def moebius(M: Any, T: Any) -> Matrix:
     """
     M, T = as_matrices(M=M, T=T)
     A, B, C, D = _blocks_of(M)
+    check_shape("T", T, (len(A), len(A)), "M")
     right = plus(product(C, T), D)
     return transposed(solved(transposed(right), transposed(plus(product(A, T), B)), "CT + D"))

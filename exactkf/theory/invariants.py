@@ -33,8 +33,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactkf._errors import BadInput
-from exactkf.theory._scalars import Scalar, Vector, check_length, unify, units
+from exactkf.theory._scalars import Scalar, Vector, check_length, refused, unify, units
 from exactkf.theory.szego import pi_polynomials, prediction_errors
 
 __all__ = [
@@ -101,6 +100,8 @@ def difference_of_squares(Q: Sequence[Scalar], Q_star: Sequence[Scalar]) -> Vect
         If the lengths do not fit.
     """
     Q, Q_star = unify(Q=Q, Q_star=Q_star)
+    if not Q:
+        raise refused("Q", Q, "empty", "pass n + 1 coefficients")
     check_length("Q_star", Q_star, len(Q) - 1, "Q")
     star = (Q[0] - Q[0], *Q_star)
     return tuple(_correlation(Q, Q, i) - _correlation(star, star, i) for i in range(len(Q)))
@@ -112,8 +113,14 @@ def pseudo_polynomial_from_q(q: Sequence[Scalar], q_star: Sequence[Scalar]) -> V
     Parameters
     ----------
     q, q_star : sequences of ring elements, length n
+
+    Raises
+    ------
+    BadInput
+        If the lengths differ.
     """
     q, q_star = unify(q=q, q_star=q_star)
+    check_length("q_star", q_star, len(q), "q")
     return difference_of_squares((units(q)[1], *q), q_star)
 
 
@@ -188,7 +195,7 @@ def projective_invariants(d: Sequence[Scalar]) -> Vector:
     Raises
     ------
     BadInput
-        If :math:`d_0 = 0`; then no equilibrium has this pseudo-polynomial.
+        If `d` is empty or :math:`d_0 = 0`; then no equilibrium has this pseudo-polynomial.
 
     Examples
     --------
@@ -197,6 +204,8 @@ def projective_invariants(d: Sequence[Scalar]) -> Vector:
     (40/79,)
     """
     (d,) = unify(d=d)
+    if not d:
+        raise refused("d", d, "empty, and d_0 is needed", "pass d_0, ..., d_n")
     if d[0] == 0:
-        raise BadInput("d[0] = 0: the quotients 2 d_i / d_0 do not exist; compare the vectors d up to a factor instead")
+        raise refused("d[0]", d[0], "the quotients 2 d_i / d_0 do not exist", "compare the vectors d up to a factor instead")
     return tuple(2 * value / d[0] for value in d[1:])

@@ -31,8 +31,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactkf._errors import BadInput
-from exactkf.theory._scalars import Scalar, Vector, check_length, unify, units
+from exactkf.exact._messages import check_count
+from exactkf.theory._scalars import Scalar, Vector, check_length, refused, unify, units
 from exactkf.theory.szego import levinson, second_kind_polynomials, szego_polynomials
 
 __all__ = ["from_kimura_georgiou", "laurent_covariances", "to_kimura_georgiou"]
@@ -89,10 +89,12 @@ def laurent_covariances(a: Sequence[Scalar], b: Sequence[Scalar], count: int | N
     Raises
     ------
     BadInput
-        If the lengths differ.
+        If the lengths differ or `count` is negative.
     """
     a, b = unify(a=a, b=b)
     check_length("b", b, len(a), "a")
+    if count is not None:
+        check_count("count", count)
     zero, one = units(a)
     n = len(a)
     c: list[Scalar] = []
@@ -128,10 +130,8 @@ def to_kimura_georgiou(a: Sequence[Scalar], b: Sequence[Scalar]) -> tuple[Vector
     a, b = unify(a=a, b=b)
     gamma, stop = levinson(laurent_covariances(a, b))
     if stop is not None:
-        raise BadInput(
-            f"(a, b): the Schur parameter gamma[{stop}] has square 1, so alpha and gamma do not exist; "
-            "pass polynomials with nonsingular Toeplitz matrices T_1, ..., T_(n-1)"
-        )
+        problem = f"the Schur parameter gamma[{stop}] has square 1, so alpha and gamma do not exist"
+        raise refused("(a, b)", (a, b), problem, "pass polynomials with nonsingular Toeplitz matrices T_1, ..., T_(n-1)")
     polynomials = szego_polynomials(gamma)
     n = len(a)
     rest = [x - y for x, y in zip(a, polynomials[n][1:], strict=True)]

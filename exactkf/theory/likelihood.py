@@ -35,15 +35,15 @@ from typing import Any
 
 from flint import fmpq
 
-from exactkf._errors import BadInput
 from exactkf.theory._matrices import (
     Matrix,
     as_matrices,
     blocks,
+    check_shape,
+    check_symmetric,
     column,
     identity,
     inverse,
-    is_symmetric,
     minus,
     plus,
     product,
@@ -51,7 +51,7 @@ from exactkf.theory._matrices import (
     transposed,
     zeros,
 )
-from exactkf.theory._scalars import Scalar, Vector, check_length, units
+from exactkf.theory._scalars import Scalar, Vector, check_length, refused, unify, units
 from exactkf.theory.definiteness import negative_direction
 
 __all__ = [
@@ -87,13 +87,12 @@ def _reduced(matrix: Matrix) -> tuple[Matrix, tuple[int, ...]]:
 def _measurement(H: Any, R: Any) -> tuple[Matrix, Matrix]:
     """Return `H` and `R`, with `R` symmetric of fitting order and, if rational, nonnegative definite."""
     H, R = as_matrices(H=H, R=R)
-    if len(R) != len(H) or not is_symmetric(R):
-        raise BadInput(f"R has shape {len(R), len(R[0])}: pass a symmetric matrix of order {len(H)}, as H has rows")
+    check_symmetric("R", R, len(H), "H")
     if all(isinstance(x, (fmpq, Rational)) for row in R for x in row):
         x = negative_direction(R)
         if x is not None:
             text = ", ".join(map(str, x))
-            raise BadInput(f"R is not a covariance: x = ({text}) gives x^T R x < 0; pass a nonnegative definite matrix")
+            raise refused("R", R, f"not a covariance, x = ({text}) gives x^T R x < 0", "pass a nonnegative definite matrix")
     return H, R
 
 
@@ -141,8 +140,8 @@ def symmetric_inverse(Z: Any, choice: Any = None) -> Matrix:
     ((1, 0), (0, 0))
     """
     Z, K = as_matrices(Z=Z, choice=Z if choice is None else choice)
-    if not is_symmetric(Z):
-        raise BadInput(f"Z has shape {len(Z), len(Z[0])} and is not symmetric: pass a symmetric matrix")
+    check_symmetric("Z", Z)
+    check_shape("choice", K, (len(Z), len(Z)), "Z")
     m, (zero, one) = len(Z), units(Z[0])
     # Rows that form a basis of the row space of a symmetric matrix give a nonsingular principal submatrix.
     _, basis = _reduced(Z)
@@ -155,8 +154,6 @@ def symmetric_inverse(Z: Any, choice: Any = None) -> Matrix:
     base = tuple(tuple(row) for row in G)
     if choice is None:
         return base
-    if (len(K), len(K[0])) != (m, m):
-        raise BadInput(f"choice has shape {len(K), len(K[0])}: pass a matrix of shape {m, m}")
     change = product(minus(identity(m, one), product(base, Z)), K)
     return plus(base, plus(change, transposed(change)))
 
@@ -190,7 +187,7 @@ def _require_estimable(H: Any) -> None:
     (H,) = as_matrices(H=H)
     rank = len(_reduced(H)[1])
     if rank < len(H[0]):
-        raise BadInput(f"H has rank {rank} < {len(H[0])}: x is not estimable; use estimable_part for what is")
+        raise refused("H", H, f"has rank {rank} < {len(H[0])}, so x is not estimable", "use estimable_part for what is")
 
 
 def estimate(H: Any, R: Any, y: Sequence[Scalar], choice: Any = None) -> Vector:
@@ -217,8 +214,9 @@ def estimate(H: Any, R: Any, y: Sequence[Scalar], choice: Any = None) -> Vector:
     """
     _require_estimable(H)
     U = likelihood_blocks(H, R, choice)[1]
-    check_length("y", tuple(y), len(U), "R")
-    U, Y = as_matrices(U=U, y=column(tuple(y)))
+    (y,) = unify(y=y)
+    check_length("y", y, len(U), "R")
+    U, Y = as_matrices(U=U, y=column(y))
     return tuple(value for (value,) in product(transposed(U), Y))
 
 
@@ -252,9 +250,10 @@ def is_estimable(H: Any, c: Sequence[Scalar]) -> bool:
     >>> is_estimable([[1, 1]], [2, 2]), is_estimable([[1, 1]], [1, 0])
     (True, False)
     """
-    H, row = as_matrices(H=H, c=[tuple(c)])
-    if len(row[0]) != len(H[0]):
-        raise BadInput(f"c has length {len(row[0])}: pass one coefficient for each of the {len(H[0])} columns of H")
+    (c,) = unify(c=c)
+    (H,) = as_matrices(H=H)
+    check_length("c", c, len(H[0]), "H")
+    H, row = as_matrices(H=H, c=[c])
     return len(_reduced((*H, *row))[1]) == len(_reduced(H)[1])
 
 
@@ -269,7 +268,7 @@ def full_rank_factors(H: Any) -> tuple[Matrix, Matrix]:
     (H,) = as_matrices(H=H)
     rows, pivots = _reduced(H)
     if not pivots:
-        raise BadInput("H = 0: nothing is estimable; pass a nonzero matrix")
+        raise refused("H", H, "zero, so nothing is estimable", "pass a nonzero matrix")
     return tuple(tuple(row[j] for j in pivots) for row in H), rows
 
 
@@ -288,6 +287,11 @@ def estimable_part(H: Any, R: Any, y: Sequence[Scalar]) -> tuple[Matrix, Vector,
     H2 : Matrix, shape (rank, n)
     z : tuple of scalars, length rank
     P : Matrix, shape (rank, rank)
+
+    Raises
+    ------
+    BadInput
+        If `H` is zero, or `R` or the length of `y` does not fit.
 
     Examples
     --------

@@ -46,9 +46,9 @@ from dataclasses import dataclass
 
 from flint import fmpq, fmpz
 
-from exactkf._errors import BadInput
+from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
-from exactkf.theory._scalars import Scalar, Vector, check_length, unify
+from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, step_alpha_gamma
 
 __all__ = ["IntegerState", "Orbit", "exact_orbit", "first_escape", "integer_orbit", "orbit"]
@@ -71,11 +71,6 @@ class Orbit:
 
     states: tuple[State, ...]
     escape: int | None
-
-
-def _check_steps(steps: int) -> None:
-    if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
-        raise BadInput(f"steps = {steps!r}: the number of steps must be a nonnegative integer; pass steps >= 0")
 
 
 def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> Orbit:
@@ -107,9 +102,12 @@ def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> 
     >>> orbit(step_ag, ([1], [1]), 5).escape
     0
     """
-    _check_steps(steps)
-    first, second = unify(first=state[0], second=state[1])
-    check_length("state[1]", second, len(first), "state[0]")
+    check_count("steps", steps)
+    if not callable(step):
+        raise refused("step", step, "not a function", "pass step_ag, step_q or step_alpha_gamma")
+    if not isinstance(state, (tuple, list)) or len(state) != 2:
+        raise refused("state", state, "not a pair of vectors", "pass a pair such as (a, g)")
+    first, second = unify_pair(**{"state[0]": state[0], "state[1]": state[1]})
     states: list[State] = [(first, second)]
     watched = slice(None) if step is step_alpha_gamma else slice(1)
     for _ in range(steps):
@@ -121,7 +119,7 @@ def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> 
 
 def _integer_start(a: Sequence[Scalar], g: Sequence[Scalar]) -> IntegerState:
     """Return ``d``-fold ``(1, q)`` and ``q_star`` with the least common denominator ``d``."""
-    numerators, d = as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).numer_denom()
+    numerators, d = as_fmpq_mat("(a, g)", unify_pair(a=a, g=g)).numer_denom()
     a_row, g_row = numerators.tolist()
     return (d, *(x + y for x, y in zip(a_row, g_row, strict=True))), tuple(g_row)
 
@@ -185,7 +183,7 @@ def exact_orbit(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> Orbit:
     >>> exact_orbit([0], [2], 2).states[2]
     ((2,), (-8/7,))
     """
-    _check_steps(steps)
+    check_count("steps", steps)
     states: list[State] = []
     for (lead, *rest), star in integer_orbit(a, g):
         a_t = tuple(fmpq(x - y, lead) for x, y in zip(rest, star, strict=True))
@@ -232,7 +230,7 @@ def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | 
     >>> first_escape([-2], [fmpq(1, 2)], 1000)
     1
     """
-    _check_steps(steps)
+    check_count("steps", steps)
     start = _integer_start(a, g)
     if not all(_may_escape(start, steps, p) for p in _PRIMES):
         return None

@@ -47,9 +47,9 @@ from math import isqrt
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
-from exactkf._errors import BadInput
+from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
-from exactkf.theory._scalars import Scalar, Vector
+from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
 from exactkf.theory.orbits import exact_orbit, first_escape
 
@@ -83,18 +83,17 @@ def symplectic_matrix_of(a: Sequence[Scalar], g: Sequence[Scalar]) -> fmpq_mat:
     Raises
     ------
     BadInput
-        If :math:`a_n + g_n = 0` or the entries are not rational.
+        If :math:`a_n + g_n = 0`, the entries are not rational or the lengths differ.
 
     Examples
     --------
     >>> symplectic_matrix_of([1], [1]).tolist()
     [[-1/2, 1/2], [-1/2, -3/2]]
     """
-    rows = as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist()
-    a, g = rows
+    a, g = as_fmpq_mat("(a, g)", unify_pair(a=a, g=g)).tolist()
     n = len(a)
     if a[-1] + g[-1] == 0:
-        raise BadInput(f"a[{n - 1}] + g[{n - 1}] = 0: S does not exist; use state_after, which reduces n")
+        raise refused(f"a[{n - 1}] + g[{n - 1}]", fmpq(0), "S does not exist", "use state_after, which reduces n")
     A = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
     for i in range(n):
         A[i][0] -= a[i] + g[i]
@@ -124,6 +123,11 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
         At most ``max(0, T - deg + 1)``: no power of the leading coefficient is wasted.
         Irrelevant if the leading coefficient is one.
 
+    Raises
+    ------
+    BadInput
+        If `exponent` is negative or no integer, or `modulus` is no such polynomial.
+
     Examples
     --------
     >>> from flint import fmpz_poly
@@ -132,6 +136,9 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
     >>> power_modulo(2, fmpz_poly([-1, 0, 3]))
     (1, 1)
     """
+    check_count("exponent", exponent)
+    if not isinstance(modulus, fmpz_poly) or modulus.degree() < 1:
+        raise refused("modulus", modulus, "not an integer polynomial of degree at least one", "pass an fmpz_poly")
     degree, lead = modulus.degree(), modulus.leading_coefficient()
     value, e = fmpz_poly([1]), 0
     for bit in bin(exponent)[2:]:
@@ -251,10 +258,11 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     >>> state_after([2], [-2], 1000).state, state_after([-2], [fmpq(1, 2)], 1000).escape
     (((0,), (0,)), 1)
     """
-    start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", [tuple(a), tuple(g)]).tolist())
+    start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", unify_pair(a=a, g=g)).tolist())
+    check_count("T", T)
     n = len(start)
-    excluded = isinstance(T, int) and T > _MANY and n <= _FEW and start[-1] + g_start[-1] != 0 and _escape_excluded(start, g_start, T)
-    escape = None if excluded else first_escape(a, g, T)
+    excluded = T > _MANY and n <= _FEW and start[-1] + g_start[-1] != 0 and _escape_excluded(start, g_start, T)
+    escape = None if excluded else first_escape(start, g_start, T)
     if escape is not None:
         return Arrival(None, escape)
     if 2 * n >= T:

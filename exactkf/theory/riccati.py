@@ -31,11 +31,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, Literal
 
-from exactkf._errors import BadInput
 from exactkf.theory._matrices import (
     Matrix,
     as_matrices,
     blocks,
+    check_shape,
+    check_square,
+    check_symmetric,
     column,
     identity,
     inverse,
@@ -46,7 +48,7 @@ from exactkf.theory._matrices import (
     solved,
     transposed,
 )
-from exactkf.theory._scalars import Scalar, Vector, check_length, shown, unify, units
+from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair, units
 
 __all__ = [
     "act",
@@ -76,22 +78,33 @@ def observer_form(a: Sequence[Scalar], g: Sequence[Scalar]) -> tuple[Matrix, Mat
     Raises
     ------
     BadInput
-        If the lengths differ.
+        If the lengths differ or are zero.
     """
-    a, g = unify(a=a, g=g)
-    check_length("g", g, len(a), "a")
+    a, g = unify_pair(a=a, g=g)
     zero, one = units(a)
     n = len(a)
     F = tuple(tuple((one if j == i + 1 else zero) - (a[i] if j == 0 else zero) for j in range(n)) for i in range(n))
     return F, column(g), column([one] + [zero] * (n - 1))
 
 
-def _innovation(P: Matrix, h: Matrix) -> Scalar:
-    """Return ``1 - h'Ph``; refuse zero."""
+def _system(F: Any, g: Any, h: Any) -> tuple[Matrix, Matrix, Matrix]:
+    """Return `F`, `g` and `h` over one scalar type, of fitting shapes."""
+    F, g, h = as_matrices(F=F, g=g, h=h)
+    n = check_square("F", F)
+    check_shape("g", g, (n, 1), "F")
+    check_shape("h", h, (n, 1), "F")
+    return F, g, h
+
+
+def _recursion(F: Any, g: Any, h: Any, P: Any) -> tuple[Matrix, Matrix, Matrix, Matrix, Scalar]:
+    """Return the arguments of a Riccati step, checked, and ``1 - h'Ph``, which is not zero."""
+    F, g, h, P = as_matrices(F=F, g=g, h=h, P=P)
+    F, g, h = _system(F, g, h)
+    check_symmetric("P", P, len(F), "F")
     value = 1 - product(transposed(h), P, h)[0][0]
     if value == 0:
-        raise BadInput("P: 1 - h'Ph = 0, the recursion escapes; pass P with 1 - h'Ph != 0")
-    return value
+        raise refused("P", P, "1 - h'Ph = 0, the recursion escapes", "pass P with 1 - h'Ph != 0")
+    return F, g, h, P, value
 
 
 def riccati_gain(F: Any, g: Any, h: Any, P: Any) -> Vector:
@@ -99,16 +112,16 @@ def riccati_gain(F: Any, g: Any, h: Any, P: Any) -> Vector:
 
     Parameters
     ----------
-    F, P : matrices, shape (n, n)
+    F : matrix, shape (n, n)
     g, h : matrices, shape (n, 1)
+    P : symmetric matrix, shape (n, n)
 
     Raises
     ------
     BadInput
-        If :math:`1 - h'Ph = 0`.
+        If :math:`1 - h'Ph = 0`, `P` is not symmetric or the shapes do not fit.
     """
-    F, g, h, P = as_matrices(F=F, g=g, h=h, P=P)
-    r = _innovation(P, h)
+    F, g, h, P, r = _recursion(F, g, h, P)
     return tuple(x / r for (x,) in minus(g, product(F, P, h)))
 
 
@@ -120,8 +133,7 @@ def riccati_step(F: Any, g: Any, h: Any, P: Any) -> Matrix:
     >>> riccati_step([[0]], [[2]], [[1]], [[0]])
     ((4,),)
     """
-    F, g, h, P = as_matrices(F=F, g=g, h=h, P=P)
-    r = _innovation(P, h)
+    F, g, h, P, r = _recursion(F, g, h, P)
     rest = minus(g, product(F, P, h))
     return plus(product(F, P, transposed(F)), scaled(1 / r, product(rest, transposed(rest))))
 
@@ -137,14 +149,14 @@ def symplectic_matrix(F: Any, g: Any, h: Any) -> Matrix:
     Raises
     ------
     BadInput
-        If `F` is singular or :math:`\sigma = 1 - h'F^{-1}g = 0`.
+        If `F` is singular, :math:`\sigma = 1 - h'F^{-1}g = 0` or the shapes do not fit.
     """
-    F, g, h = as_matrices(F=F, g=g, h=h)
+    F, g, h = _system(F, g, h)
     F_inv = inverse(F, "F")
     g_row, h_row = transposed(g), transposed(h)
     sigma = 1 - product(h_row, F_inv, g)[0][0]
     if sigma == 0:
-        raise BadInput("F, g, h: sigma = 1 - h'F^(-1)g = 0, so F - gh' is singular; pass data with alpha_n != 0")
+        raise refused("(F, g, h)", (F, g, h), "sigma = 1 - h'F^(-1)g = 0, so F - gh' is singular", "pass data with alpha_n != 0")
     weight = 1 / sigma
     upper = [
         plus(F_inv, scaled(weight, product(F_inv, g, h_row, F_inv))),
@@ -165,10 +177,11 @@ def act(S: Any, P: Any) -> Matrix:
     Raises
     ------
     BadInput
-        If :math:`S_{11} + S_{12}P` is singular.
+        If :math:`S_{11} + S_{12}P` is singular or the shapes do not fit.
     """
     S, P = as_matrices(S=S, P=P)
-    n = len(P)
+    n = check_square("P", P)
+    check_shape("S", S, (2 * n, 2 * n), "P")
     Z = product(S, (*identity(n, units(P[0])[1]), *P))
     return transposed(solved(transposed(Z[:n]), transposed(Z[n:]), "S11 + S12 P"))
 
@@ -178,6 +191,12 @@ def _gain_d71(P: Matrix, M: Matrix, V: Matrix) -> Matrix:
     PMt = product(P, transposed(M))
     middle = plus(product(M, PMt), V)
     return transposed(solved(transposed(middle), transposed(PMt), "MPM' + V"))
+
+
+def _check_measurement(n: int, reference: str, M: Matrix, V: Matrix) -> None:
+    """Refuse `M` that has not `n` columns, as `reference` has, and `V` that is not symmetric with the order that `M` sets."""
+    check_shape("M", M, (len(M), n), reference)
+    check_symmetric("V", V, len(M), "M")
 
 
 def posterior_covariance(
@@ -198,7 +217,7 @@ def posterior_covariance(
     Raises
     ------
     BadInput
-        If a matrix to be inverted is singular or `form` is unknown.
+        If a matrix to be inverted is singular, `P` or `V` is not symmetric, the shapes do not fit or `form` is unknown.
 
     Examples
     --------
@@ -206,6 +225,8 @@ def posterior_covariance(
     ((1/2,),)
     """
     P, M, V = as_matrices(P=P, M=M, V=V)
+    check_symmetric("P", P)
+    _check_measurement(len(P), "P", M, V)
     eye = identity(len(P), units(P[0])[1])
     Mt = transposed(M)
     if form in ("d", "e", "f"):
@@ -217,7 +238,7 @@ def posterior_covariance(
             return transposed(solved(transposed(right), transposed(P), "I + M'V^(-1)MP"))
         return solved(plus(eye, product(P, info)), P, "I + PM'V^(-1)M")
     if form not in ("1.24", "a", "b", "c"):
-        raise BadInput(f"form = {shown(repr(form))}: not a form of D71 (1.28); pass '1.24' or one of 'a' to 'f'")
+        raise refused("form", form, "not a form of D71 (1.28)", "pass '1.24' or one of 'a' to 'f'")
     K = _gain_d71(P, M, V)
     if form == "b":
         return minus(P, product(P, Mt, transposed(K)))
@@ -234,16 +255,20 @@ def covariance_step(P: Any, Phi: Any, H: Any, M: Any, V: Any) -> Matrix:
 
     Parameters
     ----------
-    P, Phi, H : matrices, shape (n, n)
+    P, H : symmetric matrices, shape (n, n)
+    Phi : matrix, shape (n, n)
     M : matrix, shape (m, n)
-    V : matrix, shape (m, m)
+    V : symmetric matrix, shape (m, m)
 
     Raises
     ------
     BadInput
-        If :math:`MPM' + V` is singular.
+        If :math:`MPM' + V` is singular, `P`, `H` or `V` is not symmetric or the shapes do not fit.
     """
     P, Phi, H, M, V = as_matrices(P=P, Phi=Phi, H=H, M=M, V=V)
+    check_symmetric("P", P)
+    check_shape("Phi", Phi, (len(P), len(P)), "P")
+    check_symmetric("H", H, len(P), "P")
     return plus(product(Phi, posterior_covariance(P, M, V), transposed(Phi)), H)
 
 
@@ -252,16 +277,23 @@ def filter_map(P: Any, A: Any, F: Any, C: Any) -> Matrix:
 
     Parameters
     ----------
-    P, A : matrices, shape (d, d)
+    P : symmetric matrix, shape (d, d)
+    A : matrix, shape (d, d)
     F : matrix, shape (d, p)
     C : matrix, shape (q, d)
 
     Raises
     ------
     BadInput
-        If :math:`I + RS + RAPA^*` is singular, which is impossible for nonnegative real `P`.
+        If `P` is not symmetric, the shapes do not fit, or :math:`I + RS + RAPA^*` is singular, which is
+        impossible for nonnegative real `P`.
     """
     P, A, F, C = as_matrices(P=P, A=A, F=F, C=C)
+    check_symmetric("P", P)
+    d = len(P)
+    check_shape("A", A, (d, d), "P")
+    check_shape("F", F, (d, len(F[0])), "P")
+    check_shape("C", C, (len(C), d), "P")
     X = plus(product(A, P, transposed(A)), product(F, transposed(F)))
     right = plus(identity(len(P), units(P[0])[1]), product(transposed(C), C, X))
     return transposed(solved(transposed(right), transposed(X), "I + RS + RAPA*"))
@@ -272,9 +304,10 @@ def duven_matrix(Phi: Any, H: Any, M: Any, V: Any) -> Matrix:
 
     Parameters
     ----------
-    Phi, H : matrices, shape (n, n), `Phi` nonsingular
+    Phi : matrix, shape (n, n), nonsingular
+    H : symmetric matrix, shape (n, n)
     M : matrix, shape (m, n)
-    V : matrix, shape (m, m), nonsingular
+    V : symmetric matrix, shape (m, m), nonsingular
 
     Returns
     -------
@@ -285,9 +318,12 @@ def duven_matrix(Phi: Any, H: Any, M: Any, V: Any) -> Matrix:
     Raises
     ------
     BadInput
-        If `Phi` or `V` is singular.
+        If `Phi` or `V` is singular, `H` or `V` is not symmetric or the shapes do not fit.
     """
     Phi, H, M, V = as_matrices(Phi=Phi, H=H, M=M, V=V)
+    n = check_square("Phi", Phi)
+    check_symmetric("H", H, n, "Phi")
+    _check_measurement(n, "Phi", M, V)
     W = product(transposed(M), solved(V, M, "V"))
     low = inverse(transposed(Phi), "Phi")
     return blocks([[plus(product(H, low, W), Phi), product(H, low)], [product(low, W), low]])

@@ -42,9 +42,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from exactkf._errors import BadInput
 from exactkf.theory._matrices import Matrix
-from exactkf.theory._scalars import Scalar, Vector, unify, units
+from exactkf.theory._scalars import Scalar, Vector, refused, unify, units
 
 __all__ = [
     "covariance_matrix",
@@ -174,10 +173,8 @@ def schur_parameters(c: Sequence[Scalar]) -> Vector:
     """
     gamma, stop = levinson(c)
     if stop is not None:
-        raise BadInput(
-            f"c: gamma[{stop}]^2 = 1, the Toeplitz matrix T_{stop + 1} is singular and the recursion stops; "
-            f"pass at most {stop + 1} covariances"
-        )
+        problem = f"gamma[{stop}]^2 = 1, the Toeplitz matrix T_{stop + 1} is singular and the recursion stops"
+        raise refused("c", tuple(c), problem, f"pass at most {stop + 1} covariances")
     return gamma
 
 
@@ -236,12 +233,12 @@ def toeplitz(c: Sequence[Scalar], t: int | None = None) -> Matrix:
     Raises
     ------
     BadInput
-        If `t` is negative or exceeds ``m``.
+        If `t` is no integer, negative, or exceeds ``m``.
     """
     (c,) = unify(c=c)
     order = len(c) if t is None else t
-    if not 0 <= order <= len(c):
-        raise BadInput(f"t = {t}: T_t needs c_1, ..., c_t; pass 0 <= t <= {len(c)}")
+    if isinstance(order, bool) or not isinstance(order, int) or not 0 <= order <= len(c):
+        raise refused("t", t, f"T_t needs c_1, ..., c_t, and c has {len(c)}", f"pass an integer 0 <= t <= {len(c)}")
     full = (units(c)[1], *c)
     return tuple(tuple(full[abs(i - j)] for j in range(order + 1)) for i in range(order + 1))
 

@@ -211,7 +211,7 @@ def test_numbers_as_text():
     (lambda: decide_order_one(1, "x"), "argument 'gamma0' is not a rational number: 'x'"),
     (lambda: decide_order_one(sqrt_field(2).gen(), sqrt_field(3).gen()), "gamma0 = sqrt(3) is in Q(sqrt(3))"),
     (lambda: decide_riccati_one(1, 2, None), "argument 'pi0' is not a rational number: None"),
-    (lambda: decide_many([(1, 2)], jobs=0), "jobs = 0"),
+    (lambda: decide_many([(1, 2)], jobs=0), "argument 'jobs' is not an integer of at least 1: 0"),
 ])
 def test_bad_input(call, words):
     """One line that names the argument."""

@@ -237,15 +237,15 @@ def test_escape_is_returned_by_orbits_and_raised_by_steps():
 @pytest.mark.parametrize(
     ("call", "start"),
     [
-        (lambda: step_ag([1], [1, 2]), "g has length 2"),
+        (lambda: step_ag([1], [1, 2]), "g = (1, 2): has length 2 where a asks for 1"),
         (lambda: step_q([], []), "q = ()"),
-        (lambda: orbit(step_ag, ([1], [2]), -1), "steps = -1"),
-        (lambda: exact_orbit([1], [2, 3], 1), "(a, g) has rows of lengths [1, 2]"),
-        (lambda: state_after([1.5], [2], 1), "(a, g)[0] = 1.5"),
-        (lambda: state_after([mpf(1)], [2], 1), "(a, g) has the entry"),
-        (lambda: laurent_covariances([1], []), "b has length 0"),
-        (lambda: gain([1], [1], [1, 2]), "a has length 2"),
-        (lambda: alpha_gamma_from_ag([1, 1], [1, 1]), "(a, b): the Schur parameter gamma[0]"),
+        (lambda: orbit(step_ag, ([1], [2]), -1), "argument 'steps' is not an integer of at least 0: -1"),
+        (lambda: exact_orbit([1], [2, 3], 1), "g = (2, 3): has length 2 where a asks for 1"),
+        (lambda: state_after([1.5], [2], 1), "a[0] = 1.5: not an exact scalar"),
+        (lambda: state_after([mpf(1)], [2], 1), "(a, g) = ((mpf('1.0'),), (mpf('2.0'),)): has the entry 1.0"),
+        (lambda: laurent_covariances([1], []), "b = (): has length 0"),
+        (lambda: gain([1], [1], [1, 2]), "a = (1, 2): has length 2"),
+        (lambda: alpha_gamma_from_ag([1, 1], [1, 1]), "(a, b) = ((1, 1), (3, 3)): the Schur parameter gamma[0]"),
     ],
 )
 def test_messages(call, start):

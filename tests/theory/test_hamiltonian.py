@@ -135,16 +135,16 @@ def test_reasons(M, name, reason):
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: membership([[1]]), "M has shape (1, 1)"),
-        (lambda: hamiltonian_matrix([[0]], [[1]], [[1]]), "A is singular"),
-        (lambda: to_factors([[2, 0], [0, 1]]), "M is not symplectic, A^T D - C^T B"),
-        (lambda: to_factors([[0, 1], [-1, 0]]), "the block A of M is singular"),
-        (lambda: from_factors([[1, 0], [0, 1]], [[0, 1], [0, 0]], [[0, 0], [0, 0]]), "P is not symmetric"),
-        (lambda: moebius([[1, 0], [1, 1]], [[-1]]), "CT + D is singular"),
-        (lambda: negative_direction([[0, 1], [0, 0]]), "S has shape (2, 2) and is not symmetric"),
-        (lambda: membership([[1, 2], [3]]), "M has rows of lengths [2, 1]"),
+        (lambda: membership([[1]]), "M = ((1,),): has shape (1, 1)"),
+        (lambda: hamiltonian_matrix([[0]], [[1]], [[1]]), "A = ((0,),): singular, its first column is zero"),
+        (lambda: to_factors([[2, 0], [0, 1]]), "M = ((2, 0), (0, 1)): not symplectic, A^T D - C^T B"),
+        (lambda: to_factors([[0, 1], [-1, 0]]), "the block A of M = ((0,),): singular"),
+        (lambda: from_factors([[1, 0], [0, 1]], [[0, 1], [0, 0]], [[0, 0], [0, 0]]), "P = ((0, 1), (0, 0)): not symmetric"),
+        (lambda: moebius([[1, 0], [1, 1]], [[-1]]), "CT + D = ((0,),): singular"),
+        (lambda: negative_direction([[0, 1], [0, 0]]), "S = ((0, 1), (0, 0)): not symmetric"),
+        (lambda: membership([[1, 2], [3]]), "M = [[1, 2], [3]]: has rows of lengths [2, 1]"),
         (lambda: membership([]), "M = []: not a matrix"),
-        (lambda: membership([[0.5, 0], [0, 2]]), "M[0] = 0.5"),
+        (lambda: membership([[0.5, 0], [0, 2]]), "M[0][0] = 0.5"),
     ],
 )
 def test_messages(call, text):

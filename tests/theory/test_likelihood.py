@@ -120,14 +120,14 @@ def test_perfect_measurement(m):
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: estimate([[1, 1]], [[1]], [1]), "H has rank 1 < 2: x is not estimable"),
-        (lambda: likelihood_matrix([[1]], [[-1]]), "R is not a covariance: x = (1) gives"),
-        (lambda: likelihood_matrix([[1]], [[1, 0], [0, 1]]), "R has shape (2, 2)"),
-        (lambda: full_rank_factors([[0]]), "H = 0"),
-        (lambda: is_estimable([[1, 1]], [1]), "c has length 1"),
-        (lambda: symmetric_inverse([[0, 1], [0, 0]]), "Z has shape (2, 2) and is not symmetric"),
-        (lambda: symmetric_inverse([[1]], [[1, 1]]), "choice has shape (1, 2)"),
-        (lambda: estimate([[1], [1]], [[1, 0], [0, 1]], [1]), "y has length 1: R asks for 2"),
+        (lambda: estimate([[1, 1]], [[1]], [1]), "H = ((1, 1),): has rank 1 < 2, so x is not estimable"),
+        (lambda: likelihood_matrix([[1]], [[-1]]), "R = ((-1,),): not a covariance, x = (1) gives"),
+        (lambda: likelihood_matrix([[1]], [[1, 0], [0, 1]]), "R = ((1, 0), (0, 1)): has shape (2, 2) where H asks for (1, 1)"),
+        (lambda: full_rank_factors([[0]]), "H = ((0,),): zero"),
+        (lambda: is_estimable([[1, 1]], [1]), "c = (1,): has length 1 where H asks for 2"),
+        (lambda: symmetric_inverse([[0, 1], [0, 0]]), "Z = ((0, 1), (0, 0)): not symmetric"),
+        (lambda: symmetric_inverse([[1]], [[1, 1]]), "choice = ((1, 1),): has shape (1, 2) where Z asks for (1, 1)"),
+        (lambda: estimate([[1], [1]], [[1, 0], [0, 1]], [1]), "y = (1,): has length 1 where R asks for 2"),
     ],
 )
 def test_messages(call, text):

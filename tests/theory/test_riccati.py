@@ -60,6 +60,12 @@ def diagonal_problems(draw):
     return rows(Phi), rows(b * b.transpose()), rows(fmpq_mat([seen]) * inverse), ((fmpq(1),),)
 
 
+def rewritten(P, Phi, H, M, V):
+    """The right side of D71 (3.46), as printed, at a solution that need not be symmetric, which `covariance_step` refuses."""
+    P, Phi, H, M, V = map(mat, (P, Phi, H, M, V))
+    return rows(Phi * (P - P * M.transpose() * (M * P * M.transpose() + V).inv() * M * P) * Phi.transpose() + H)
+
+
 @given(pairs(max_n=3), st.data())
 def test_symplectic_matrix_acts_as_the_riccati_recursion(pair, data):
     """The matrix of BLZ94 (6.8a) is symplectic, acts as one Riccati step, and equals the one of (6.14)."""
@@ -118,7 +124,8 @@ def test_equilibria_solve_the_covariance_equation(problem):
     found = equilibria(*problem)
     assert found.irreducible == () and found.families == ()
     for equilibrium in found.isolated:
-        assert covariance_step(equilibrium.P, *problem) == equilibrium.P
+        assert rewritten(equilibrium.P, *problem) == equilibrium.P
+        assert not equilibrium.is_symmetric or covariance_step(equilibrium.P, *problem) == equilibrium.P
         F, Gamma = mat(equilibrium.F), mat(equilibrium.Gamma)
         assert F * Gamma.inv() == mat(equilibrium.P)
         halves = zip(zip(*equilibrium.F, strict=True), zip(*equilibrium.Gamma, strict=True), strict=True)
@@ -152,7 +159,7 @@ def test_example_3_1(x, y):
         (fmpq(16, 3) + 2 * (x + y) / 3 - 4 * x * y / 27, 8 + y - 2 * x * y / 9),
         (8 + x - 2 * x * y / 9, 12 - x * y / 3),
     )
-    assert covariance_step(P, *EXAMPLE_3_1) == P
+    assert rewritten(P, *EXAMPLE_3_1) == P
     assert (P[0][1] == P[1][0]) == (x == y)
 
 
@@ -161,7 +168,7 @@ def test_example_3_1_from_subspaces(s, t):
     """The subspaces with one eigenvector for 2 and one for 1/2 give the equilibria of the family (3.114)."""
     found = equilibrium_from_basis(*EXAMPLE_3_1, [[25 + 8 * s, 24 + 12 * s, 3, s], [2 * t, 3 * t, 3, -2]])
     assert found.eigenvalues == (fmpq(1, 2), fmpq(2))
-    assert covariance_step(found.P, *EXAMPLE_3_1) == found.P
+    assert rewritten(found.P, *EXAMPLE_3_1) == found.P
     assert found.is_symmetric == (s * t == 9 - 2 * t)
 
 
@@ -195,6 +202,7 @@ def test_example_3_3():
         first = ((mpf(64), mpf(0)), (mpf(0), mpf(64)))
         for _ in range(150):
             first = covariance_step(first, *tables)
+            first = (first[0], (first[0][1], first[1][1]))  # rounding may leave it a little unsymmetric, which is refused
         for P, printed in ((first, (13.13719, 10.61281, 11.88719)), (second, (4.53113, 6.79669, 10.19504))):
             new = covariance_step(P, *tables)
             assert all(
@@ -214,21 +222,21 @@ def test_stabilizing_with_irrational_spectrum():
 @pytest.mark.parametrize(
     ("call", "text"),
     [
-        (lambda: riccati_step([[1]], [[0]], [[1]], [[1]]), "P: 1 - h'Ph = 0"),
-        (lambda: posterior_covariance([[1]], [[1]], [[-1]]), "MPM' + V is singular"),
-        (lambda: posterior_covariance([[0]], [[1]], [[1]], form="d"), "P is singular"),
+        (lambda: riccati_step([[1]], [[0]], [[1]], [[1]]), "P = ((1,),): 1 - h'Ph = 0"),
+        (lambda: posterior_covariance([[1]], [[1]], [[-1]]), "MPM' + V = ((0,),): singular"),
+        (lambda: posterior_covariance([[0]], [[1]], [[1]], form="d"), "P = ((0,),): singular"),
         (lambda: posterior_covariance([[0]], [[1]], [[1]], form="g"), "form = 'g'"),
-        (lambda: symplectic_matrix([[0]], [[1]], [[1]]), "F is singular"),
-        (lambda: symplectic_matrix([[1]], [[1]], [[1]]), "F, g, h: sigma"),
-        (lambda: duven_matrix([[0]], [[1]], [[1]], [[1]]), "Phi is singular"),
-        (lambda: duven_matrix([[1]], [[1]], [[1]], [[0]]), "V is singular"),
-        (lambda: act([[1, 1], [0, 1]], [[-1]]), "S11 + S12 P is singular"),
-        (lambda: stabilizing_equilibrium([[1]], [[0]], [[1]], [[1]]), "R_p has the eigenvalue 1 on"),
-        (lambda: stabilizing_equilibrium([[2]], [[1]], [[0]], [[1]]), "(Phi, M): an unstable mode"),
-        (lambda: equilibrium_from_basis([[2]], [[1]], [[1]], [[1]], [[1, 1]]), "basis: its span"),
-        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[1, 0]]), "basis: the lower half"),
-        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[0, 0]]), "basis has rank 0"),
-        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[0]]), "basis has shape (1, 1)"),
+        (lambda: symplectic_matrix([[0]], [[1]], [[1]]), "F = ((0,),): singular"),
+        (lambda: symplectic_matrix([[1]], [[1]], [[1]]), "(F, g, h) = (((1,),), ((1,),), ((1,),)): sigma"),
+        (lambda: duven_matrix([[0]], [[1]], [[1]], [[1]]), "Phi = ((0,),): singular"),
+        (lambda: duven_matrix([[1]], [[1]], [[1]], [[0]]), "V = ((0,),): singular, its first column is zero"),
+        (lambda: act([[1, 1], [0, 1]], [[-1]]), "S11 + S12 P = ((0,),): singular"),
+        (lambda: stabilizing_equilibrium([[1]], [[0]], [[1]], [[1]]), "R_p = 2x2 matrix [[1, 0], [1, 1]]: has the eigenvalue 1 on"),
+        (lambda: stabilizing_equilibrium([[2]], [[1]], [[0]], [[1]]), "(Phi, M) = ([[2]], [[0]]): an unstable mode"),
+        (lambda: equilibrium_from_basis([[2]], [[1]], [[1]], [[1]], [[1, 1]]), "basis = ((1, 1),): its span"),
+        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[1, 0]]), "basis = ((1, 0),): the lower half"),
+        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[0, 0]]), "basis = ((0, 0),): has rank 0"),
+        (lambda: equilibrium_from_basis([[2]], [[1]], [[0]], [[1]], [[0]]), "basis = ((0,),): has shape (1, 1)"),
     ],
 )
 def test_messages(call, text):
