@@ -19,7 +19,7 @@ keys                meaning
 ``b, a``            coefficients of b(z) and a(z), leading one first, v = b/(2a)
 ``covariances``     1, c_1, c_2, ...; ``order`` may be given
 ``F, g, h``         a realization c_k = h'F^{k-1}g in any basis
-``system``          an object with matrices A, B, C, D (from Python only)
+``system``          an object with matrices A, B, C, D (from Python only; `analyze` takes it alone too)
 ==================  ============================================================
 
 ``floats`` says what floats mean ("exact", "decimal" or a largest denominator), and ``pi0``, in order
@@ -35,7 +35,7 @@ from typing import Any
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer
-from exactkf.dynamics.files import FORMS, OPTIONS, read_filters
+from exactkf.dynamics.files import FORMS, OPTIONS, meant, read_filters
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.numbers import number
 from exactkf.exact._messages import bad
@@ -57,10 +57,8 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     (1/6,)
     """
     keys = set(data) - set(OPTIONS)
-    if tuple(sorted(keys)) not in {tuple(sorted(form)) for form in FORMS}:
-        forms = "; ".join(", ".join(form) for form in FORMS)
-        what = f"no filter is described by {' and '.join(repr(k) for k in sorted(keys))}" if keys else "no filter is given"
-        raise BadInput(f"{what}; give one of: {forms}")
+    if keys not in map(set, FORMS):
+        raise _incomplete(keys)
     if "order" in data and "covariances" not in data:
         raise bad("order", "goes with covariances only", data["order"], "leave it out")
     floats = data.get("floats")
@@ -79,6 +77,18 @@ def filter_from(data: Mapping[str, Any]) -> Filter:
     return Filter.from_ag(data["a"], data["g"], floats=floats)
 
 
+def _incomplete(keys: set[str]) -> BadInput:
+    """What is wrong with keys that describe no filter: an unknown one, or one that is missing."""
+    for key in sorted(keys - {key for form in FORMS for key in form}):
+        if near := meant(key):
+            return BadInput(f"argument {key!r} is unknown; {near}")
+    missing = [" and ".join(repr(k) for k in form if k not in keys) for form in FORMS if keys < set(form)] if keys else []
+    given = " and ".join(map(repr, sorted(keys)))
+    if missing:
+        return BadInput(f"argument {', or '.join(missing)} is missing: {given} alone is no filter; give it besides")
+    return BadInput(f"no filter is {f'described by {given}' if keys else 'given'}; give one of: {'; '.join(', '.join(form) for form in FORMS)}")
+
+
 def read_data(path: str | Path) -> dict[str, Any]:
     """Return the mapping in a file with one filter; see `exactkf.dynamics.files`.
 
@@ -95,13 +105,13 @@ def read_data(path: str | Path) -> dict[str, Any]:
     return filters[0][1]
 
 
-def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **given: Any) -> Answer:
+def analyze(data: Any = None, /, **given: Any) -> Answer:
     """Decide what the gain of a filter does.
 
     Parameters
     ----------
-    data : mapping, Filter or file name, optional
-        The filter; keyword arguments of the same names do as well.
+    data : mapping, Filter, file name, or object with matrices A, B, C, D such as `control.StateSpace`, optional
+        The filter; keyword arguments of the same names do as well. Where the matrices are of floats, pass ``floats`` besides.
     **given
         The filter, by ``alpha, gamma``, by ``a, g``, by ``b, a`` (leading coefficients first), by ``covariances``
         (and ``order``), by ``F, g, h`` or by ``system``. Besides, ``floats`` ("exact", "decimal" or a largest
@@ -129,7 +139,10 @@ def analyze(data: Mapping[str, Any] | Filter | str | Path | None = None, /, **gi
             raise bad(min(unknown), "comes with a Filter", given[min(unknown)], "pass either a filter or its numbers")
     else:
         if not isinstance(data, (Mapping, str, Path, NoneType)):
-            raise bad("data", "is no filter", data, "pass a mapping, a Filter or the name of a file, or keywords such as alpha=[...], gamma=[...]")
+            if not all(hasattr(data, name) for name in "ABCD"):
+                raise bad("data", "is no filter", data, "pass a mapping, a Filter, the name of a file or a state space object, "
+                          "or keywords such as alpha=[...], gamma=[...]")
+            data = {"system": data}
         found = read_data(data) if isinstance(data, (str, Path)) else dict(data or {})
         twice = set(found) & set(given)
         if twice:

@@ -83,7 +83,8 @@ class Answer:
     torus_dimension : int or None
         The dimension of the torus that the orbit fills.
     enters_positive_real : int or None
-        The first step in the positive real region.
+        The first step in the positive real region, in which `D` is positive on the circle and `a` and `b` have all zeros inside
+        (BLZ94 (2.13)-(2.15)); None if there is none.
     facts : tuple of Fact
         The derivation, in reading order.
     reason : str

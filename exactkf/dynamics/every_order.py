@@ -13,9 +13,10 @@ The statements and their proofs are those of `exactkf.kernel.orbit_n`, whose fun
 decide here as well.  For the coprime pair that is left after reduction, with :math:`Q(0) \ne 0`:
 
 * If `D` has only zeros of even multiplicity on the unit circle, the orbit escapes at one of finitely
-  many steps or converges to :math:`(w, 0)`, `w` the stable spectral factor of `D`.  It enters the
-  positive real region, because :math:`r_t` tends to a limit that is not zero, so that
-  :math:`|\gamma_t| < 1` from some step on; the first such step is one after the last with :math:`|\gamma_t| > 1`.
+  many steps or converges to :math:`(w, 0)`, `w` the stable spectral factor of `D`.  As
+  :math:`r_t` tends to a limit that is not zero, :math:`|\gamma_t| < 1` from some step on; the first such step is one after the
+  last with :math:`|\gamma_t| > 1`. There it enters the positive real region, if `D` has no zero on the circle and the common
+  factor has all zeros inside; otherwise it never does.
   BLZ94 Theorem 7.1 says this of :math:`w\theta`, :math:`\theta` the common factor.  No
   condition on the initial subspace is left over: coprime data never meet the codominant subspace (BLZ94 Lemma 6.12).
 * If `D` changes sign on the circle the orbit never converges.  It is periodic if and only if the zeros
@@ -25,8 +26,9 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
 * Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it, or valuations; that is
   a question about zeros of linear recurring sequences, for which no general method is known.  What it does is decided all the same.
 
-"Positive real" is meant of the function :math:`v = b/2a`: :math:`\operatorname{Re} v \ge 0` outside the
-circle.  If `D` has no zero on the circle this is the strict notion of BLZ94 (2.13)-(2.15) for coprime data.
+The positive real region is that of BLZ94 (2.13)-(2.15), the region :math:`\mathcal P_n` of its Section 5: `D` is positive on the circle,
+and `a` and `b`, common factors included, have all zeros inside; for order one it is the open diamond of BLM91, Fig. 1.  The function
+:math:`v = b/2a`, in which common factors cancel, can have :math:`\operatorname{Re} v \ge 0` outside the circle for a state that is not in it.
 
 References
 ----------
@@ -73,10 +75,10 @@ from exactkf.exact.numberfield import RealField, RealNumber
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.intervals import does_not_escape
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_n import Reduced, coprime, is_positive_real, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
+from exactkf.kernel.orbit_n import Reduced, coprime, is_bounded, power_of_z, reduce_pair, spectral_polynomial, spectral_sign, start_pair, step
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.replay import seal
-from exactkf.kernel.roots import times_poly
+from exactkf.kernel.roots import count_circle, times_poly
 from exactkf.theory._scalars import Scalar, unify_pair
 from exactkf.theory.orbits import first_escape, integer_orbit
 
@@ -142,11 +144,11 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     if reduced.escape is not None:
         return _escaped(case, reduced.escape)
     if len(reduced.Q) == 1:
-        return _convergent(case, max_steps)
+        return _convergent(case, "+", max_steps)
     shape = _sign(case.D)
     _describe(case, shape)
     if shape != "+-":
-        return _convergent(case, max_steps)
+        return _convergent(case, shape, max_steps)
     pair = Readings.of(reduced.Q, reduced.S, case.D)
     aperiodic = aperiodic_place(pair)
     period = _period(case) if aperiodic is None else None
@@ -198,16 +200,18 @@ def _describe(case: _Case, shape: str) -> None:
 
 
 # ---------------------------------------------------------------------- answers
-def _answer(case: _Case, behaviour: str, evidence: dict[str, Any] | None, reason: str = "", **fields: Any) -> Answer:
-    """The answer; without evidence it converges, and the limit, which is the evidence, is found when it is asked for."""
+def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
+    """The answer; where it converges the limit, with the evidence for it, is found when it is asked for."""
     entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, **fields}
-    later = {"certificate": _sealed} if evidence is not None else {"limit": _limit, "certificate": _sealed}
+    later = {"limit": _limit, "certificate": _sealed} if behaviour == "converges" else {"certificate": _sealed}
     return Answer.of_entries(len(case.a), entries, later, (case.a, case.g, evidence))
 
 
 def _sealed(answer: Answer) -> dict[str, Any]:
     a, g, evidence = answer.__dict__["_start"]
-    return seal("orbit", "orbit", {"question": _question(a, g), "answer": answer.decided()}, _found(answer).evidence if evidence is None else evidence)
+    if answer.behaviour == "converges":
+        evidence = {**evidence, **_found(answer).evidence}
+    return seal("orbit", "orbit", {"question": _question(a, g), "answer": answer.decided()}, evidence)
 
 
 def _limit(answer: Answer) -> dict[str, Any]:
@@ -235,20 +239,37 @@ def _escaped(case: _Case, t: int) -> Answer:
     return _answer(case, "escapes", {}, escape=t)
 
 
-def _convergent(case: _Case, max_steps: int) -> Answer:
+def _convergent(case: _Case, shape: str, max_steps: int) -> Answer:
     entry = _entry(case, max_steps)
     if isinstance(entry, Answer):
         return entry
-    case.facts.append(Fact(f"The orbit is positive real from step {entry} on, so it never escapes.",
-                           f"$v_t$ is positive real exactly for $t \\ge {entry}$, hence $|\\gamma_t| < 1$ there."))
-    fields: dict[str, Any] = {"never_escapes": True, "enters_positive_real": entry}
+    missed = _missed(case, shape)
+    if missed is None:
+        case.facts.append(Fact(f"The orbit is positive real from step {entry} on, so it never escapes.",
+                               f"$v_t$ is positive real exactly for $t \\ge {entry}$, hence $|\\gamma_t| < 1$ there."))
+    else:
+        case.facts.append(Fact(f"From step {entry} on v, without factors in common, has a real part >= 0 outside the circle, so the orbit never escapes.",
+                               f"$\\operatorname{{Re}} v_t \\ge 0$ on $|z| > 1$ for $t \\ge {entry}$, without common factors, hence $|\\gamma_t| < 1$ there."))
+        case.facts.append(missed)
+    fields: dict[str, Any] = {"never_escapes": True, "enters_positive_real": entry if missed is None else None}
     if all(x == 0 for x in case.g):
         fields["period"] = 1
     elif len(case.D) == 1:
         case.facts.append(Fact(f"The orbit rests from step {case.reduced.start} on.", f"$g_t = 0$ for $t \\ge {case.reduced.start}$."))
     case.facts.append(Fact("The limit is the stable spectral factor of D times the factors in common.",
                            r"$\alpha_\infty = \tilde\alpha_\infty\theta$ with $D$ proportional to $|\tilde\alpha_\infty|^2|\theta|^2$ on $|z| = 1$."))
-    return _answer(case, "converges", None, **fields)
+    return _answer(case, "converges", {} if missed is None else {"bounded": entry}, **fields)
+
+
+def _missed(case: _Case, shape: str) -> Fact | None:
+    """Why the orbit, which converges, never comes to the positive real region, or None if it does."""
+    removed = case.reduced.removed
+    if len(removed) > 1 and count_circle(removed)[0] < len(removed) - 1:
+        return Fact("It never is positive real: a and b have a zero in common that is not inside the circle.",
+                    r"It never is positive real: $\theta = (a, b)$ has a zero with $|z| \ge 1$.")
+    if shape in ("0+", "-0"):
+        return Fact("It never is positive real: D has a zero on the circle.", "It never is positive real: $D$ has a zero on $|z| = 1$.")
+    return None
 
 
 class _Limit:
@@ -278,9 +299,9 @@ class _Limit:
 
 
 def _entry(case: _Case, max_steps: int) -> int | Answer:
-    """Return the first step in the positive real region, or an answer if the orbit escapes before or does not arrive.
+    """Return the first step at which the coprime pair is bounded, or an answer if the orbit escapes before or does not arrive.
 
-    The region is tested at steps that double in distance.  From the entry on |gamma| < 1, and
+    That is tested at steps that double in distance.  From the entry on |gamma| < 1, and
     at the step before it |gamma| > 1.
     """
     common = case.reduced.removed
@@ -297,8 +318,8 @@ def _entry(case: _Case, max_steps: int) -> int | Answer:
             last = t
         if t >= max_steps:
             break
-    return _undecided(case, max_steps, f"the orbit has not escaped in {max_steps} steps, nor come to the positive real region, "
-                                       "which it will enter if it never escapes; ask with more steps")
+    return _undecided(case, max_steps, f"the orbit has not escaped in {max_steps} steps, nor come to where |gamma| < 1 for good, "
+                                       "as it will if it never escapes; ask with more steps")
 
 
 def _pairs(case: _Case) -> Any:
@@ -317,14 +338,14 @@ def _pairs(case: _Case) -> Any:
 
 
 def _enters(Q: list, S: list, common: list, late: bool) -> bool:
-    """Whether the pair is positive real; late pairs are divided by the known common factor."""
+    """Whether the pair is bounded; late pairs are divided by the known common factor."""
     Q, S = ([fmpq(x) if isinstance(x, fmpz) else x for x in p] for p in (Q, S))
     if late and len(common) > 1:
         Q, S = _quotient(Q, common), _quotient(S, common)
     elif not late:
         Q, S = coprime(Q, S)
     if any(isinstance(x, RealNumber) for x in Q):  # a zero of a quotient is none
-        return is_positive_real(Q, S)
+        return is_bounded(Q, S)
     return len(Q) == 1 or count_roots(fmpq_poly(Q).numer()).inside == len(Q) - 1 and _sign(spectral_polynomial(Q, S)) in ("+", "0+")
 
 

@@ -4,6 +4,7 @@ r"""Files of filters: one, or many.
 Main definitions
 ----------------
 ``read_filters``  the filters in a file, with a label each
+``meant``         the key that an unknown one is near
 ``is_of_many``    whether a file of that name holds many, whatever is in it
 
 Notation
@@ -28,18 +29,20 @@ import io
 import json
 import re
 import tomllib
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from exactkf.exact._messages import bad
 
-__all__ = ["FORMS", "OPTIONS", "is_of_many", "read_filters", "split_list"]
+__all__ = ["FORMS", "OPTIONS", "is_of_many", "meant", "read_filters", "split_list"]
 
 #: Sets of keys that describe a filter, and keys that may stand beside them.
 FORMS = (("alpha", "gamma"), ("a", "g"), ("b", "a"), ("covariances",), ("F", "g", "h"), ("system",))
 OPTIONS = ("floats", "order", "pi0")
 
 _KEYS = {key for form in FORMS for key in form} | set(OPTIONS)
+_NEAR = 0.7  # how alike two keys are for one to be taken as meant by the other
 _VECTORS = {"alpha", "gamma", "a", "g", "b", "covariances"}
 _MANY = (".jsonl", ".csv")
 
@@ -82,12 +85,26 @@ def read_filters(path: str | Path) -> list[tuple[str, dict[str, Any]]]:
     return [_labelled(place, data) for place, data in found]
 
 
+def meant(key: str) -> str:
+    """Name the key that an unknown one is near, or ''.
+
+    Examples
+    --------
+    >>> meant("gamm"), meant("Alpha"), meant("x")
+    ("did you mean 'gamma'?", "did you mean 'alpha'?", '')
+    """
+    for asked in (key, key.lower(), key.upper()):
+        if found := get_close_matches(asked, _KEYS, 1, _NEAR):
+            return f"did you mean {found[0]!r}?"
+    return ""
+
+
 def _labelled(place: str, data: Any) -> tuple[str, dict[str, Any]]:
     if not isinstance(data, dict):
         raise bad("FILE", "holds no table of keys", place, 'write alpha = ["1/2"], gamma = ["1/3"] or the like')
     unknown = set(data) - _KEYS - {"name"}
     if unknown:
-        raise bad("FILE", f"has the unknown key {min(unknown)!r}", place, "leave it out")
+        raise bad("FILE", f"has the unknown key {min(unknown)!r}", place, meant(min(unknown)) or "leave it out")
     name = data.pop("name", None)
     return place if name is None else " ".join(str(name).split()), data
 
@@ -131,7 +148,8 @@ def _column(name: str, path: Path) -> tuple[str, int | None]:
     found = re.fullmatch(r"([a-z]+)_?(\d+)", name)
     key, place = (found[1], int(found[2])) if found else (name, None)
     if key not in (_VECTORS if found else _VECTORS | {"order", "pi0", "name"}):
-        raise bad("FILE", f"has the unknown column {name!r}", str(path), "name columns alpha, gamma, a, g, b, covariances, order, pi0, name, "
+        near = meant(key)
+        raise bad("FILE", f"has the unknown column {name!r}", str(path), near if near else "name columns alpha, gamma, a, g, b, covariances, order, pi0, name, "
                   "or the entries of vectors alpha_1, alpha_2, ...")
     return key, place
 

@@ -36,6 +36,7 @@ from exactkf._errors import BadInput
 from exactkf.exact._messages import bad, shown
 from exactkf.exact.compositum import square_root, together
 from exactkf.exact.numberfield import RealField, RealNumber, cyclotomic_real
+from exactkf.exact.polynomials import isolate_real_roots
 from exactkf.exact.rationals import check_floats, rational
 
 __all__ = ["GRAMMAR", "Number", "number", "numbers"]
@@ -56,7 +57,7 @@ def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> N
 
     Parameters
     ----------
-    value : str, int, Fraction, Decimal, fmpq, RealNumber, sympy number or float
+    value : str, int, Fraction, Decimal, fmpq, RealNumber, sympy number (a real CRootOf too) or float
         A string is an expression of the grammar above.
     floats : {None, "exact", "decimal"} or int, optional
         What a float stands for, see `exactkf.exact.rational`; None refuses it.
@@ -81,7 +82,7 @@ def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> N
     if isinstance(value, RealNumber):
         return value.rational_value() if value.is_rational() else value
     if type(value).__module__.split(".")[0] == "sympy" and not getattr(value, "is_Rational", False):
-        value = str(value).replace("**", "^")
+        value = _sympy_text(value, name)
         if any(c.isdigit() and "." in value for c in value):
             raise bad(name, "is a sympy float", value, "pass a sympy Rational or a string")
     if not isinstance(value, str):
@@ -101,6 +102,24 @@ def numbers(values: Iterable[Any], *, floats: str | int | None = None, name: str
         raise bad(name, "is no sequence of numbers", values, "pass a list of numbers")
     found, field = together([number(v, floats=floats, name=f"{name}[{k}]") for k, v in enumerate(values)])
     return tuple(found), field
+
+
+def _sympy_text(value: Any, name: str) -> str:
+    """A sympy expression in the grammar; each of its roots of polynomials with an interval found here, not by sympy."""
+    from sympy.printing.str import StrPrinter
+
+    class Printer(StrPrinter):
+        """Writes roots as the grammar has them."""
+
+        def _print_ComplexRootOf(self, root: Any) -> str:
+            p = fmpq_poly([rational(c) for c in reversed(root.poly.all_coeffs())])
+            real = isolate_real_roots(p)
+            if root.index >= len(real):  # sympy numbers the real roots first, in their order
+                raise bad(name, "is not a real number", root, "pass a real root")
+            terms = " + ".join(f"({c})*x^{k}" for k, c in enumerate(p.coeffs()) if c != 0)
+            return f"root({terms}, {real[root.index].lo}, {real[root.index].hi})"
+
+    return Printer().doprint(value).replace("**", "^")
 
 
 class _Reader:

@@ -62,7 +62,8 @@ for the Riccati equation with :math:`\pi_0 \ne 1`.
 8. :math:`\alpha_0 = 0`: the filter is at (0, 0) after one step, or escapes at once if :math:`\gamma_0^2 = 1`; :math:`\pi_1 = \gamma_0^2`
    for every :math:`\pi_0 \ne 1`, and the solution escapes there if :math:`\gamma_0^2 = 1`.
 
-The positive real region is the open diamond :math:`|\alpha| + |\gamma| < 1`; orbits of 5 and 6 never enter it.
+The positive real region (`exactkf.dynamics.every_order`) is the open diamond :math:`|\alpha| + |\gamma| < 1`; orbits of 5 and 6 never
+enter it, nor do the equilibria outside.
 
 Notation
 --------

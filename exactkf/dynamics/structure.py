@@ -32,7 +32,8 @@ from exactkf.dynamics.spectral_factor import spectral_factor
 from exactkf.exact.canonical import ElementaryDivisors, elementary_divisors
 from exactkf.exact.circle import CircleZero, circle_zeros, sign_on_circle
 from exactkf.kernel.linear import Matrix, null_basis
-from exactkf.kernel.orbit_n import is_positive_real, reduce_pair, spectral_polynomial
+from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial, spectral_sign
+from exactkf.kernel.roots import count_circle
 from exactkf.theory._scalars import Scalar, check_length, unify
 from exactkf.theory.power_method import symplectic_matrix_of
 
@@ -58,7 +59,7 @@ class Structure:
     circle_zeros : tuple of CircleZero
         The zeros of `D` on the circle with their multiplicities.
     positive_real : bool
-        Whether :math:`v = b/2a` of the reduced pair is positive real.
+        Whether the state is in the positive real region: `D` is positive on the circle, and `a` and `b`, with what they have in common, are Schur.
     S : fmpq_mat or None, shape (2m, 2m)
         None if ``m = 0``.
     elementary_divisors : tuple of ElementaryDivisors
@@ -104,10 +105,11 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     check_length("g", g, len(a), "a")
     if not a or not all(isinstance(x, fmpq) for x in (*a, *g)):
         raise BadInput("(a, g): not rational, or empty; pass rationals")
-    reduced = reduce_pair([x + y for x, y in zip(a, g, strict=True)][::-1] + [fmpq(1)], [*g[::-1], fmpq(0)])
+    Q, star = [x + y for x, y in zip(a, g, strict=True)][::-1] + [fmpq(1)], [*g[::-1], fmpq(0)]
+    reduced = reduce_pair(Q, star)
     if reduced.escape is not None:
         raise BadInput(f"(a, g): the orbit escapes at step {reduced.escape}, before a pair with S is reached; pass another state")
-    m = len(reduced.Q) - 1
+    m, inside = len(reduced.Q) - 1, spectral_sign(spectral_polynomial(Q, star)) == "+" and count_circle(Q)[0] == len(a)
     D = spectral_polynomial(reduced.Q, reduced.S)
     d = tuple(fmpq(x) for x in D[m:])
     kappa = tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None
@@ -115,14 +117,14 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     zeros = tuple(circle_zeros(list(d)))
     factor = tuple(fmpq(x) for x in reduced.removed)
     if m == 0:
-        return Structure(0, reduced.start, factor, d, kappa, sign, zeros, True, None, (), None, None)
+        return Structure(0, reduced.start, factor, d, kappa, sign, zeros, inside, None, (), None, None)
     g_m = [fmpq(x) for x in reduced.S[-2::-1]]
     S = symplectic_matrix_of([x - y for x, y in zip(reduced.Q[-2::-1], g_m, strict=True)], g_m)
     dominant = codominant = None
     if sign != "indefinite":
         w = list(spectral_factor(D).coefficients)
         dominant, codominant = _kernel(w[::-1], S), _kernel(w, S)
-    return Structure(m, reduced.start, factor, d, kappa, sign, zeros, is_positive_real(reduced.Q, reduced.S), S,
+    return Structure(m, reduced.start, factor, d, kappa, sign, zeros, inside, S,
                      tuple(elementary_divisors(S)), dominant, codominant)
 
 

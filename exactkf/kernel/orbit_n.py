@@ -26,7 +26,12 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    subspace, so the orbit escapes or tends to the only equilibrium (w, 0) with
    D proportional to w(z) w(1/z) and no zero of w outside the closed disc (BLZ94 Theorem 7.1).
 3. If D >= 0 and all zeros of Q lie inside the circle, S/Q is bounded by one outside the
-   circle (v = (Q+S)/2(Q-S) is positive real); then g^2 < 1 from there on, by Schwarz' lemma.
+   circle (v = (Q+S)/2(Q-S) has real part >= 0 there); then g^2 < 1 from there on, by Schwarz' lemma.
+   The positive real region is smaller: D > 0 on the circle, and all zeros of a = Q - S inside, for the pair
+   with its common factor (BLZ94 (2.13), (2.14)). With D > 0, |S| < |Q| on the circle, so Q and Q - S have as many zeros
+   inside, by Rouche. D only takes up factors in a step, and the common factor only factors z; so an orbit as in 2
+   comes to the region if and only if the D of the coprime pair and the common factor have no zero on the circle and
+   the common factor none outside, and then at the very step at which the coprime pair is bounded as above.
 4. If D changes sign on the circle the orbit tends to no equilibrium, for D would be a
    multiple of |w|^2.
 5. The orbit has a period p if and only if S_m^p = I: periodicity makes (S_m^p - c)^j Im(I; 0),
@@ -60,7 +65,7 @@ from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has
 from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly, times_poly, value_at
 from exactkf.kernel.spectral import check_circle_part, enclosed_factor
 
-__all__ = ["Reduced", "check_orbit", "coprime", "is_positive_real", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
+__all__ = ["Reduced", "check_orbit", "coprime", "is_bounded", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
            "start_pair", "states", "step"]
 
 _FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period", "preperiod",
@@ -241,16 +246,20 @@ def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[st
     _need(reduced.escape is None, f"the orbit escapes at step {reduced.escape}")
     m = len(reduced.Q) - 1
     D = spectral_polynomial(reduced.Q, reduced.S)
-    _need(m == 0 or spectral_sign(D) in ("+", "0+", "-", "-0"), "D changes sign on the circle")
+    shape = spectral_sign(D) if m else "+"
+    _need(shape in ("+", "0+", "-", "-0"), "D changes sign on the circle")
     _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
     _need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
-    _enters(Q, S, reduced, _step_number(answer["enters_positive_real"], "enters_positive_real"))
+    T = answer["enters_positive_real"]
+    _need((T is not None) == (shape in ("+", "-") and _is_schur(reduced.removed)), "the orbit comes to the positive real region exactly if D has no zero "
+          "on the circle and a and b have no zero in common that is not inside")
+    _settles(Q, S, reduced, _step_number(evidence["bounded"], "bounded") if T is None else _step_number(T, "enters_positive_real"))
     if answer["limit"] is not None:
         _limit(reduced, D, answer["limit"], evidence)
 
 
-def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
-    """The pair at step T is positive real, and the one before is not."""
+def _settles(Q: list, S: list, reduced: Reduced, T: int) -> None:
+    """The pair at step T is bounded, and the one before is not."""
     late = T >= reduced.start
     first = reduced.start if late else 0
     before: tuple[list, list] | None = None
@@ -269,11 +278,11 @@ def _enters(Q: list, S: list, reduced: Reduced, T: int) -> None:
                 break
     _need(state is not None, f"the orbit escapes before step {T}")
     _need(T == 0 or before is not None and sign(before[1][-2] * before[1][-2] - before[0][-1] * before[0][-1]) > 0,
-          "the orbit was positive real a step earlier")
+          "the orbit had settled a step earlier")
     q, s = state  # type: ignore[misc]
     if not late:
         q, s = coprime(q, s)
-    _need(is_positive_real(q, s), f"the orbit is not positive real at step {T}")
+    _need(is_bounded(q, s), f"the orbit has not settled at step {T}")
 
 
 def coprime(Q: list, S: list) -> tuple[list, list]:
@@ -283,11 +292,13 @@ def coprime(Q: list, S: list) -> tuple[list, list]:
     return q, [zero + x for x in _padded(divmod_poly(s, common)[0] if any(x != 0 for x in s) else [], len(q))]
 
 
-def is_positive_real(Q: list, S: list) -> bool:
+def is_bounded(Q: list, S: list) -> bool:
     """D >= 0 and every zero of Q inside the circle, for a coprime pair."""
-    if len(Q) == 1:
-        return True
-    return spectral_sign(spectral_polynomial(Q, S)) in ("+", "0+") and count_circle(Q)[0] == len(Q) - 1
+    return len(Q) == 1 or spectral_sign(spectral_polynomial(Q, S)) in ("+", "0+") and _is_schur(Q)
+
+
+def _is_schur(p: list) -> bool:
+    return count_circle(p)[0] == len(p) - 1
 
 
 def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
@@ -448,7 +459,7 @@ _CHECKS = {"escapes": _escapes, "converges": _converges, "periodic": _periodic, 
            "not convergent, not periodic": _wanders, "undecided": _undecided}
 # fields that go with a behaviour, and fields that may
 _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
-    "escapes": ({"escape"}, set()), "converges": ({"enters_positive_real"}, {"limit", "period"}), "periodic": ({"period"}, set()),
+    "escapes": ({"escape"}, set()), "converges": (set(), {"enters_positive_real", "limit", "period"}), "periodic": ({"period"}, set()),
     "eventually periodic": ({"period", "preperiod"}, set()),
     "not convergent, not periodic": (set(), {"torus_dimension"}), "undecided": (set(), set()),
 }

@@ -37,6 +37,41 @@ def test_digits_and_exact_states_agree_with_stepping(n):
     assert reached > 3
 
 
+def stepped_modulo(a, g, steps, p):
+    """The state reached by steps of homogeneous coordinates modulo p."""
+    a, g = ([residue(x, p) for x in v] for v in (a, g))
+    Q, star = [1, *((x + y) % p for x, y in zip(a, g, strict=True))], g
+    for _ in range(steps):
+        lead, first, moved = Q[0], star[0], [*star, 0]
+        star = [(lead * y - first * x) % p for x, y in zip(Q[1:], moved[1:], strict=True)]
+        Q = [(lead * x - first * y) % p for x, y in zip(Q, moved, strict=True)]
+    unit = pow(Q[0], -1, p)
+    return [(x - y) * unit % p for x, y in zip(Q[1:], star, strict=True)], [y * unit % p for y in star]
+
+
+def residue(x, p):
+    """A rational number modulo a prime."""
+    return int(x.p % p) * pow(int(x.q % p), -1, p) % p
+
+
+FAR = {1: ([2], ["1/2"]), 2: ([1, -1], [2, 0]), 3: ([1, 0, "1/2"], [2, 0, "1/2"]), 4: ([1, 0, 0, 2], [2, 0, 1, -1])}
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_the_exact_state_after_a_million_steps(n):
+    """Millions of bits: modulo a prime the state is the one that a million steps reach, and it is in balls found by another composition of powers.
+
+    After 1,200 steps, for which the same method is used, it is the state that exact stepping reaches.
+    """
+    a, g = ([fmpq(*map(int, str(x).split("/"))) for x in v] for v in FAR[n])
+    assert state_ahead(a, g, 1200).state == exact_orbit(a, g, 1200).states[-1]
+    T, p = 10**6, 10**18 + 9
+    state, far = state_ahead(a, g, T).state, digits_ahead(a, g, T, 20)
+    assert max(int(x.p).bit_length() for v in state for x in v) > 10**6
+    assert tuple([residue(x, p) for x in v] for v in state) == stepped_modulo(a, g, T, p)
+    assert all(contains(x, y) for x, y in zip((*far.a, *far.g), (*state[0], *state[1]), strict=True))
+
+
 def test_a_periodic_orbit_a_trillion_steps_ahead():
     """Where the orbit is periodic the digits at T = 10^12 are those of the state at T modulo the period."""
     rng = random.Random(2)

@@ -56,7 +56,8 @@ def test_a_file_says_the_same_as_options(tmp_path):
 
 
 @pytest.mark.parametrize("args, says", [
-    ((), "argument FILE is missing"), (("--alpha", "2"), "no filter"), (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
+    ((), "argument FILE is missing"), (("--alpha", "2"), "'gamma' is missing"), (("--gamm", "2"), "'--gamma'"),
+    (("--alpha", "2", "--gamma", "1"), "'gamma[0]' is 1 or -1"),
     (("--alpha", "1,,2", "--gamma", "1"), "'--alpha' has an empty entry"),
     (("none.toml",), "cannot be read"), (("none.toml", "--alpha", "1"), "comes beside FILE"),
     (("--alpha", "2", "--gamma", "1/2", "--picture", "p.png"), "is not KIND=FILE"),

@@ -58,6 +58,38 @@ def test_a_state_space_object_is_normalized():
     assert filter_from({"system": system, "floats": "decimal"}) == f
 
 
+MATRICES = ([[0.5, 0.0], [0.25, -0.25]], [[1.0], [0.5]], [[0.5, 0.25]], [[0.5]])
+
+
+def decided_alike(system):
+    """A state space object alone is decided as its matrices are, with the same rule for floats."""
+    A, B, C, _ = MATRICES
+    expected = analyze(F=A, g=B, h=C, floats="exact")
+    for answer in (analyze(system, floats="exact"), analyze(system=system, floats="exact")):
+        assert answer == expected and answer.certificate == expected.certificate
+    assert analyze(system, floats=4).behaviour == expected.behaviour == "converges"
+    with pytest.raises(BadInput, match=r"argument 'D' is a float"):
+        analyze(system)
+    with pytest.raises(BadInput, match=r"argument 'system' is given twice"):
+        analyze(system, system=system)
+
+
+def test_a_state_space_object_is_analyzed():
+    """Anything with the four matrices is a filter; anything else is refused in one line."""
+    decided_alike(SimpleNamespace(**dict(zip("ABCD", map(np.array, MATRICES), strict=True))))
+    exact = SimpleNamespace(A=[["1/2"]], B=[[1]], C=[["1/3"]], D=[["1/2"]])
+    assert analyze(exact) == analyze(F=[["1/2"]], g=[1], h=["1/3"])
+    for other in (object(), 3, SimpleNamespace(A=1, B=2, C=3)):
+        with pytest.raises(BadInput, match="argument 'data' is no filter") as caught:
+            analyze(other)
+        assert "\n" not in str(caught.value)
+
+
+def test_a_state_space_of_the_control_package_is_analyzed():
+    """The same for `control.StateSpace`."""
+    decided_alike(pytest.importorskip("control").StateSpace(*MATRICES, True))
+
+
 def test_irrational_entries_share_a_field():
     """All numbers of a filter lie in one field."""
     f = Filter.from_parameters(["sqrt(2)", "1/2"], ["0", "sqrt(3)"])
@@ -77,7 +109,13 @@ def test_irrational_entries_share_a_field():
     ({"F": [], "g": [1], "h": [1]}, "argument 'F' is empty"), ({"F": [[1, 2], [3, 4]], "g": [[1, 2], [3, 4]], "h": [1, 0]}, "argument 'g' is a matrix"),
     ({"a": [], "g": []}, "argument 'a' is empty"), ({"a": "ab", "g": [1]}, "argument 'a' is no vector"), ({"a": 1, "g": [1]}, "argument 'a' is no vector"),
     ({"a": [0.5], "g": [0]}, "argument 'a[0]' is a float"), ({"a": [float("nan")], "g": [0], "floats": "exact"}, "not finite"),
-    ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"), ({"alpha": [1]}, "no filter"),
+    ({"a": ["1e99999"], "g": [0]}, "exponent beyond"), ({"a": [None], "g": [0]}, "argument 'a[0]'"),
+    ({"alpha": [1]}, "argument 'gamma' is missing: 'alpha' alone is no filter"), ({"gamma": [1]}, "'alpha' is missing"),
+    ({"a": [1]}, "argument 'g', or 'b' is missing"), ({"g": [1]}, "argument 'a', or 'F' and 'h' is missing"),
+    ({"F": [[1]]}, "'g' and 'h' is missing"), ({"gamm": [1], "alpha": [1]}, "argument 'gamm' is unknown; did you mean 'gamma'?"),
+    ({"gamm": [1]}, "did you mean 'gamma'?"), ({"covariance": [1, 0, 0]}, "did you mean 'covariances'?"),
+    ({"f": [[1]], "g": [1], "h": [1]}, "did you mean 'F'?"),
+    ({"x": [1]}, "no filter is described by 'x'; give one of: alpha, gamma; a, g"),
     ({}, "no filter"), ({"alpha": [1], "gamma": [0], "b": [1]}, "no filter"),
     ({"alpha": [1], "gamma": [0], "order": 1}, "argument 'order' goes with covariances"), ({"alpha": ["root(x^2, -1, 1, 2)"], "gamma": [0]}, "4 arguments"),
     ({"system": object()}, "has no matrices"), ({"alpha": [1], "gamma": [0], "floats": "near"}, "argument 'floats' is no meaning of floats"),
@@ -100,7 +138,10 @@ def test_files_keep_decimals_exact(tmp_path):
 
 @pytest.mark.parametrize("name, text, says", [
     ("f.txt", "", "neither .toml nor .json"), ("f.toml", "alpha = [", "is not TOML"), ("f.json", "[1]", "no table"), ("f.json", "{", "is not JSON"),
-    ("f.toml", "beta = 1", "unknown key 'beta'"), ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
+    ("f.toml", "beta = 1", "unknown key 'beta'"), ("f.toml", "alpha = [1]\ngamm = [2]", "unknown key 'gamm': '"),
+    ("f.json", '{"gamm": [1]}', "did you mean 'gamma'?"), ("f.csv", "alpha,gamm\n1,2\n", "did you mean 'gamma'?"),
+    ("f.csv", "alpha_1,gama_0\n1,2\n", "did you mean 'gamma'?"), ("f.toml", "alpha = [1]", "argument 'gamma' is missing"),
+    ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
 ])
 def test_bad_files_are_one_line(tmp_path, name, text, says):
     """A file that is none of ours is named with what is wrong."""

@@ -68,7 +68,7 @@ def test_an_answer_in_another_process_is_the_same():
 @pytest.mark.parametrize("jobs", [1, 2])
 @pytest.mark.parametrize(("starts", "words"), [
     ([(1,)], "starts[0] = (1,): not a filter"), ([(1, 2), "ab"], "starts[1] = 'ab': not a filter"), (5, "argument 'starts' is no list of filters: 5"),
-    ([(1, 2), (0.5, 1)], "starts[1]: argument 'alpha' is a float"), ([(1, 2), {"alpha": [1]}], "starts[1]: no filter is described by 'alpha'"),
+    ([(1, 2), (0.5, 1)], "starts[1]: argument 'alpha' is a float"), ([(1, 2), {"alpha": [1]}], "starts[1]: argument 'gamma' is missing"),
     ([(3, 2)] * 7 + [([1, 2], [1])], "starts[7]: argument 'gamma' has length 1"), ([{"a": [1, 2], "g": [0, 1], "pi0": 1}], "starts[0]: argument 'pi0'"),
     ("none.csv", "argument 'FILE' cannot be read"),
 ])

@@ -78,6 +78,26 @@ def test_sympy_numbers():
         number(sympy.pi)
 
 
+def test_roots_of_sympy():
+    """Real roots of polynomials are the right ones of several, alone and in expressions; others are refused."""
+    sympy = pytest.importorskip("sympy")
+    x = sympy.Symbol("x")
+    cube, three = sympy.CRootOf(x**3 - 2, 0), [sympy.CRootOf(x**3 - 3 * x + 1, k) for k in range(3)]
+    assert number(cube) == number("root(x^3 - 2, 1, 2)")
+    assert [number(r) for r in three] == [number(f"2*cos({k}*pi/9)") for k in (8, 4, 2)]
+    assert number((1 + cube) ** 2 / 3 - sympy.sqrt(2)) == number("(1 + root(x^3 - 2, 1, 2))^2/3 - sqrt(2)")
+    lehmer = [1, 1, 0, -1, -1, -1, -1, -1, 0, 1, 1]
+    roots = [sympy.CRootOf(sympy.Poly(lehmer, x), k) for k in range(2)]
+    assert [_float(number(r)) for r in roots] == pytest.approx([float(r.evalf(20)) for r in roots], rel=1e-14)
+    close = sympy.CRootOf(sympy.Poly((1000 * x**3 - 1) ** 2 - 2 * x**12, x), 1)  # two roots near 1/10
+    assert _float(number(close)) == pytest.approx(float(close.evalf(30)), rel=1e-14)
+    assert number(sympy.CRootOf((x - 3) * (x**3 - 2), 1)) == 3
+    for expression in (sympy.CRootOf(x**3 - 2, 1), 1 + sympy.CRootOf(x**5 - x - 1, 4)):
+        with pytest.raises(BadInput, match="argument 'alpha' is not a real number") as caught:
+            number(expression, name="alpha")
+        assert "\n" not in str(caught.value)
+
+
 def test_several_numbers_share_one_field():
     """All come out in one field, rationals as rationals where nothing else is there."""
     found, field = numbers(["sqrt(2)", "1/3", "sqrt(3)", "cos(2*pi/5)"])
