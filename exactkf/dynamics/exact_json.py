@@ -5,6 +5,7 @@ Main definitions
 ----------------
 ``number_json``      a rational or algebraic number in JSON
 ``root_json``        a root of a quadratic polynomial over a field, in JSON
+``isolated``         a root of a polynomial over Q, known by balls, in JSON
 ``field_json``       the field of some numbers, as certificates have it
 ``element_json``     a number as an element of that field
 ``number_words``, ``number_latex``   an element of a field as text
@@ -29,7 +30,7 @@ from exactkf.exact.balls import ball, precision
 from exactkf.exact.polynomials import count_real_roots
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["element_json", "field_json", "field_of", "number_json", "number_latex", "number_words", "polynomial_words", "root_json", "square_root"]
+__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_words", "root_json", "square_root"]
 
 
 def field_of(*scalars: Scalar) -> RealField | None:
@@ -64,7 +65,7 @@ def number_json(x: Scalar) -> Any:
     """
     if not isinstance(x, RealNumber) or x.is_rational():
         return str(_rational(x))
-    return _isolated(x.minimal_polynomial(), lambda bits: x.enclose(bits * 3 // 10))
+    return isolated(x.minimal_polynomial(), lambda bits: x.enclose(bits * 3 // 10))
 
 
 def root_json(b: Scalar, q: Scalar, smaller: bool) -> Any:
@@ -99,7 +100,7 @@ def root_json(b: Scalar, q: Scalar, smaller: bool) -> Any:
         root, middle = (_enclosed(v, bits) for v in (disc, b))
         return middle - root.sqrt() if smaller else middle + root.sqrt()
 
-    return _isolated(_norm(field(b), field(q)), enclosed)
+    return isolated(_norm(field(b), field(q)), enclosed)
 
 
 def square_root(x: fmpq) -> fmpq | None:
@@ -130,8 +131,8 @@ def _norm(b: RealNumber, q: RealNumber) -> fmpq_poly:
     return fmpq_mat(rows).charpoly()
 
 
-def _isolated(p: fmpq_poly, enclosed: Any) -> Any:
-    """The root of p that the balls of growing accuracy enclose."""
+def isolated(p: fmpq_poly, enclosed: Any) -> Any:
+    """Return the root of `p` that the balls of growing accuracy ``enclosed(bits)`` hold, in JSON."""
     factors = [f for f, _ in p.factor()[1]]
     bits = 64
     while True:
