@@ -9,6 +9,7 @@ Main definitions
 ``field_json``       the field of some numbers, as certificates have it
 ``element_json``     a number as an element of that field
 ``number_words``, ``number_latex``   an element of a field as text
+``polynomial_text``, ``polynomial_latex``   a polynomial over a field as text
 
 Notation
 --------
@@ -20,6 +21,7 @@ of a field is ``"p/q"`` or the list of its coefficients from :math:`\theta^0` up
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from math import isqrt
 from typing import Any
 
@@ -30,7 +32,7 @@ from exactkf.exact.balls import ball, precision
 from exactkf.exact.polynomials import count_real_roots
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_words", "root_json", "square_root"]
+__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_latex", "polynomial_text", "polynomial_words", "root_json", "square_root"]
 
 
 def field_of(*scalars: Scalar) -> RealField | None:
@@ -172,3 +174,40 @@ def number_latex(x: Scalar) -> str:
         sign = "-" if c < 0 else "+" if terms else ""
         terms += sign + (power if power and size == "1" else size + power)
     return terms or "0"
+
+
+def polynomial_latex(p: Sequence[Scalar], name: str = "z") -> str:
+    r"""Return a polynomial over Q or a field in LaTeX, given from the constant up.
+
+    Examples
+    --------
+    >>> polynomial_latex([fmpq(1), fmpq(-5, 2), fmpq(1)], "z")
+    'z^{2}-\\frac{5}{2}z+1'
+    """
+    return _sum([(number_latex(c), "" if k == 0 else name if k == 1 else f"{name}^{{{k}}}") for k, c in enumerate(p)], "", ("+", "-"))
+
+
+def polynomial_text(p: Sequence[Scalar], name: str = "z") -> str:
+    """Return a polynomial over Q or a field as text, given from the constant up.
+
+    Examples
+    --------
+    >>> polynomial_text([fmpq(1), fmpq(-5, 2), fmpq(1)], "z")
+    'z^2 - 5/2*z + 1'
+    """
+    return _sum([(number_words(c), "" if k == 0 else name if k == 1 else f"{name}^{k}") for k, c in enumerate(p)], "*", (" + ", " - "))
+
+
+def _sum(terms: list[tuple[str, str]], times: str, signs: tuple[str, str]) -> str:
+    """The terms with coefficients that are not zero, highest power first."""
+    out = ""
+    for number, power in reversed(terms):
+        if number == "0":
+            continue
+        negative = number.startswith("-")
+        if re.search(r".[+-]| [+-] ", number):
+            negative, number = False, f"({number})"
+        size = number[1:] if negative else number
+        size = power if power and size == "1" else size + times * bool(power) + power
+        out += (signs[negative] if out else "-" * negative) + size
+    return out or "0"

@@ -36,9 +36,10 @@ leading coefficient of :math:`z^m D`, so that :math:`d_m = Q(0)`, and :math:`c_t
    :math:`K/t`: of a block of size 2k the choice of `k` vectors gives the highest power, :math:`t^{k^2}`; other choices lose at least two
    powers together, and :math:`C \ne 0` because the start does not meet the codominant subspace (`exactkf.kernel.orbit_n`, statement 1).
 
-3. A common factor :math:`\theta` multiplies :math:`Q_t` and `w`, and changes neither.  :math:`Q_t = (a_t + b_t)/2` is :math:`\alpha_t` in order one.  In every order
-   it is an even function of the :math:`\gamma`, so that :math:`\alpha_t` differs from its coefficients by terms that go to zero at least as fast as
-   :math:`\gamma^2`, and not at all in the last, :math:`\alpha_n = Q(0)`.  So `rate` is that of :math:`\alpha_t` too, if :math:`\theta(0) \ne 0`; otherwise :math:`\alpha_t` is at least that fast.
+3. A common factor :math:`\theta` multiplies :math:`Q_t` and `w`, and changes neither.  :math:`Q_t = (a_t + b_t)/2` is :math:`\alpha_t` in order one.
+   In every order it is an even function of the :math:`\gamma`, so that :math:`\alpha_t` differs from its coefficients by terms that go to zero at
+   least as fast as :math:`\gamma^2`, and not at all in the last, :math:`\alpha_n = Q(0)`.  So the rate is that of :math:`\alpha_t` too, if
+   :math:`\theta(0) \ne 0`; otherwise :math:`\alpha_t` is at least that fast.
 
 :math:`\rho^2 = z \bar z` for a zero `z` of `D`, so it is real algebraic: a root of the polynomial of all products of two zeros of
 the norm of `D`, whose coefficients come from power sums by Newton's identities.  Up to a degree it is given as that root, above it in an interval.
@@ -58,7 +59,7 @@ from flint import arb, fmpq, fmpq_poly
 
 from exactkf._errors import BadInput, Unsupported
 from exactkf.dynamics.exact_json import isolated
-from exactkf.dynamics.zeros import factors, interval_json, norm, products_of_zeros, zero_balls
+from exactkf.dynamics.zeros import CirclePoint, factors, interval_json, norm, products_of_zeros, zero_balls
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 
@@ -77,14 +78,14 @@ class Speed(NamedTuple):
     slow: int | None
 
 
-def speed(D: Sequence[Any], circle: Sequence[tuple[Any, int]]) -> Speed:
+def speed(D: Sequence[Any], circle: Sequence[CirclePoint]) -> Speed:
     r"""Return the speed of an orbit that converges.
 
     Parameters
     ----------
     D : sequence of rationals or elements of one field
         The coefficients of z^m D of the reduced pair, which keeps one sign on the circle.
-    circle : sequence of (2 cos(angle), multiplicity)
+    circle : sequence of CirclePoint
         Its zeros on the unit circle, as `exactkf.dynamics.zeros.circle_points` has them.
 
     Returns

@@ -5,7 +5,7 @@ Main definitions
 ----------------
 ``structure``       everything that BLZ94 Sections 5 and 6 attach to a state
 ``Structure``       the result
-``structure_json``  the same as plain data, and how fast the orbit converges
+``structure_json``  the same as plain data
 
 Main statements
 ---------------
@@ -15,9 +15,10 @@ multiplicity of the zero of `D` (`exactkf.kernel.orbit_n`, statement 1).  If `D`
 circle and `w` is its stable spectral factor, the dominant and codominant `m`-dimensional invariant
 subspaces are the kernels of :math:`w_*(z) = z^m w(1/z)/w(0)` and of `w` at `S` (BLZ94 Lemma 6.10).
 
-Each of them is :math:`\operatorname{Im}(I; P)` for one symmetric `P`, for it meets :math:`\operatorname{Im}(0; I)` in zero only, and is spanned by
-:math:`v, Sv, \dots, S^{m-1}v` with :math:`v = (h; u)`, :math:`u = Ph`.  An equilibrium :math:`(q, 0)` of (2.8) has :math:`r q = r a + g - Fu`, :math:`u_1 = 1 - r`,
-so `u` comes from `q` and `r`: for the dominant one :math:`q = w`, :math:`r = Q(0)/w(0)`; for the other the same with :math:`w_*` instead of `w`.
+Each of them is :math:`\operatorname{Im}(I; P)` for one symmetric `P`, for it meets :math:`\operatorname{Im}(0; I)` in zero only, and is
+spanned by :math:`v, Sv, \dots, S^{m-1}v` with :math:`v = (h; u)`, :math:`u = Ph`.  An equilibrium :math:`(q, 0)` of (2.8) has
+:math:`r q = r a + g - Fu`, :math:`u_1 = 1 - r`, so `u` comes from `q` and `r`: for the dominant one :math:`q = w`, :math:`r = Q(0)/w(0)`; for the
+other the same with :math:`w_*` instead of `w`.
 
 References
 ----------
@@ -35,7 +36,6 @@ from flint import arb, fmpq
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.every_order import _case
 from exactkf.dynamics.exact_json import element_json, field_json, field_of, number_json
-from exactkf.dynamics.speed import speed
 from exactkf.dynamics.spectral_factor import number_of_choices, spectral_factor
 from exactkf.dynamics.zeros import CirclePoint, circle_points, factors, interval_json
 from exactkf.exact.balls import precision
@@ -77,8 +77,8 @@ class Structure:
         :math:`2 d_i / d_0`; None if :math:`d_0 = 0`.
     sign : str
         "positive", "nonnegative", "zero", "nonpositive", "negative" or "indefinite", of `D` on the circle.
-    circle_zeros : tuple of (2 cos(angle) in JSON, multiplicity)
-        The zeros of `D` on the circle; between -2 and 2 stand for two zeros each.
+    circle_zeros : tuple of CirclePoint
+        The zeros of `D` on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each.
     positive_real : bool
         Whether :math:`v = b/2a` of the reduced pair is positive real.
     S : Matrix or None, shape (2m, 2m)
@@ -184,7 +184,7 @@ def _vector(w: Sequence[Any], a: Sequence[Any], g: Sequence[Any]) -> tuple[Any, 
 
 
 # ---------------------------------------------------------------------- as data
-def structure_json(a: Sequence[Scalar], g: Sequence[Scalar], *, converges: bool) -> dict[str, Any]:
+def structure_json(a: Sequence[Scalar], g: Sequence[Scalar]) -> dict[str, Any]:
     """Return the structure as plain data.
 
     Numbers are "p/q" or, over a field, lists of coefficients in its generator; `field` is the field.  In ``circle_zeros`` and the
@@ -194,8 +194,6 @@ def structure_json(a: Sequence[Scalar], g: Sequence[Scalar], *, converges: bool)
     ----------
     a, g
         As for `structure`.
-    converges : bool
-        The orbit does; then ``speed`` says how fast, as `exactkf.dynamics.speed` has it.
     """
     found = structure(a, g)
     field = field_of(*found.d, *found.gcd)
@@ -203,16 +201,13 @@ def structure_json(a: Sequence[Scalar], g: Sequence[Scalar], *, converges: bool)
     def listed(values: Sequence[Any] | None) -> list[Any] | None:
         return None if values is None else [element_json(x) for x in values]
 
-    D = [*found.d[:0:-1], *found.d]
-    how_fast = speed(D, found.circle_zeros) if converges else None
     return {
         "field": field_json(field), "order": found.order, "start": found.start, "gcd": listed(found.gcd), "factor": listed(found.factor),
         "d": listed(found.d), "kappa": listed(found.kappa), "sign": found.sign,
-        "circle_zeros": [{"two_cos": x, "multiplicity": k} for x, k in found.circle_zeros], "positive_real": found.positive_real,
+        "circle_zeros": [zero._asdict() for zero in found.circle_zeros], "positive_real": found.positive_real,
         "S": None if found.S is None else [listed(row) for row in found.S.rows],
         "jordan": [{"polynomial": listed(f), "size": k} for f, k in found.jordan],
         "dominant": _numbers(found.dominant), "codominant": _numbers(found.codominant),
-        "speed": None if how_fast is None else how_fast._asdict(),
     }
 
 

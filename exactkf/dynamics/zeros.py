@@ -16,7 +16,7 @@ A polynomial is its list of coefficients from z^0 up.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
 
@@ -32,8 +32,12 @@ _BOUND = 1 << 14
 _DEGREE = 60  # up to which a norm is factored
 _DIGITS = 50
 
-#: 2 cos(angle) as a number in JSON, and the multiplicity of the zero.
-CirclePoint = tuple[Any, int]
+
+class CirclePoint(NamedTuple):
+    """2 cos(angle) of a zero as a number in JSON, and its multiplicity."""
+
+    two_cos: Any
+    multiplicity: int
 
 
 def factors(D: Sequence[Any]) -> list[tuple[list[Any], int]]:
@@ -128,15 +132,22 @@ def circle_points(D: Sequence[Any]) -> list[CirclePoint]:
     found.sort(key=lambda entry: entry[0].mid().fmpq())
     if not all(x < y for (x, *_), (y, *_) in zip(found, found[1:], strict=False)):
         raise Unsupported("zeros of D on the unit circle are too close to each other to be put in order")
-    return [(value, multiplicity) for _, value, multiplicity in found]
+    return [CirclePoint(value, multiplicity) for _, value, multiplicity in found]
 
 
 def _between(h: list[Any]) -> list[tuple[arb, Any]]:
     """The real zeros between -2 and 2 of a square-free polynomial, which is not zero there, in balls and in JSON."""
     number = count_real(h, -2, 2)
-    over_q = norm([x / h[-1] for x in h]) if number else fmpq_poly([0])
-    return [(ball, isolated(over_q, lambda bits, k=k: _real_zeros(h, number, bits)[k]) if over_q.degree() <= _DEGREE else interval_json(_real_zeros(h, number, 5 * _DIGITS)[k]))
-            for k, ball in enumerate(_real_zeros(h, number, 128))] if number else []
+    if not number:
+        return []
+    over_q = norm([x / h[-1] for x in h])
+
+    def exact(k: int) -> Any:
+        if over_q.degree() > _DEGREE:
+            return interval_json(_real_zeros(h, number, 5 * _DIGITS)[k])
+        return isolated(over_q, lambda bits: _real_zeros(h, number, bits)[k])
+
+    return [(ball, exact(k)) for k, ball in enumerate(_real_zeros(h, number, 128))]
 
 
 def interval_json(x: arb) -> dict[str, Any]:

@@ -33,7 +33,7 @@ def test_an_answer_is_printed_and_written(tmp_path):
     answer = json.loads(files["a.json"].read_text())
     assert answer["behaviour"] == "converges" and answer["limit"]["gamma"] == "0"
     replay(json.loads(files["c.json"].read_text()))
-    assert files["a.tex"].read_text().startswith("\\begin{itemize}")
+    assert files["a.tex"].read_text().startswith("\\noindent\\textbf{Order 1: the orbit converges.}")
     assert files["p.png"].read_bytes()[:4] == b"\x89PNG" and "<svg" in files["g.svg"].read_text() and "<svg" in files["s.svg"].read_text()
 
 
