@@ -32,7 +32,8 @@ from exactkf.exact.balls import ball, precision
 from exactkf.exact.polynomials import count_real_roots
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_latex", "polynomial_text", "polynomial_words", "root_json", "square_root"]
+__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_latex", "polynomial_text",
+           "polynomial_words", "root_json", "square_root"]
 
 
 def field_of(*scalars: Scalar) -> RealField | None:

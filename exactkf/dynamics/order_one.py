@@ -222,7 +222,7 @@ def _structure(answer: Answer) -> dict[str, Any]:
     from exactkf.dynamics.structure import structure_json
 
     alpha, gamma = answer.__dict__["_start"][:2]
-    return structure_json([alpha - gamma], [gamma])
+    return structure_json([alpha - gamma], [gamma + 0 * alpha])  # both in one field
 
 
 _LATER = {"facts": _told, "certificate": _sealed, "structure": _structure}

@@ -100,13 +100,13 @@ def _both(value: Any, digits: int) -> tuple[str, str]:
     field = RealField(value["minpoly"], value["interval"])
     near = field.gen().enclose(digits).str(digits, radius=False)
     return (f"{near}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)",
-            f"{near}\\ldots$, root {field.index + 1} of ${polynomial_latex(field.minpoly.coeffs(), 'x')}$ from the left")
+            f"{_power(near)}$, root {field.index + 1} of ${polynomial_latex(field.minpoly.coeffs(), 'x')}$ from the left")
 
 
 def _ball(x: arb, digits: int) -> tuple[str, str]:
     with precision(64 + 5 * digits):
         near = f"0 to {digits} digits" if x.contains(0) else x.str(digits, radius=False)
-    return f"{near}  (enclosed)", f"{near}\\ldots$ (enclosed)" if near[:5] != "0 to " else f"0$ to {digits} digits (enclosed)"
+    return f"{near}  (enclosed)", f"{_power(near)}$ (enclosed)"
 
 
 def _fraction(text: str) -> fmpq:
@@ -191,7 +191,7 @@ def _subspace(name: str, u: Sequence[Any], m: int, digits: int) -> Entry:
 def _brief(x: Any, digits: int) -> tuple[str, str]:
     """A number in digits only, if it is not rational; JSON has it exactly."""
     words, latex = _both(x, min(digits, 12))
-    return words.split("  (")[0] + "..." * isinstance(x, dict), latex.split("$")[0]
+    return words.split("  (")[0], latex.split("$")[0]
 
 
 # ---------------------------------------------------------------------- far ahead
