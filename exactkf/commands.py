@@ -14,7 +14,7 @@ import click
 from exactkf._errors import BadInput
 from exactkf.claims import Claim, find, load
 from exactkf.cli import INTERRUPTED, Setup
-from exactkf.describe import describe_claim
+from exactkf.describe import describe_claim, instance_lines, sampled
 from exactkf.display import column_of, describe, summary
 from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.output import contract, export_certificates
@@ -143,19 +143,21 @@ def mutate_command(session: Session) -> int:
     with Meter("mutate", len(session.chosen)) as meter:
         for claim, result in work("mutate_claim", session.chosen, session.options, meter.tick):
             rows = result.get("rows", [])
-            click.echo(f"{claim.id}: {_counted(rows) if rows else _no_mutants(result)}")
+            click.echo(f"{claim.id}: {_counted(result, rows) if rows else _no_mutants(result)}")
             for row in rows:
                 total[row["outcome"]] = total.get(row["outcome"], 0) + 1
                 click.echo(f"  {row['outcome']:9} {row['kind']}: {row['text']}")
+                if row.get("instance"):
+                    click.echo(f"  {'':9}   false at {'; '.join(instance_lines(row['instance']))}")
             survived += sum(row["outcome"] == "survived" for row in rows)
             meter.step(claim.id)
     click.echo(f"in all: {', '.join(f'{n} {outcome}' for outcome, n in sorted(total.items())) or 'no mutants'}")
     return 1 if survived else 0
 
 
-def _counted(rows: Sequence[Mapping[str, Any]]) -> str:
+def _counted(result: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> str:
     rejected = sum(r["outcome"] == "rejected" for r in rows)
-    return f"{rejected} of {len(rows)} mutants rejected"
+    return f"{rejected} of {len(rows)} mutants rejected{sampled(result)}"
 
 
 def _no_mutants(result: Mapping[str, Any]) -> str:

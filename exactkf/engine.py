@@ -66,7 +66,7 @@ class Findings:
     denominators: list[str] = field(default_factory=list)
     checks: int = 0
     shown: int = 0  # instances at the head of the list that go into the certificate
-    worlds: list[World] = field(default_factory=list)
+    drawn: list[tuple[dict, World]] = field(default_factory=list)
     sampler: Sampler | None = None
 
 
@@ -95,6 +95,13 @@ def verify_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
     >>> verify_claim("B93-S23")["strength"]
     'proved'
     """
+    result = _verified(claim, seed)
+    for row in result["mutant_rows"]:
+        row.pop("instance", None)  # tens of thousands of them would fill what is kept
+    return result
+
+
+def _verified(claim: Claim | str, seed: int) -> dict[str, Any]:
     if isinstance(claim, str):
         claim = _by_id(claim)
     if not isinstance(claim, Claim):
@@ -123,10 +130,10 @@ def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> di
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
         _bound((*claim.by, *claim.repair.by), repaired)  # the correction of a part is one of that part
         if repaired.verdict == "holds":
-            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.worlds, repaired.sampler, claim.repair.statement.tex)
+            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.drawn, repaired.sampler, claim.repair.statement.tex)
             _count_survivors(repaired, report)
     elif found.verdict == "holds":
-        report = judge_mutants(statement.to_json(), claim.by, found.worlds, found.sampler, statement.tex)
+        report = judge_mutants(statement.to_json(), claim.by, found.drawn, found.sampler, statement.tex)
         _count_survivors(found, report)
     return _result(claim, found, repaired, report, claim.repair, started)
 
@@ -175,8 +182,8 @@ def _check_seed(seed: Any) -> None:
 
 
 def mutate_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
-    """The mutants of a claim (of its repair, where the print fails), one row each; see `verify_claim`."""
-    result = verify_claim(claim, seed=seed)
+    """The mutants of a claim (of its repair, where the print fails), one row each, with the instance on which it is false; see `verify_claim`."""
+    result = _verified(claim, seed)
     return {"id": result["id"], "verdict": result["verdict"], **result["mutants"], "rows": result["mutant_rows"]}
 
 
@@ -204,7 +211,7 @@ def _find(id: str, statement: Statement, by: Sequence[Evidence], seed: int) -> F
         tried = found.sampler.rejected if found.sampler else {}
         most = max(tried, key=lambda k: tried[k]) if tried else "no evidence of this kind applies"
         found.reason = f"vacuous: no admissible instance in {sum(tried.values())} tries ({most})"
-    if found.strength is not None and not found.worlds:
+    if found.strength is not None and not found.drawn:
         found.strength, found.certificates = None, []
         found.reason = "vacuous: no instance satisfies the hypotheses"
     found.verdict = "holds" if found.strength is not None else "open"
@@ -264,7 +271,7 @@ def _draw_from(sampler: Sampler, id: str, data: dict, wanted: int, kept: list[di
                 _refute(id, data, instance, found)
                 return undefined
             fresh.append(instance)
-            found.worlds.append(world)
+            found.drawn.append((instance, world))
     except Unknown as error:
         found.evidence.append(f"instances: {error}")
     kept[found.shown:found.shown] = fresh[:wanted]
@@ -443,7 +450,8 @@ def _result(claim: Claim, found: Findings, repaired: Findings | None, report: Mu
         "where_latex": where_latex(printed) if printed else [],
         "given_latex": given_latex(printed) if printed else [],
         "certificates": certificates,
-        "mutants": {"made": report.made, "rejected": report.rejected, "equal": report.equal, "survivors": report.survivors},
+        "mutants": {"made": report.made, "rejected": report.rejected, "equal": report.equal, "survivors": report.survivors,
+                    "possible": report.possible, "looked_at": report.looked_at},
         "mutant_rows": report.rows,
         "neighbours": {"made": report.neighbours_made, "accepted": report.neighbours_accepted},
         "checks": found.checks + (repaired.checks if repaired else 0), "seconds": round(time.perf_counter() - started, 3),

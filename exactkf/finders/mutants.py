@@ -26,10 +26,10 @@ from exactkf.language.mutate import Mutant, mutants, rewritings
 
 __all__ = ["MutantReport", "judge_mutants"]
 
-_MATRIX_CHANGES = ("factors exchanged", "transpose added", "transpose removed")
+_MATRIX_CHANGES = ("factors exchanged", "transpose added", "transpose removed", "inverse added")
 _BINDERS = ("forall", "exists", "sum", "prod", "always")
 _TRIES = 200
-_MOST = 48  # mutants looked at per claim, spread evenly over the tree
+_MOST = 48  # mutants of the formula looked at per claim, spread evenly over the tree; `possible` says how many there are
 
 
 @dataclass
@@ -37,6 +37,8 @@ class MutantReport:
     """Totals and one row for each mutant."""
 
     rows: list[dict[str, Any]] = field(default_factory=list)
+    possible: int = 0
+    looked_at: int = 0
     neighbours_made: int = 0
     neighbours_accepted: int = 0
     checks: int = 0
@@ -58,54 +60,58 @@ class MutantReport:
         return [f"{r['kind']}: {r['text']}" for r in self.rows if r["outcome"] == "survived"]
 
 
-def judge_mutants(data: dict, by: Sequence[Evidence], worlds: list[World], sampler: Sampler | None,
+def judge_mutants(data: dict, by: Sequence[Evidence], drawn: list[tuple[dict, World]], sampler: Sampler | None,
                   tex: Mapping[str, str] | None = None) -> MutantReport:
-    """Make the mutants of a statement and judge each on the statement's own instances; ``tex`` names are printed as given."""
+    """Make the mutants of a statement and judge each on the statement's own instances; ``tex`` names are printed as given.
+
+    The row of one that is rejected has the ``instance`` on which it is false.
+    """
     from exactkf.language.latex import latex
     from exactkf.language.statement import as_tuples
     from exactkf.language.text import text
 
     report = MutantReport()
-    if not worlds:
+    if not drawn:
         return report
     every = mutants(data)
-    step = max(1, -(-len(every) // _MOST))
-    chosen = every[::step] if step > 1 else every
-    chosen += [m for m in every if m.drops and m not in chosen]
-    order = _informative(worlds)
+    whole = [m for m in every if m.drops or m.kind == "inverse added"]
+    rest = [m for m in every if m not in whole]
+    chosen = rest[::max(1, -(-len(rest) // _MOST))] + whole
+    report.possible, report.looked_at = len(every), len(chosen)
+    order = _informative(drawn)
     for mutant in chosen:
-        outcome = _drop(data, mutant, sampler, by, report) if mutant.drops else _judge(data, mutant, order, by, report)
+        outcome, instance = _drop(data, mutant, sampler, by, report) if mutant.drops else _judge(data, mutant, order, by, report)
         if outcome != "void":
             says = as_tuples(mutant.says)
-            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says, tex), "outcome": outcome})
+            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says, tex), "outcome": outcome, "instance": instance})
     for _kind, new in rewritings(data):
         report.neighbours_made += 1
-        report.neighbours_accepted += _accepted(data, new, worlds[:6], report)
+        report.neighbours_accepted += _accepted(data, new, [world for _, world in drawn[:6]], report)
     return report
 
 
-def _informative(worlds: list[World]) -> list[World]:
+def _informative(drawn: list[tuple[dict, World]]) -> list[tuple[dict, World]]:
     """Large instances first: they tell more neighbours apart."""
-    def weight(world: World) -> int:
-        return -sum(v for v in world.values.values() if isinstance(v, int))
-    return sorted(worlds, key=weight)
+    def weight(one: tuple[dict, World]) -> int:
+        return -sum(v for v in one[1].values.values() if isinstance(v, int))
+    return sorted(drawn, key=weight)
 
 
-def _judge(data: dict, mutant: Mutant, worlds: list[World], by: Sequence[Evidence], report: MutantReport) -> str:
+def _judge(data: dict, mutant: Mutant, drawn: list[tuple[dict, World]], by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:
     meaningful, fits = False, True
-    for world in worlds:
+    for instance, world in drawn:
         report.checks += 1
         try:
             if world.value(mutant.says) is False:
-                return "rejected"
+                return "rejected", instance
             meaningful = meaningful or mutant.kind not in _MATRIX_CHANGES or not _only_scalars(data, mutant, world)
         except Undefined as error:
             fits = fits and not _misfit(str(error))
         except Unknown:
-            return "void"
+            continue
     if not meaningful or not fits:
-        return "void"
-    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _proved({**data, "says": mutant.says}, by) else "survived"
+        return "void", None
+    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _proved({**data, "says": mutant.says}, by) else "survived", None
 
 
 def _misfit(reason: str) -> bool:
@@ -147,21 +153,21 @@ def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
     return False
 
 
-def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> str:
+def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:
     """Without the hypothesis there must be an instance on which the conclusion is false; examples by hand come first."""
     weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
     asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
     for hints in asked:
         for tries, made_by in _partial(hints.get("made_by", {}), data):
             fresh = Sampler(weaker, {**hints, "made_by": made_by, "using": hints.get("using", {}) if made_by else {}}, examples_of(tuple(by)), 1)
-            for _, world in fresh.stream(tries):
+            for instance, world in fresh.stream(tries):
                 report.checks += 1
                 try:
                     if world.value(data["says"]) is False:
-                        return "rejected"
+                        return "rejected", instance
                 except (Undefined, Unknown):
                     continue
-    return "equal" if _proved(weaker, by) else "survived"
+    return "equal" if _proved(weaker, by) else "survived", None
 
 
 def _partial(made_by: Mapping[str, Any], data: dict) -> Iterator[tuple[int, dict]]:

@@ -151,6 +151,7 @@ def _here(tree: list, in_equivalence: bool) -> Iterator[tuple[str, Any]]:
                 yield "sign of one side", ["=", *args[:k], ["neg", side], *args[k + 1:]]
                 if side[0] in ("sym", "at") or (side[0] == "*" and len(side) == 3):
                     yield "transpose added", ["=", *args[:k], ["T", side], *args[k + 1:]]
+                    yield "inverse added", ["=", *args[:k], ["inv", side], *args[k + 1:]]
     elif op in _TERM_RELATIONS:
         yield "relation reversed", [_TERM_RELATIONS[op], *args]
     elif op == "loewner":

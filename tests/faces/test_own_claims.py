@@ -6,7 +6,10 @@ import pytest
 import exactkf
 from exactkf import BadInput, prove_lemma, verify_claim, verify_statement
 from exactkf.claims import checked_evidence, load
+from exactkf.engine import mutate_claim
 from exactkf.evidence import identity, induction, instances
+from exactkf.kernel.instances import read_instance
+from exactkf.kernel.meaning import World
 from exactkf.language import Statement, T, integer, matrix, symbols
 
 n, k, P, Q = symbols("n k P Q")
@@ -121,3 +124,14 @@ def test_claims_come_in_the_order_of_reading():
         first = [s for s in sections if s.startswith("introduction")]
         assert sections[:len(first) + len(numbered)] == first + sorted(numbered)
     assert places[0] == ("B93", "introduction") and [s for p, s in places if p == "BLM91"][-1] == "consequences"
+
+
+def test_a_mutant_is_rejected_by_an_instance_that_is_shown():
+    """Each row has the instance on which the mutant is false, and the original is true there."""
+    claim = load()["BLZ94-E2.12"]
+    rows = mutate_claim(claim)["rows"]
+    rejected = [row for row in rows if row["outcome"] == "rejected"]
+    assert rejected and all(row["instance"]["sizes"] for row in rejected)
+    world = World(claim.statement.to_json(), read_instance(claim.statement.to_json(), rejected[0]["instance"]))
+    assert world.value(claim.statement.to_json()["says"]) is True
+    assert all("instance" not in row for row in verify_claim(claim)["mutant_rows"])
