@@ -157,7 +157,8 @@ def test_a_time_limit_is_a_number_of_seconds(limit):
 def test_a_limit_of_large_degree_is_enclosed():
     """Order eight: the limit in digits, at once."""
     done = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30")
-    assert done.exit_code == 0 and [line.split("  ")[1][:5] for line in done.stdout.splitlines() if "(enclosed)" in line] == 8 * ["limit"] + ["rate"], done.output
+    enclosed = [line.split("  ")[1][:5] for line in done.stdout.splitlines() if "(enclosed)" in line]
+    assert done.exit_code == 0 and enclosed == 8 * ["limit"] + ["rate"], done.output
     many = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30", "--digits", 120).stdout.splitlines()
     first = next(line for line in many if "limit of alpha_1" in line).split()[-2]
     assert len(first) > 120 and next(line for line in done.stdout.splitlines() if "limit of alpha_1" in line).split()[-2][:18] == first[:18]
