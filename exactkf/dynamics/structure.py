@@ -129,8 +129,8 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     Examples
     --------
     >>> found = structure([fmpq(-3, 10)], [fmpq(1, 2)])
-    >>> found.kappa, found.sign, found.dominant
-    ((40/79,), 'positive', (1/2,))
+    >>> found.kappa, found.sign, found.positive_real
+    ((40/79,), 'positive', True)
     """
     case = _case(a, g)
     reduced, D, m = case.reduced, case.D, len(case.reduced.Q) - 1
