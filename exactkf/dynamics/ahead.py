@@ -102,8 +102,8 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
 
     Examples
     --------
-    >>> digits_ahead([0], [2], 2, 5).g[0]
-    [-1.14285714285714 +/- 2.87e-15]
+    >>> digits_ahead([0], [2], 2, 5).g[0].str(5, radius=False)
+    '-1.1429'
     """
     if isinstance(T, bool) or not isinstance(T, int) or T < 0:
         raise BadInput(f"T = {T!r}: the number of steps must be a nonnegative integer; pass T >= 0")
