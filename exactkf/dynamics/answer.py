@@ -75,7 +75,8 @@ class Answer:
     escape : int or None
         The first `t` at which the state has no successor.
     never_escapes : bool
-        It is decided that there is no such `t`.
+        It is decided that there is no such `t`.  An orbit that is "not convergent, not periodic" with neither this nor `escape`
+        does neither as long as it goes on, and whether it ever escapes is open.
     limit : dict or None
         Exact numbers in JSON: ``{"alpha": [...], "gamma": ...}``, or ``{"pi": ...}`` of a Riccati equation.
     rate : object
@@ -102,7 +103,7 @@ class Answer:
     facts : tuple of Fact
         The derivation, in reading order.
     reason : str
-        Why the question is undecided.
+        Why the question is undecided, or what of it is.
     certificate : dict
         Sealed, of kind ``orbit``; ``exactkf check`` replays it.
     beside : tuple of str
@@ -136,6 +137,11 @@ class Answer:
     def __post_init__(self) -> None:
         if self.behaviour not in BEHAVIOURS:
             raise BadInput(f"behaviour = {self.behaviour!r} is not a behaviour of orbits; pass one of {', '.join(BEHAVIOURS)}")
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is undecided what the orbit does, or whether it ever escapes."""
+        return self.behaviour == "undecided" or self.behaviour == "not convergent, not periodic" and not self.never_escapes
 
     @classmethod
     def of_entries(cls, order: int, entries: Mapping[str, Any], later: Mapping[str, Callable[[Answer], Any]], start: Any) -> Answer:

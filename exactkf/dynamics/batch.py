@@ -20,7 +20,7 @@ __all__ = ["batch_command"]
 
 
 def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, time_limit: float, json_file: Path | None, certificate: Path | None) -> int:
-    """Decide, print, write; exit status 0, 2 if a filter is refused, else 1 if one is undecided or not all that is asked for was found.
+    """Decide, print, write; exit status 0, 2 if a filter is refused, else 1 if something is undecided or not all that is asked for was found.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def _said(label: str, outcome: Outcome) -> int:
         click.echo(f"exactkf: {label}: {outcome}", err=True)
         return 2
     order = f"order {outcome.order}: " if outcome.order else ""
-    why = f" ({outcome.reason})" if outcome.behaviour == "undecided" else f"; not finished: {outcome.reason}" if outcome.reason else ""
+    why = f" ({outcome.reason})" if outcome.is_open else f"; not finished: {outcome.reason}" if outcome.reason else ""
     click.echo(f"{label}: {order}{headline(outcome)}{why}")
     return 1 if why else 0
 

@@ -26,7 +26,7 @@ _PICTURES = ("plane", "gamma", "alpha", "spectrum")
 
 def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None, digits: int, json_file: Path | None, certificate: Path | None,
                     latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, jobs: int | None, **vectors: str | None) -> int:
-    """Decide, print, write; exit status 0, or 1 if the orbit is undecided or not all that is asked for was found; `batch_command` if there are many."""
+    """Decide, print, write; exit status 0, or 1 if something is undecided or not all that is asked for was found; `batch_command` if there are many."""
     filters = _filters(given, vectors)
     if pi0 is not None:
         for _, data in filters:
@@ -57,7 +57,7 @@ def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None
         click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)
     for path in found.drawn:
         click.echo(f"{path}: picture written", err=True)
-    return 1 if found.why or found.missing or found.data["behaviour"] == "undecided" else 0
+    return 1 if found.why or found.missing or found.data["reason"] else 0
 
 
 @dataclass

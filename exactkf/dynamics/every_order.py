@@ -23,8 +23,8 @@ decide here as well.  For the coprime pair that is left after reduction, with :m
   of `D` are distinct roots of unity; its period is then the least common multiple of their
   orders.  If steps were needed to come to :math:`Q(0) \ne 0`, it is eventually periodic and never comes back to its start.
   With :math:`S_m^p = -I` for half of it, `a` and `b` are exchanged after `p` steps.
-* Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it; that is
-  a question about zeros of linear recurring sequences, for which no general method is known.
+* Otherwise the orbit fills a torus in the limit.  That it never escapes is decided where a modulus shows it, or valuations; that is
+  a question about zeros of linear recurring sequences, for which no general method is known.  What it does is decided all the same.
 
 "Positive real" is meant of the function :math:`v = b/2a`: :math:`\operatorname{Re} v \ge 0` outside the
 circle.  If `D` has no zero on the circle this is the strict notion of BLZ94 (2.13)-(2.15) for coprime data.
@@ -39,6 +39,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
+from itertools import islice
 from math import lcm
 from typing import Any, NamedTuple
 
@@ -46,6 +47,7 @@ from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
+from exactkf.dynamics.dominance import dominating
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json, number_latex, number_words
 from exactkf.dynamics.order_one_facts import of_field
@@ -65,6 +67,7 @@ from exactkf.dynamics.wandering import (
     modulus_without_escape,
     no_escape_modulo,
     places_without_escape,
+    primes,
 )
 from exactkf.dynamics.zeros import circle_points
 from exactkf.exact.balls import precision
@@ -85,7 +88,7 @@ __all__ = ["LimitDigits", "decide", "limit_digits", "rate_digits"]
 MAX_STEPS = 2000
 _FEW = 60
 _MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
-_LARGE = ((1 << 61) - 1, (1 << 89) - 1)
+_LARGE, _BILLION = ((1 << 61) - 1, (1 << 89) - 1), 10**9
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
 _LATEX_SIGNS = {"+": "> 0", "0+": r"\ge 0", "-": "< 0", "-0": r"\le 0"}
@@ -426,24 +429,24 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
     irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
     if irreducible.get("irreducible", 1) is None:
         return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
-    evidence = _no_escape(case, pair)
-    if evidence is None:
-        steps = max_steps if case.rational else 0
-        escape = _first_escape(case, steps)
+    found, reason = _no_escape(case, pair), ""
+    if found is None:
+        steps = max_steps if case.rational else min(max_steps, _FEW)
+        escape = _first_escape(case, steps) if case.rational else None
         if escape is not None:
             return _escaped(case, escape)
-        return _undecided(case, steps, reason + "its zeros are not distinct roots of unity, so it does not repeat; "
-                          f"it does not escape in {max(steps, min(max_steps, _FEW))} steps, but no primes were found that exclude a later escape"
-                          + ", and with multiple zeros of D few could be expected" * (not _is_simple(case.D)))
+        found = _searched(case, pair, steps)
+        reason = (f"whether the orbit ever escapes; it does not before step {found['searched']}, and no prime was found, nor several together, that exclude "
+                  "it later" + ", which is rare where D has multiple zeros" * (not _is_simple(case.D)))
     case.facts.append(Fact("The zeros of D are not distinct roots of unity: the orbit does not repeat.", r"$S^p \ne I$ for every $p$."))
-    dimension, torus, reason = torus_evidence(_fractions(case.D) if case.rational else case.D)
+    dimension, torus, why = torus_evidence(_fractions(case.D) if case.rational else case.D)
     if dimension is None:
-        case.facts.append(Fact(f"The dimension of the torus is not decided: {reason}.", f"{reason}."))
+        case.facts.append(Fact(f"The dimension of the torus is not decided: {why}.", f"{why}."))
     else:
         case.facts.append(Fact(f"In the limit the orbit fills a torus of dimension {dimension}.",
                                f"The closure of the orbit is, in the limit, a torus of dimension ${dimension}$."))
-    evidence = {**evidence, **irreducible, "aperiodic": aperiodic, "torus": torus}
-    return _answer(case, "not convergent, not periodic", evidence, never_escapes=True, torus_dimension=dimension)
+    evidence = {**found, **irreducible, "aperiodic": aperiodic, "torus": torus}
+    return _answer(case, "not convergent, not periodic", evidence, reason, never_escapes=not reason, torus_dimension=dimension)
 
 
 def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
@@ -459,6 +462,8 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                                "escapes are polynomials in t, and none vanishes at an integer t >= 0: the orbit never escapes.",
                                f"$S^{{{N}}}$ is unipotent, and the polynomials $\\det X_{{k + {N}s}}$ in $s$ have no zero with $k + {N}s \\ge 0$."))
         return {"order": N}
+    if not _is_simple(case.D) and (dominated := _dominated(case, pair)):
+        return dominated
     if case.rational and not before and not _is_simple(case.D):
         modulus = modulus_without_escape(_fractions(case.Q), _fractions(case.S))  # with multiple zeros orders modulo p are multiples of p
         if modulus is not None:
@@ -478,6 +483,8 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
         case.facts.append(Fact(f"From step {reduced.start + after} on gamma vanishes modulo {prime}, and there is no escape before: the orbit never escapes.",
                                f"$\\gamma_t$ is a multiple of ${prime}$ for $t \\ge {reduced.start + after}$, hence $\\gamma_t^2 \\ne 1$."))
         return {"modulus": prime, "after": after}
+    if _is_simple(case.D) and (dominated := _dominated(case, pair)):
+        return dominated
     signs = places_of_signs(pair, before)
     if signs is None:
         return None
@@ -487,6 +494,20 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                            f"$X_t u = 0$ and $Y_t u = Ku$ modulo powers of ${first}$, or $Y_t u = -Ku$ modulo powers of ${second}$, "
                            "has no solution $t \\ge 0$, $u \\ne 0$ that lifts."))
     return {"signs": signs, "before": before}
+
+
+def _dominated(case: _Case, pair: Readings) -> dict[str, Any] | None:
+    """Evidence from an absolute value at which one product of zeros of D is the largest, or None."""
+    if pair.integral is None or (found := dominating(_fractions(case.reduced.Q), _fractions(case.reduced.S), pair.integral)) is None:
+        return None
+    evidence, steps = found
+    p, t = evidence.get("prime"), case.reduced.start + steps
+    words, field = (f"in the {p}-adic numbers", f"\\mathbb{{Q}}_{{{p}}}") if p else ("in size", r"\mathbb{C}")
+    case.facts.append(Fact(f"In the determinants whose zeros are the escapes one power outgrows all others {words}: "
+                           f"none vanishes from step {t} on, and there is no escape before.",
+                           f"$\\det X_t$ is a sum of powers, one of them the largest in ${field}$ for $t \\ge {t}$, "
+                           f"and not zero for $t < {t}$."))
+    return {"dominated": evidence}
 
 
 def _is_simple(D: Sequence[Any]) -> bool:
@@ -507,11 +528,20 @@ def _fractions(values: Sequence[Any]) -> list[Fraction]:
 
 
 def _undecided(case: _Case, steps: int, reason: str) -> Answer:
-    evidence: dict[str, Any] = {"searched": steps}
+    return _answer(case, "undecided", _searched(case, None, steps), reason)
+
+
+def _searched(case: _Case, pair: Readings | None, steps: int) -> dict[str, Any]:
+    """Evidence that there is no escape in so many steps: modulo a large prime, if one is found, or by exact steps."""
     if case.rational and steps:
         modulus = next((N for N in _LARGE if no_escape_modulo(_fractions(case.Q), _fractions(case.S), steps, N)), None)
-        evidence.update({"modulus": modulus} if modulus else {})
-    return _answer(case, "undecided", evidence, reason)
+        return {"searched": steps, **({"modulus": modulus} if modulus else {})}
+    if pair is not None and steps:
+        for p, root in islice(((q, r) for q in primes(_BILLION) for r in pair.roots(q)), _FEW):
+            Q, S = (pair.read(x, p, root) for x in (case.Q, case.S))
+            if Q and S and no_escape_modulo(Q, S, steps, p):
+                return {"searched": steps, "modulus": p, "residue": root}
+    return {"searched": steps if pair is None else 0}
 
 
 def _guess_order(D: list) -> int | None:

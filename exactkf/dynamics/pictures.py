@@ -154,7 +154,7 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel=r"$\alpha$", ylabel=r"$\gamma$",
              title=title + (f"\n{outside} of {len(states)} points lie outside the picture" if outside else ""))
     axes.set_aspect("equal")
-    axes.legend(loc="upper right", framealpha=0.95, fontsize=9)
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=4, frameon=False, fontsize=9)  # outside: it would hide a region
     return figure
 
 
@@ -180,9 +180,13 @@ def _regions(axes: Axes, reach: float) -> None:
         axes.text(0.45 * s, 0.22, rf"$\mathrm{{I}}_{index}$", **text)
         if reach > 2.3:
             axes.text(s * min(reach - 0.4, 2.2), 0.45, rf"$\mathrm{{IV}}_{index}$", **text)
-            axes.text(s * min(reach - 0.3, 3.2), 1.35, rf"$\mathrm{{III}}_{index}$", **text)
-            axes.text(s * 0.45, min(reach - 0.3, 2.2), rf"$\mathrm{{II}}_{index}$", **text)
-    axes.text(-reach * 0.98, 1.03, r"escape lines $\gamma = \pm 1$", fontsize=8, color=_INK, va="bottom")
+            for side in (1, -1):
+                axes.text(s * (reach - 0.25), 1.18 * side, rf"$\mathrm{{III}}_{index}$", **text)
+                axes.text(-s * 0.45, min(reach - 0.3, 2.2) * side, rf"$\mathrm{{II}}_{index}$", **text)  # the index is the sign of kappa
+    axes.text(-1.95, 1.03, r"escape lines $\gamma = \pm 1$", fontsize=8, color=_INK, va="bottom")
+    for side in (1, -1):
+        axes.text(1.7 * side, 1.7 * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=45)
+        axes.text(1.7 * side, -1.7 * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=-45)
 
 
 def _hyperbola(axes: Axes, alpha: float, gamma: float, reach: float) -> None:
@@ -305,7 +309,7 @@ def draw_spectrum(filter: Filter) -> Figure:
     axes.plot(roots.real, roots.imag, "o", color=_ORBIT, ms=6, label=f"{len(roots)} zeros")
     reach = float(min(max(1.3, 1.15 * np.max(np.abs(roots), initial=1.0)), 8))
     outside = int(np.sum(np.abs(roots) > reach))
-    title = r"zeros of $z^n D(z, 1/z)$ and the unit circle"
+    title = r"spectrum of $S$, the zeros of $z^n D(z, 1/z)$, and the unit circle"
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel=r"$\mathrm{Re}\,z$", ylabel=r"$\mathrm{Im}\,z$",
              title=title + (f"; {outside} outside the picture" if outside else ""))
     axes.set_aspect("equal")

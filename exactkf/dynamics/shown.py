@@ -74,6 +74,8 @@ def headline(answer: Answer) -> str:
             return "the orbit converges"
         case "undecided":
             return "undecided"
+        case "not convergent, not periodic" if answer.is_open:
+            return "the orbit is not convergent, not periodic; an escape is not excluded"
     return f"the orbit is {answer.behaviour}"
 
 

@@ -350,7 +350,7 @@ def _singular(S: nmod_mat, steps: int) -> Iterator[bool]:
         yield not (top * columns).det()
 
 
-def no_escape_modulo(Q: Sequence[Fraction], S: Sequence[Fraction], steps: int, p: int) -> bool:
+def no_escape_modulo(Q: Sequence[Fraction | int], S: Sequence[Fraction | int], steps: int, p: int) -> bool:
     """Return whether no 1 - gamma^2 of the first `steps` steps vanishes modulo the prime `p`."""
     try:
         q, s = modular(list(Q), p), modular(list(S), p)

@@ -34,7 +34,8 @@ Riccati equation (BLZ94 (6.8)); its characteristic polynomial is proportional to
    so S_m^p = c, c = 1 or -1, and Q, S return with the sign c of S.  The states before the reduced
    pair do not: as long as Q(0) = 0 the common factor of Q and S grows in every step, and afterwards never.
 6. What holds in the integers modulo N: if 1 - g^2 is a unit at every step of the orbit modulo N from some step on, where N divides no denominator,
-   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`.
+   1 - g^2 is never zero from there; the orbit modulo N is finite.  Other congruences are in `exactkf.kernel.orbit_sieve`, and
+   sums of powers with one that outgrows the others in `exactkf.kernel.orbit_dominated`.
 
 References
 ----------
@@ -52,9 +53,10 @@ from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import around, does_not_escape, is_schur, product
 from exactkf.kernel.limits import BITS, ORDER, STEPS, WORK, within
 from exactkf.kernel.numbers import Undefined, divide, fraction, sign
+from exactkf.kernel.orbit_dominated import last_escape
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
 from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
-from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular, modular_step
+from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular_step
 from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly, times_poly, value_at
 from exactkf.kernel.spectral import check_circle_part, enclosed_factor
 
@@ -103,7 +105,8 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
     required = _REQUIRED[behaviour]
     filled = {k for k in ("escape", "limit", "period", "preperiod", "torus_dimension", "enters_positive_real") if answer[k] is not None}
     _need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
-    _need(answer["never_escapes"] is (behaviour in ("converges", "periodic", "eventually periodic", "not convergent, not periodic")),
+    never = behaviour in ("converges", "periodic", "eventually periodic", "not convergent, not periodic")
+    _need(answer["never_escapes"] is never or behaviour == "not convergent, not periodic" and answer["never_escapes"] is False,
           "never_escapes does not go with the behaviour")
     _CHECKS[behaviour](Q, S, answer, evidence)
 
@@ -382,7 +385,9 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     reduced = _nonconvergent(Q, S)
     D = spectral_polynomial(reduced.Q, reduced.S)
     _aperiodic(D, 1 if algebraic is None else len(algebraic.field.modulus) - 1, evidence["aperiodic"])
-    if "modulus" in evidence:
+    if answer["never_escapes"] is False:  # the planes of the powers of S go on after an escape as before
+        _searched(Q, S, evidence)
+    elif "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
         if "after" in evidence:
             Q, S = _at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
@@ -391,6 +396,10 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     elif "order" in evidence:
         _need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
+    elif "dominated" in evidence:
+        _need(algebraic is None, "sums of powers are for rational data")
+        T = last_escape(reduced.Q, reduced.S, evidence["dominated"])
+        _searched(reduced.Q, reduced.S, {"searched": T, "modulus": evidence["dominated"]["modulus"]})
     elif "signs" in evidence:
         read: dict[Any, set[int]] = {}
         for sign, places in zip((1, -1), evidence["signs"], strict=True):
@@ -417,13 +426,18 @@ def _nonconvergent(Q: list, S: list) -> Reduced:
 
 
 def _undecided(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
-    """No escape in the steps searched, seen modulo N; where the answer calls D indefinite, it is."""
+    """Nothing is said but that there is no escape in the steps searched."""
+    _searched(Q, S, evidence)
+
+
+def _searched(Q: list, S: list, evidence: Mapping[str, Any]) -> None:
+    """No escape in the steps searched, seen modulo N."""
     steps, N = _step_number(evidence["searched"], "searched"), evidence.get("modulus")
     if N is None:
         count = sum(1 for _ in zip(range(steps + 1), states(Q, S), strict=False))
         _need(count == steps + 1 and (steps == 0 or not _is_escape(Q, S, steps - 1)), "the orbit escapes in the steps searched")
     else:
-        q, s = modular(Q, N), modular(S, N)
+        q, s = (reading(p, N, evidence.get("residue")) for p in (Q, S))
         for _ in range(steps):
             r = 1 - s[-2] * s[-2]
             _need(gcd(r, N) == 1, "the orbit may escape in the steps searched")

@@ -21,7 +21,7 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_sieve import backward
 from exactkf.kernel.roots import count_real, divmod_poly, squarefree
 
-__all__ = ["check_by_polynomials"]
+__all__ = ["check_by_polynomials", "determinants", "interpolated"]
 
 
 def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
@@ -33,13 +33,13 @@ def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
     one = D[-1] / D[-1]
     unity = [-one, *[one - one] * (N - 1), one]
     _need(all(not divmod_poly(unity, f)[1] for f, _ in parts), f"a zero of D is no root of unity of order {N}")
-    values = _determinants(Q, S, N * size)
+    values = determinants(Q, S, N * size)
     for k in range(N):
-        p = _interpolated(values[k::N])
+        p = interpolated(values[k::N])
         _need(bool(p) and not _has_positive_integer([c * (-1) ** i for i, c in enumerate(p)]), f"a determinant vanishes at a time {-k} modulo {N}")
 
 
-def _determinants(Q: list, S: list, count: int) -> list[Fraction]:
+def determinants(Q: list, S: list, count: int) -> list[Fraction]:
     """det X_t for t = 0, -1, -2, ..."""
     q, g, zero = Q[-2::-1], S[-2::-1], Q[-1] - Q[-1]
     X: list = [[zero + int(i == j) for j in range(len(q))] for i in range(len(q))]
@@ -52,7 +52,7 @@ def _determinants(Q: list, S: list, count: int) -> list[Fraction]:
     return out
 
 
-def _interpolated(values: list[Fraction]) -> list[Fraction]:
+def interpolated(values: list[Fraction]) -> list[Fraction]:
     """The coefficients of the polynomial with these values at 0, 1, 2, ..., by Newton's formula."""
     total: list[Fraction] = [Fraction(0)] * len(values)
     base, differences = [Fraction(1)], list(values)

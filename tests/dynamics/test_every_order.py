@@ -305,10 +305,15 @@ def test_many_primes_exclude_an_escape_of_order_five():
 
 
 def test_undecided_orbits_say_what_is_in_the_way():
-    """A double zero of D at 1 beside zeros that wander: the reason names it, and no escape is met in the steps searched."""
-    answer = decide([fmpq(-1), fmpq(1, 3)], [fmpq(3, 2), fmpq(-5, 3)])
-    assert answer.behaviour == "undecided" and "multiple zeros of D" in answer.reason
+    """The behaviour is decided and vouched for; the reason names what is open, an escape later than the steps searched."""
+    answer = decide([fmpq(2), fmpq(-1), fmpq(0), fmpq(0)], [fmpq(2), fmpq(1), fmpq(2), fmpq(1)], max_steps=300)
+    assert (answer.behaviour, answer.never_escapes, answer.escape, answer.is_open) == ("not convergent, not periodic", False, None, True)
+    assert answer.reason.startswith("whether the orbit ever escapes; it does not before step 300,") and answer.torus_dimension is not None
     replay(answer.certificate)
+    for path, value in ((("statement", "answer", "never_escapes"), True), (("evidence", "searched"), 10**9), (("evidence", "aperiodic"), [3]),
+                        (("statement", "answer", "behaviour"), "undecided"), (("statement", "answer", "torus_dimension"), answer.torus_dimension + 1)):
+        with pytest.raises(Rejected):
+            replay(edited(answer.certificate, path, value))
 
 
 def test_related_roots_give_a_smaller_torus():

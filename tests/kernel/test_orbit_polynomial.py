@@ -12,7 +12,7 @@ from flint import fmpq
 from exactkf.dynamics.every_order import decide
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial, start_pair
-from exactkf.kernel.orbit_polynomial import _determinants, _has_positive_integer, _interpolated, check_by_polynomials
+from exactkf.kernel.orbit_polynomial import _has_positive_integer, check_by_polynomials, determinants, interpolated
 from exactkf.kernel.replay import Rejected, replay
 from tests.dynamics.test_every_order import edited, stepped, times, with_spectrum
 
@@ -75,7 +75,7 @@ def test_a_wandering_zero_is_refused():
 def test_the_parts():
     """Interpolation, positive integer zeros, and determinants back in time that start with one."""
     p = [Fraction(c) for c in (5, Fraction(-1, 3), 0, 2)]
-    assert _interpolated([sum((c * s**i for i, c in enumerate(p)), Fraction(0)) for s in range(7)]) == p
+    assert interpolated([sum((c * s**i for i, c in enumerate(p)), Fraction(0)) for s in range(7)]) == p
     for zeros, expected in (((3,), True), ((-3,), False), ((0,), False), ((1, 5), True), ((Fraction(7, 2), 2**40), True), ((Fraction(7, 2), -1), False)):
         f = [Fraction(1)]
         for z in zeros:
@@ -84,4 +84,4 @@ def test_the_parts():
     assert not _has_positive_integer([Fraction(2)])
     a, g = starts(1)[0]
     Q, S = start_pair({"a": [str(x) for x in a], "g": [str(x) for x in g]})
-    assert _determinants(Q, S, 3)[0] == 1
+    assert determinants(Q, S, 3)[0] == 1
