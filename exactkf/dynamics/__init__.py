@@ -10,6 +10,8 @@ Main definitions
 ``decide_riccati_one``   the Riccati equation of order one
 ``decide_many``          many filters of any orders, in several processes
 ``limit_digits``         digits of a limit
+``rate_digits``          digits of a rate of convergence
+``structure``            `D` on the circle, `S`, its Jordan structure and its invariant subspaces
 ``state_ahead``          the exact state far ahead
 ``digits_ahead``         its digits
 ``Answer``, ``Fact``     what all of them return
@@ -18,13 +20,14 @@ Main definitions
 from exactkf.dynamics.ahead import digits_ahead, state_ahead
 from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.answer import BEHAVIOURS, Answer, Fact
-from exactkf.dynamics.every_order import decide, limit_digits
+from exactkf.dynamics.every_order import decide, limit_digits, rate_digits
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.many import decide_many
 from exactkf.dynamics.numbers import number, numbers
 from exactkf.dynamics.order_one import decide_order_one, decide_riccati_one
+from exactkf.dynamics.structure import Structure, structure
 
 __all__ = [
-    "BEHAVIOURS", "Answer", "Fact", "Filter", "analyze", "decide", "decide_many", "decide_order_one", "decide_riccati_one", "digits_ahead",
-    "limit_digits", "number", "numbers", "state_ahead",
+    "BEHAVIOURS", "Answer", "Fact", "Filter", "Structure", "analyze", "decide", "decide_many", "decide_order_one", "decide_riccati_one", "digits_ahead",
+    "limit_digits", "number", "numbers", "rate_digits", "state_ahead", "structure",
 ]

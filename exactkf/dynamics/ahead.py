@@ -5,7 +5,8 @@ Main definitions
 ----------------
 ``state_ahead``    the exact state after `T` steps, as `exactkf.theory.power_method.state_after`
 ``digits_ahead``   the same state to a number of digits, for `T` as large as :math:`10^{12}`
-``ahead_lines``    the same as text
+``ahead_data``     the same as plain data, exact or in digits
+``ahead_lines``    and as text
 ``DigitsAhead``    its result
 
 Main statements
@@ -33,7 +34,8 @@ J. Math. and Phys. 39 (1960).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -51,10 +53,11 @@ from exactkf.theory.fast_filter import step_ag
 from exactkf.theory.orbits import exact_orbit, orbit
 from exactkf.theory.power_method import Arrival, state_after
 
-__all__ = ["DigitsAhead", "ahead_lines", "digits_ahead", "state_ahead"]
+__all__ = ["DigitsAhead", "ahead_data", "ahead_lines", "digits_ahead", "rounded", "state_ahead"]
 
 _BOUND = 1 << 17
-_SHORT = 50
+_SHORT = 50  # steps
+_LONGEST = 60  # characters of a fraction
 
 
 class DigitsAhead(NamedTuple):
@@ -101,8 +104,8 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
 
     Examples
     --------
-    >>> digits_ahead([0], [2], 2, 5).g[0]
-    [-1.14285714285714 +/- 2.87e-15]
+    >>> digits_ahead([0], [2], 2, 5).g[0].str(5, radius=False)
+    '-1.1429'
     """
     check_count("T", T)
     check_count("digits", digits, 1)
@@ -131,18 +134,58 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     raise Unsupported(f"the state after {T} steps needs more than {bound} bits; it is next to an escape, or is one")
 
 
-def ahead_lines(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> list[str]:
-    """Return the state after `T` steps as lines of text: exactly as long as it is short, and in digits; arguments and errors as `digits_ahead`."""
+def ahead_data(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int = 15) -> dict[str, Any]:
+    """Return the state after `T` steps as plain data; arguments and errors as `digits_ahead`.
+
+    Returns
+    -------
+    dict
+        ``steps``; ``escape``, the step of an escape before, or None; ``never_escapes``, whether one is excluded for certain; ``a`` and ``g``, lists of
+        "p/q" as long as that is short, and otherwise of ``{"digits", "radius"}``: the number is within the radius of the decimal number.
+
+    Examples
+    --------
+    >>> ahead_data([0], [2], 1)["g"], ahead_data([0], [2], 99)["g"][0]["digits"][:8]
+    (['4/3'], '-1.04598')
+    """
     found = digits_ahead(a, g, T, digits)
+    data: dict[str, Any] = {"steps": T, "escape": found.escape, "never_escapes": found.never_escapes, "a": None, "g": None}
     if found.escape is not None:
-        return [f"no state after {T} steps: the orbit escapes at step {found.escape}"]
+        return data
     exact = state_ahead(a, g, T).state if T <= _SHORT and not any(isinstance(x, RealNumber) for x in (*a, *g)) else None
-    lines = []
-    for name, balls, values in (("a", found.a, exact and exact[0]), ("g", found.g, exact and exact[1])):
-        for i, x in enumerate(balls):
-            text = str(values[i]) if values else ""
-            lines.append(f"{name}_{i + 1}({T}) = {text if 0 < len(text) <= 60 else x.str(digits, radius=False)}")
-    return lines if found.never_escapes else [*lines, "(an escape before that step is not excluded)"]
+    for k, (name, balls) in enumerate((("a", found.a), ("g", found.g))):
+        texts = [str(x) for x in exact[k]] if exact else [""] * len(balls)
+        data[name] = [text if 0 < len(text) <= _LONGEST else _decimal(x, digits) for text, x in zip(texts, balls, strict=True)]
+    return data
+
+
+def _decimal(x: arb, digits: int) -> dict[str, str]:
+    """A ball as a decimal number and a radius that holds, rounding included."""
+    middle, radius, exponent = (int(v) for v in x.mid_rad_10exp(digits))
+    return {"digits": _scaled(middle, exponent), "radius": f"{radius}e{exponent}"}
+
+
+def _scaled(middle: int, exponent: int) -> str:
+    """The decimal number middle * 10^exponent, exactly."""
+    return str(Decimal(middle).scaleb(exponent, Context(prec=len(str(middle)) + 1, Emin=MIN_EMIN, Emax=MAX_EMAX)))
+
+
+def ahead_lines(data: Mapping[str, Any], digits: int = 15) -> list[str]:
+    """Return what `ahead_data` found as lines of text."""
+    T = data["steps"]
+    if data["escape"] is not None:
+        return [f"no state after {T} steps: the orbit escapes at step {data['escape']}"]
+    lines = [f"{name}_{i}({T}) = {rounded(x, digits)}" for name in "ag" for i, x in enumerate(data[name], 1)]
+    return lines if data["never_escapes"] else [*lines, "(an escape before that step is not excluded)"]
+
+
+def rounded(x: Any, digits: int) -> str:
+    """Return a number of `ahead_data` as text, digits as far as they are certain."""
+    if isinstance(x, str):
+        return x
+    with precision(64 + 5 * digits):
+        ball = arb(x["digits"], x["radius"])
+        return "0" if ball == 0 else f"0 to {digits} digits" if ball.contains(0) else ball.str(digits, radius=False)
 
 
 def _ball(x: Any) -> arb:

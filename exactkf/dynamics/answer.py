@@ -11,7 +11,10 @@ Notation
 An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
 ``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
 (coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data,
-or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``.
+or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``, and so are other numbers of large degree.
+
+The certificate vouches for all fields but those that `Answer.beside` names: these are exact as well, but the checker does not
+look at them.
 """
 
 from __future__ import annotations
@@ -46,11 +49,17 @@ class Fact:
     latex: str
 
 
+DIGITS = 20  # of irrational numbers in text
+
+
 def _none() -> None:
     return None
 
 
-_NOT_OF_THE_CLASS: dict[str, Callable[[], Any]] = {"limit": _none, "facts": tuple, "certificate": dict}  # so that __getattr__ is asked for them
+#: made when they are asked for, so that __getattr__ must be
+_NOT_OF_THE_CLASS: dict[str, Callable[[], Any]] = {"limit": _none, "rate": _none, "slow": _none, "structure": _none, "facts": tuple, "certificate": dict}
+_NEVER_CERTIFIED = ("slow", "structure", "facts")
+_APART = (*_NEVER_CERTIFIED, "reason", "certificate", "beside")
 
 
 @dataclass(frozen=True)
@@ -71,9 +80,14 @@ class Answer:
     limit : dict or None
         Exact numbers in JSON: ``{"alpha": [...], "gamma": ...}``, or ``{"pi": ...}`` of a Riccati equation.
     rate : object
-        The geometric rate of convergence of :math:`\alpha_t` as an exact number in JSON, or None.
+        The geometric rate of convergence of :math:`\alpha_t` as an exact number in JSON: the ratio of following distances tends to it in
+        order one, and :math:`\limsup \|\alpha_t - \alpha_\infty\|^{1/t}` is it in every order (`exactkf.dynamics.speed`, statements 1 and 3).
+        "0" if the orbit rests after finitely many steps; None at an equilibrium, without a limit, and if convergence is slower than any rate.
+    slow : int or None
+        `K`, if convergence is slower: :math:`t (1 - \alpha_n(t)/\alpha_n(\infty))` tends to `K`, where factors that `a` and `b` have
+        in common are left out; for a Riccati equation the same of :math:`1 - \pi`.
     monotone_from : int or None
-        The first step from which the orbit approaches its limit monotonically.
+        Order one: the first step from which the orbit approaches its limit monotonically.
     region : str
         Where the orbit starts.
     period : int or None
@@ -85,12 +99,16 @@ class Answer:
     enters_positive_real : int or None
         The first step in the positive real region, in which `D` is positive on the circle and `a` and `b` have all zeros inside
         (BLZ94 (2.13)-(2.15)); None if there is none.
+    structure : dict or None
+        `D`, its zeros on the circle, `S` with its Jordan structure and its invariant subspaces, as `exactkf.dynamics.structure.structure_json` has them.
     facts : tuple of Fact
         The derivation, in reading order.
     reason : str
         Why the question is undecided, or what of it is.
     certificate : dict
         Sealed, of kind ``orbit``; ``exactkf check`` replays it.
+    beside : tuple of str
+        The fields that were computed exactly, but are not in the certificate.
 
     Raises
     ------
@@ -103,16 +121,19 @@ class Answer:
     escape: int | None = None
     never_escapes: bool = False
     limit: dict[str, Any] | None = field(default_factory=_none)
-    rate: Any = None
+    rate: Any = field(default_factory=_none)
+    slow: int | None = field(default_factory=_none)
     monotone_from: int | None = None
     region: str = ""
     period: int | None = None
     preperiod: int | None = None
     torus_dimension: int | None = None
     enters_positive_real: int | None = None
+    structure: dict[str, Any] | None = field(default_factory=_none, repr=False)
     facts: tuple[Fact, ...] = field(default_factory=tuple)
     reason: str = ""
     certificate: dict[str, Any] = field(default_factory=dict, repr=False)
+    beside: tuple[str, ...] = _NEVER_CERTIFIED
 
     def __post_init__(self) -> None:
         if self.behaviour not in BEHAVIOURS:
@@ -157,36 +178,39 @@ class Answer:
         return Answer.of_entries(self.order, {**known, "reason": reason or self.reason}, {}, None)
 
     def decided(self) -> dict[str, Any]:
-        """Return the fields that the certificate vouches for: all but the facts, the reason and the certificate."""
-        return {f.name: getattr(self, f.name) for f in fields(self) if f.name not in ("facts", "reason", "certificate")}
+        """Return the fields that the certificate speaks of, None for those that were found beside it."""
+        return {f.name: None if f.name in self.beside else getattr(self, f.name) for f in fields(self) if f.name not in _APART}
 
     def to_json(self) -> dict[str, Any]:
         """Return the answer as plain data that `json` writes without help."""
-        return json.loads(json.dumps({**self.without_certificate(), "limit": self.limit, "certificate": self.certificate}))
+        for name in _NOT_OF_THE_CLASS:
+            getattr(self, name)
+        return json.loads(json.dumps({**self.without_certificate(), "certificate": self.certificate}))
 
     def without_certificate(self) -> dict[str, Any]:
-        """Return the same without limit and certificate, which may take long to find."""
-        names = [f.name for f in fields(self) if f.name not in ("facts", "reason", "certificate")]
-        data = {name: None if name == "limit" else getattr(self, name) for name in names}
-        return {**data, "facts": [{"words": f.words, "latex": f.latex} for f in self.facts], "reason": self.reason, "certificate": {}}
+        """Return the same without the certificate, and without numbers that may take long to find and were not asked for yet."""
+        late = {"limit", "rate", "slow", "structure"} - set(self.__dict__)
+        data = {f.name: None if f.name in late else getattr(self, f.name) for f in fields(self) if f.name not in ("facts", "certificate", "beside")}
+        return {**data, "facts": [{"words": f.words, "latex": f.latex} for f in self.facts], "beside": list(self.beside), "certificate": {}}
 
     def __str__(self) -> str:
         """What ``exactkf analyze`` prints."""
-        from exactkf.dynamics.shown import decision_lines, number_lines
+        from exactkf.dynamics.shown import decision_lines, number_lines, structure_lines
 
-        return "\n".join([*decision_lines(self), *number_lines(self, 20)])
+        return "\n".join([*decision_lines(self), *number_lines(self, DIGITS), *structure_lines(self, DIGITS)])
 
     def _repr_markdown_(self) -> str:
-        """Headline and derivation, as a notebook shows them."""
-        from exactkf.dynamics.shown import decision_lines
+        """Headline, derivation and numbers, as a notebook shows them."""
+        from exactkf.dynamics.shown import decision_lines, latex_rows
 
-        return "\n".join([f"**{decision_lines(self)[0]}**", "", *(f"- {fact.latex}" for fact in self.facts)])
+        return "\n".join([f"**{decision_lines(self)[0]}**", "", *(f"- {line}" for line in [*(f.latex for f in self.facts), *latex_rows(self, DIGITS)])])
 
     def words(self) -> str:
         """Return the derivation in words, a sentence a line."""
         return "\n".join([f.words for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else []))
 
-    def latex(self) -> str:
-        """Return the derivation as a LaTeX list."""
-        items = [f.latex for f in self.facts] + ([f"Undecided: {self.reason}."] if self.reason else [])
-        return "\n".join(["\\begin{itemize}", *(f"  \\item {item}" for item in items), "\\end{itemize}"])
+    def latex(self, digits: int = DIGITS, ahead: Mapping[str, Any] | None = None) -> str:
+        """Return in LaTeX what `str` returns in words, and the state far ahead that `exactkf.dynamics.ahead.ahead_data` found."""
+        from exactkf.dynamics.shown import latex_text
+
+        return latex_text(self, digits, ahead)

@@ -29,7 +29,7 @@ def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, t
     jobs, time_limit
         As `exactkf.dynamics.many.decide_many` has them.
     json_file : Path, optional
-        For the answers without their certificates: an object a line if it ends in .jsonl, a list otherwise.
+        For the answers without their certificates and structures: an object a line if it ends in .jsonl, a list otherwise.
     certificate : Path, optional
         A folder for the certificates, numbered as the filters are.
     """
@@ -39,7 +39,7 @@ def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, t
         check_folder(certificate, "--certificate")
         with reaching("--certificate", certificate):
             certificate.mkdir(parents=True, exist_ok=True)
-    asked = ("facts", "limit") * (json_file is not None) + ("certificate",) * (certificate is not None)
+    asked = ("facts", "limit", "rate", "slow") * (json_file is not None) + ("certificate",) * (certificate is not None)
     records, seen, status = list[dict[str, Any]](), Counter[str](), 0
     with Meter("analyze", len(filters)) as meter:
         found = outcomes([data for _, data in filters], jobs=jobs, time_limit=time_limit, asked=asked, idle=meter.tick)
@@ -75,6 +75,6 @@ def _said(label: str, outcome: Outcome) -> int:
 def _record(label: str, outcome: Outcome) -> dict[str, Any]:
     if not isinstance(outcome, Answer):
         return {"filter": label, "error": str(outcome)}
-    data = {**outcome.without_certificate(), "limit": outcome.limit}
-    del data["certificate"]
+    data = {**outcome.without_certificate(), "limit": outcome.limit, "rate": outcome.rate, "slow": outcome.slow}
+    del data["certificate"], data["structure"]
     return {"filter": label, **data}

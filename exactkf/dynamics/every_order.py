@@ -5,6 +5,7 @@ Main definitions
 ----------------
 ``decide``        the answer for a state :math:`(a, g)`
 ``limit_digits``  the digits of the limit
+``rate_digits``   the digits of the rate
 ``LimitDigits``   what `limit_digits` returns
 
 Main statements
@@ -50,9 +51,11 @@ from exactkf._errors import BadInput
 from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.dominance import dominating
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
-from exactkf.dynamics.exact_json import element_json, field_json, number_json
+from exactkf.dynamics.exact_json import element_json, field_json, number_json, number_latex, number_words
+from exactkf.dynamics.order_one_facts import of_field
 from exactkf.dynamics.sieve import places_of_signs
 from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
+from exactkf.dynamics.speed import Speed, rate_ball, speed
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
     Readings,
@@ -68,6 +71,7 @@ from exactkf.dynamics.wandering import (
     places_without_escape,
     primes,
 )
+from exactkf.dynamics.zeros import circle_points
 from exactkf.exact._messages import bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.circle import sign_on_circle
@@ -82,7 +86,7 @@ from exactkf.kernel.roots import count_circle, times_poly
 from exactkf.theory._scalars import Scalar, unify_pair
 from exactkf.theory.orbits import first_escape, integer_orbit
 
-__all__ = ["LimitDigits", "decide", "limit_digits"]
+__all__ = ["LimitDigits", "decide", "limit_digits", "rate_digits"]
 
 MAX_STEPS = 2000
 _FEW = 60
@@ -174,7 +178,7 @@ def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
     Q = [x + y for x, y in zip(a, g, strict=True)][::-1] + [one]
     S = [*g[::-1], one - one]
     reduced = reduce_pair(Q, S)
-    facts: list[Fact] = []
+    facts = [of_field(a[0].field)] if isinstance(a[0], RealNumber) else list[Fact]()
     D = spectral_polynomial(reduced.Q, reduced.S)
     theta = len(reduced.removed) - 1
     if theta and len(reduced.Q) > 1:
@@ -188,11 +192,12 @@ def _describe(case: _Case, shape: str) -> None:
     m = len(case.reduced.Q) - 1
     d = case.D[m:]
     if d[0] != 0:
-        kappa = ", ".join(str(2 * x / d[0]) for x in d[1:])
-        case.facts.append(Fact(f"The invariants kappa_1, ..., kappa_{m} are {kappa}.", f"$(\\kappa_1, \\dots, \\kappa_{m}) = ({kappa})$."))
+        kappa, names = [2 * x / d[0] for x in d[1:]], ["kappa_1", *(["..."] * (m > 2)), f"kappa_{m}"][:m + (m > 2)]
+        case.facts.append(Fact(f"The invariant{'s' * (m > 1)} {', '.join(names)} {'are' if m > 1 else 'is'} {', '.join(map(number_words, kappa))}.",
+                               f"$(\\kappa_1, \\dots, \\kappa_{{{m}}}) = ({', '.join(map(number_latex, kappa))})$."))
     else:
-        point = " : ".join(str(x) for x in d)
-        case.facts.append(Fact(f"d_0 = 0; the point of projective space is ({point}).", f"$d_0 = 0$, $(d_0 : \\dots : d_{m}) = ({point})$."))
+        case.facts.append(Fact(f"d_0 = 0; the point of projective space is ({' : '.join(map(number_words, d))}).",
+                               f"$d_0 = 0$, $(d_0 : \\dots : d_{{{m}}}) = ({' : '.join(map(number_latex, d))})$."))
     if shape == "+-":
         case.facts.append(Fact("D changes sign on the unit circle: the orbit does not converge.", "$D(z, z^{-1})$ changes sign on $|z| = 1$."))
     else:
@@ -202,8 +207,8 @@ def _describe(case: _Case, shape: str) -> None:
 # ---------------------------------------------------------------------- answers
 def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
     """The answer; where it converges the limit, with the evidence for it, is found when it is asked for."""
-    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, **fields}
-    later = {"limit": _limit, "certificate": _sealed} if behaviour == "converges" else {"certificate": _sealed}
+    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, "beside": _BESIDE, **fields}
+    later = _LATER_OF_LIMITS if behaviour == "converges" else _LATER
     return Answer.of_entries(len(case.a), entries, later, (case.a, case.g, evidence))
 
 
@@ -216,6 +221,33 @@ def _sealed(answer: Answer) -> dict[str, Any]:
 
 def _limit(answer: Answer) -> dict[str, Any]:
     return _found(answer).limit
+
+
+def _structure(answer: Answer) -> dict[str, Any]:
+    from exactkf.dynamics.structure import structure_json
+
+    return structure_json(*answer.__dict__["_start"][:2])
+
+
+def _speed(answer: Answer) -> Speed:
+    """The speed, kept for the other half of it; of an equilibrium there is none."""
+    if "_speed" not in answer.__dict__:
+        D = _case(*answer.__dict__["_start"][:2]).D
+        answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle_points(D) if len(D) > 1 else [])
+    return answer.__dict__["_speed"]
+
+
+def _rate(answer: Answer) -> Any:
+    return _speed(answer).rate
+
+
+def _slow(answer: Answer) -> int | None:
+    return _speed(answer).slow
+
+
+_LATER = {"certificate": _sealed, "structure": _structure}
+_LATER_OF_LIMITS = {**_LATER, "limit": _limit, "rate": _rate, "slow": _slow}
+_BESIDE = ("rate", "slow", "structure", "facts")
 
 
 def _found(answer: Answer) -> _Limit | EnclosedLimit:
@@ -574,6 +606,20 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
         return LimitDigits(tuple(_ball(lo, hi, bits) for lo, hi in found))
     numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
+
+
+def rate_digits(answer: Answer, digits: int) -> arb:
+    """Return a ball around the rate of an orbit that converges, with relative error at most ``10**-digits``.
+
+    Raises
+    ------
+    BadInput
+        If the answer has no rate, or `digits` is not a positive integer.
+    """
+    if answer.rate is None:
+        raise BadInput(f"answer = {answer.behaviour!r}: it has no rate; pass the answer for data that converge faster than 1/t")
+    question = answer.certificate["statement"]["question"]
+    return rate_ball(answer.rate, _case(*_state_of(question)).D if "a" in question else [], digits)
 
 
 def _ball(lo: int, hi: int, bits: int) -> arb:

@@ -5,9 +5,11 @@ Main definitions
 ----------------
 ``number_json``      a rational or algebraic number in JSON
 ``root_json``        a root of a quadratic polynomial over a field, in JSON
+``isolated``         a root of a polynomial over Q, known by balls, in JSON
 ``field_json``       the field of some numbers, as certificates have it
 ``element_json``     a number as an element of that field
 ``number_words``, ``number_latex``   an element of a field as text
+``polynomial_text``, ``polynomial_latex``   a polynomial over a field as text
 
 Notation
 --------
@@ -19,6 +21,7 @@ of a field is ``"p/q"`` or the list of its coefficients from :math:`\theta^0` up
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from math import isqrt
 from typing import Any
 
@@ -29,7 +32,8 @@ from exactkf.exact.balls import ball, precision
 from exactkf.exact.polynomials import count_real_roots
 from exactkf.theory._scalars import Scalar
 
-__all__ = ["element_json", "field_json", "field_of", "number_json", "number_latex", "number_words", "polynomial_words", "root_json", "square_root"]
+__all__ = ["element_json", "field_json", "field_of", "isolated", "number_json", "number_latex", "number_words", "polynomial_latex", "polynomial_text",
+           "polynomial_words", "root_json", "square_root"]
 
 
 def field_of(*scalars: Scalar) -> RealField | None:
@@ -64,7 +68,7 @@ def number_json(x: Scalar) -> Any:
     """
     if not isinstance(x, RealNumber) or x.is_rational():
         return str(_rational(x))
-    return _isolated(x.minimal_polynomial(), lambda bits: x.enclose(bits * 3 // 10))
+    return isolated(x.minimal_polynomial(), lambda bits: x.enclose(bits * 3 // 10))
 
 
 def root_json(b: Scalar, q: Scalar, smaller: bool) -> Any:
@@ -99,7 +103,7 @@ def root_json(b: Scalar, q: Scalar, smaller: bool) -> Any:
         root, middle = (_enclosed(v, bits) for v in (disc, b))
         return middle - root.sqrt() if smaller else middle + root.sqrt()
 
-    return _isolated(_norm(field(b), field(q)), enclosed)
+    return isolated(_norm(field(b), field(q)), enclosed)
 
 
 def square_root(x: fmpq) -> fmpq | None:
@@ -130,8 +134,8 @@ def _norm(b: RealNumber, q: RealNumber) -> fmpq_poly:
     return fmpq_mat(rows).charpoly()
 
 
-def _isolated(p: fmpq_poly, enclosed: Any) -> Any:
-    """The root of p that the balls of growing accuracy enclose."""
+def isolated(p: fmpq_poly, enclosed: Any) -> Any:
+    """Return the root of `p` that the balls of growing accuracy ``enclosed(bits)`` hold, in JSON."""
     factors = [f for f, _ in p.factor()[1]]
     bits = 64
     while True:
@@ -171,3 +175,40 @@ def number_latex(x: Scalar) -> str:
         sign = "-" if c < 0 else "+" if terms else ""
         terms += sign + (power if power and size == "1" else size + power)
     return terms or "0"
+
+
+def polynomial_latex(p: Sequence[Scalar], name: str = "z") -> str:
+    r"""Return a polynomial over Q or a field in LaTeX, given from the constant up.
+
+    Examples
+    --------
+    >>> polynomial_latex([fmpq(1), fmpq(-5, 2), fmpq(1)], "z")
+    'z^{2}-\\frac{5}{2}z+1'
+    """
+    return _sum([(number_latex(c), "" if k == 0 else name if k == 1 else f"{name}^{{{k}}}") for k, c in enumerate(p)], "", ("+", "-"))
+
+
+def polynomial_text(p: Sequence[Scalar], name: str = "z") -> str:
+    """Return a polynomial over Q or a field as text, given from the constant up.
+
+    Examples
+    --------
+    >>> polynomial_text([fmpq(1), fmpq(-5, 2), fmpq(1)], "z")
+    'z^2 - 5/2*z + 1'
+    """
+    return _sum([(number_words(c), "" if k == 0 else name if k == 1 else f"{name}^{k}") for k, c in enumerate(p)], "*", (" + ", " - "))
+
+
+def _sum(terms: list[tuple[str, str]], times: str, signs: tuple[str, str]) -> str:
+    """The terms with coefficients that are not zero, highest power first."""
+    out = ""
+    for number, power in reversed(terms):
+        if number == "0":
+            continue
+        negative = number.startswith("-")
+        if re.search(r".[+-]| [+-] ", number):
+            negative, number = False, f"({number})"
+        size = number[1:] if negative else number
+        size = power if power and size == "1" else size + times * bool(power) + power
+        out += (signs[negative] if out else "-" * negative) + size
+    return out or "0"

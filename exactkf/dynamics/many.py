@@ -105,7 +105,8 @@ def outcomes(starts: Sequence[Start], *, jobs: int = 1, time_limit: float | None
     starts, jobs, time_limit
         As for `decide_many`.
     asked : tuple of str
-        What the workers make besides: some of "limit", "facts", "certificate".  What takes too long is missing, and `reason` says so.
+        What the workers make besides: some of "limit", "rate", "slow", "structure", "facts", "certificate".  What takes too long is
+        missing, and `reason` says so.
     idle : callable, optional
         Called when nothing has come for half a second.
     """

@@ -219,7 +219,14 @@ def _sealed(answer: Answer) -> dict[str, Any]:
     return seal("orbit", "orbit", {"question": question, "answer": answer.decided()}, {})
 
 
-_LATER = {"facts": _told, "certificate": _sealed}
+def _structure(answer: Answer) -> dict[str, Any]:
+    from exactkf.dynamics.structure import structure_json
+
+    alpha, gamma = answer.__dict__["_start"][:2]
+    return structure_json([alpha - gamma], [gamma + 0 * alpha])  # both in one field
+
+
+_LATER = {"facts": _told, "certificate": _sealed, "structure": _structure}
 
 
 def _one_field(**named: Any) -> list[Scalar]:
@@ -264,6 +271,8 @@ def _filter(alpha: Scalar, gamma: Scalar) -> _Decision:
     entries.update(behaviour="converges", limit={"alpha": [limit], "gamma": "0"}, monotone_from=max(found.change, 0))
     if found.kind == "hyperbolic":
         entries.update(rate=root_json(2 * c * c - 1, fmpq(1), True), enters_positive_real=max(found.change + 1, 0))
+    else:
+        entries.update(slow=1)
     return _Decision(entries, lambda: told() + facts.convergence(c, alpha, found))
 
 
@@ -318,6 +327,7 @@ def _riccati(alpha: Scalar, gamma: Scalar, pi: Scalar) -> _Decision:
         return _Decision({**entries, **_turning(halved)}, lambda: told() + facts.turning(c, found.order, halved, "riccati"))
     if found.kind == "parabolic":
         limit = number_json(1 - alpha * _sign(c))
+        entries.update(slow=1)
     else:  # 1 - pi tends to alpha times the root of larger modulus
         limit = root_json(1 - alpha * c, square, alpha * c > 0)
         entries.update(rate=root_json(2 * c * c - 1, fmpq(1), True))

@@ -1,16 +1,23 @@
 # SPDX-License-Identifier: MIT
-"""An answer as lines for people."""
+"""An answer for people: on the screen and in LaTeX, the same entries in both.
+
+Main definitions
+----------------
+``headline``                            what the orbit does, in one line
+``decision_lines``                      that, and the derivation
+``number_lines``, ``structure_lines``   what `exactkf.dynamics.shown_entries` makes, as lines
+``latex_text``, ``latex_rows``          all of it in LaTeX, and its entries
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from exactkf.dynamics.answer import Answer
-from exactkf.dynamics.every_order import limit_digits
-from exactkf.dynamics.exact_json import polynomial_words
-from exactkf.exact.numberfield import RealField
+from exactkf.dynamics.shown_entries import Entry, ahead_entries, number_entries, structure_entries
 
-__all__ = ["decision_lines", "headline", "number_lines", "shown_number"]
+__all__ = ["decision_lines", "headline", "latex_rows", "latex_text", "number_lines", "structure_lines"]
 
 _LONGEST = 800  # characters of a line
 
@@ -26,25 +33,28 @@ def _short(line: str) -> str:
 
 
 def number_lines(answer: Answer, digits: int) -> list[str]:
-    """The limit and the other numbers of the answer."""
-    rows: list[tuple[str, str]] = []
-    for name, values in (answer.limit or {}).items():
-        several = isinstance(values, list)
-        if several and isinstance(values[0], dict) and "minpoly" not in values[0]:
-            shown = [f"{f'0 to {digits} digits' if x.contains(0) else x.str(digits, radius=False)}  (enclosed)" for x in limit_digits(answer, digits).alpha]
-        else:
-            shown = [shown_number(value, digits) for value in (values if several else [values])]
-        rows += [(f"limit of {name}" + f"_{k}" * (len(shown) > 1), text) for k, text in enumerate(shown, 1)]
-    if answer.rate is not None:
-        rows.append(("rate", shown_number(answer.rate, digits)))
-    if answer.region:
-        rows.append(("start", answer.region))
-    for label, value in (("monotone from step", answer.monotone_from), ("positive real from step", answer.enters_positive_real),
-                         ("dimension of the torus", answer.torus_dimension)):
-        if value is not None:
-            rows.append((label, str(value)))
-    width = max((len(label) for label, _ in rows), default=0)
-    return ["", *(f"  {label:<{width}}  {value}" for label, value in rows)] if rows else []
+    """The limit, the rate and the other numbers of the answer."""
+    return _lines(number_entries(answer, digits))
+
+
+def structure_lines(answer: Answer, digits: int) -> list[str]:
+    """What is behind the orbit, and what of all this the certificate vouches for."""
+    return [*_lines(structure_entries(answer, digits)), *([] if answer.behaviour == "undecided" else ["", f"  {vouched(answer)}"])]
+
+
+def _lines(entries: Sequence[Entry]) -> list[str]:
+    width = max((len(entry.label) for entry in entries), default=0)
+    return ["", *(f"  {entry.label:<{width}}  {_short(entry.words)}" for entry in entries)] if entries else []
+
+
+def vouched(answer: Answer) -> str:
+    """What the certificate vouches for."""
+    named = [("limit", "the limit"), ("rate", "the rate"), ("period", "the period"), ("torus_dimension", "the dimension of the torus")]
+    said = [words for name, words in named if name not in answer.beside and getattr(answer, name) is not None]
+    said += ["the steps"] * any(getattr(answer, name) is not None for name in ("escape", "monotone_from", "enters_positive_real", "preperiod"))
+    said += ["that there is no escape"] * answer.never_escapes
+    listed = ", ".join(["the behaviour", *said[:-1]]) + " and " + said[-1]
+    return f"The certificate vouches for {listed}. The sentences and the other numbers are exact as well, but stand beside it."
 
 
 def headline(answer: Answer) -> str:
@@ -69,16 +79,22 @@ def headline(answer: Answer) -> str:
     return f"the orbit is {answer.behaviour}"
 
 
-def shown_number(value: Any, digits: int) -> str:
-    """An exact number of an answer, with its decimal digits; it is rational, or the root of a polynomial.
+# ---------------------------------------------------------------------- LaTeX
+def latex_text(answer: Answer, digits: int, ahead: Mapping[str, Any] | None) -> str:
+    """Headline, derivation, numbers and structure, the state far ahead if it is given, and what the certificate vouches for."""
+    reason = [f"Undecided: {answer.reason}."] if answer.reason else []
+    lists = [[*(fact.latex for fact in answer.facts), *reason], latex_rows(answer, digits), _rows(ahead_entries(ahead, digits)) if ahead else []]
+    parts = [f"\\noindent\\textbf{{Order {answer.order}: {headline(answer)}.}}"]
+    for rows in lists:
+        if rows:
+            parts += ["\\begin{itemize}", *(f"  \\item {row}" for row in rows), "\\end{itemize}"]
+    return "\n".join(parts + ([] if answer.behaviour == "undecided" else [f"\\noindent {vouched(answer)}"]))
 
-    Examples
-    --------
-    >>> shown_number("1/3", 5)
-    '1/3'
-    """
-    if not isinstance(value, dict):
-        return str(value)
-    field = RealField(value["minpoly"], value["interval"])
-    digits_of = field.gen().enclose(digits).str(digits, radius=False)
-    return f"{digits_of}  (root {field.index + 1} of {polynomial_words(field.minpoly, 'x')}, from the left)"
+
+def latex_rows(answer: Answer, digits: int) -> list[str]:
+    """The entries of numbers and structure in LaTeX."""
+    return _rows([*number_entries(answer, digits), *structure_entries(answer, digits)])
+
+
+def _rows(entries: Sequence[Entry]) -> list[str]:
+    return [f"{entry.label_latex}: {entry.latex}" for entry in entries]

@@ -17,10 +17,11 @@ from pathlib import Path
 from typing import Any
 
 from exactkf._errors import Unsupported
+from exactkf.dynamics.ahead import ahead_data, ahead_lines
 from exactkf.dynamics.analyze import analyze, filter_from
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.filter import Filter
-from exactkf.dynamics.shown import decision_lines, number_lines
+from exactkf.dynamics.shown import decision_lines, number_lines, structure_lines
 from exactkf.exact._messages import bad
 from exactkf.files import dump_json, reaching
 
@@ -55,7 +56,7 @@ class Request:
 
     def stages(self) -> int:
         """How many stages there are."""
-        return 3 + (self.after is not None) + len(self.files) + len(self.pictures)
+        return 4 + (self.after is not None) + len(self.files) + len(self.pictures)
 
 
 def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
@@ -72,17 +73,28 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
     answer = analyze(filter, pi0=start, floats=data.get("floats"))
     tell(("decided", answer.without_certificate()))
     tell(("lines", decision_lines(answer)))
-    tell(("stage", "finding the limit"))
-    try:
-        tell(("lines", number_lines(answer, request.digits)))
-    except Unsupported as error:
-        tell(("missing", f"limit: {error}"))
+    for name, lines in (("limit", number_lines), ("structure", structure_lines)):
+        tell(("stage", f"finding the {name}"))
+        try:
+            tell(("lines", lines(answer, request.digits)))
+        except Unsupported as error:
+            tell(("missing", f"{name}: {error}"))
+        tell(("decided", answer.without_certificate()))
+    ahead = None
     if request.after is not None:
         tell(("stage", f"going {request.after} steps ahead"))
-        tell(_ahead(filter, request.after, request.digits))
+        try:
+            ahead = ahead_data(filter.a, filter.g, request.after, request.digits)
+        except Unsupported as error:
+            tell(("missing", str(error)))
+        else:
+            tell(("lines", ["", *(f"  {line}" for line in ahead_lines(ahead, request.digits))]))
     for name in request.files:
         tell(("stage", f"writing the {name}"))
-        tell(("file", (name, _TEXTS[name](answer))))
+        try:
+            tell(("file", (name, _text(name, answer, request, ahead))))
+        except Unsupported as error:
+            tell(("missing", f"{name}: {error}"))
     for kind, path in request.pictures:
         tell(("stage", f"drawing the {kind} picture"))
         try:
@@ -94,21 +106,11 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
             tell(("drawn", path))
 
 
-_TEXTS: dict[str, Callable[[Answer], str]] = {
-    "json": lambda answer: dump_json(answer.to_json()),
-    "certificate": lambda answer: dump_json(answer.certificate),
-    "latex": lambda answer: answer.latex() + "\n",
-}
-
-
-def _ahead(filter: Filter, steps: int, digits: int) -> Told:
-    """The state after so many steps, exact as long as it is short, in digits in any case."""
-    from exactkf.dynamics.ahead import ahead_lines
-
-    try:
-        return "lines", ahead_lines(filter.a, filter.g, steps, digits)
-    except Unsupported as error:
-        return "missing", str(error)
+def _text(name: str, answer: Answer, request: Request, ahead: dict[str, Any] | None) -> str:
+    """What goes into a file."""
+    if name == "latex":
+        return answer.latex(request.digits, ahead) + "\n"
+    return dump_json(answer.certificate if name == "certificate" else {**answer.to_json(), **({} if request.after is None else {"ahead": ahead})})
 
 
 def _draw(kind: str, path: Path, filter: Filter, steps: int) -> None:

@@ -3,8 +3,9 @@ r"""The linear algebra behind an orbit: `D`, the invariants, `S` and its invaria
 
 Main definitions
 ----------------
-``structure``   everything that BLZ94 Sections 5 and 6 attach to a rational state
-``Structure``   the result
+``structure``       everything that BLZ94 Sections 5 and 6 attach to a state
+``Structure``       the result
+``structure_json``  the same as plain data
 
 Main statements
 ---------------
@@ -12,88 +13,118 @@ For the coprime pair of order `m` that is left after reduction, with :math:`Q(0)
 `2m`, characteristic polynomial :math:`z^m D / d_m`, and one Jordan block for each eigenvalue, of the
 multiplicity of the zero of `D` (`exactkf.kernel.orbit_n`, statement 1).  If `D` keeps one sign on the
 circle and `w` is its stable spectral factor, the dominant and codominant `m`-dimensional invariant
-subspaces are the kernels of :math:`z^m w(1/z)` and of `w` at `S` (BLZ94 Lemma 6.10).
+subspaces are the kernels of :math:`w_*(z) = z^m w(1/z)/w(0)` and of `w` at `S` (BLZ94 Lemma 6.10).
+
+Each of them is :math:`\operatorname{Im}(I; P)` for one symmetric `P`, for it meets :math:`\operatorname{Im}(0; I)` in zero only, and is
+spanned by :math:`v, Sv, \dots, S^{m-1}v` with :math:`v = (h; u)`, :math:`u = Ph`.  An equilibrium :math:`(q, 0)` of (2.8) has
+:math:`r q = r a + g - Fu`, :math:`u_1 = 1 - r`, so `u` comes from `q` and `r`: for the dominant one :math:`q = w`, :math:`r = Q(0)/w(0)`; for the
+other the same with :math:`w_*` instead of `w`.
 
 References
 ----------
-BLZ94 (5.5)-(5.9), (6.8), Proposition 6.6, Lemmas 6.7-6.12.
+BLZ94 (2.8), (5.5)-(5.9), (6.8), Proposition 6.6, Lemmas 6.7-6.12.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
-from flint import fmpq, fmpq_mat
+from flint import arb, fmpq
 
-from exactkf._errors import BadInput
-from exactkf.dynamics.spectral_factor import spectral_factor
-from exactkf.exact.canonical import ElementaryDivisors, elementary_divisors
-from exactkf.exact.circle import CircleZero, circle_zeros, sign_on_circle
-from exactkf.kernel.linear import Matrix, null_basis
-from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial, spectral_sign
-from exactkf.kernel.roots import count_circle
-from exactkf.theory._scalars import Scalar, check_length, unify
-from exactkf.theory.power_method import symplectic_matrix_of
+from exactkf.dynamics.enclosed_limit import EnclosedLimit
+from exactkf.dynamics.every_order import _case
+from exactkf.dynamics.exact_json import element_json, field_json, field_of, number_json
+from exactkf.dynamics.spectral_factor import number_of_choices, spectral_factor
+from exactkf.dynamics.zeros import CirclePoint, circle_points, factors, interval_json
+from exactkf.exact.balls import precision
+from exactkf.exact.numberfield import RealNumber
+from exactkf.kernel.linear import Matrix
+from exactkf.kernel.orbit_n import spectral_polynomial, spectral_sign
+from exactkf.kernel.roots import count_circle, gcd_poly
+from exactkf.theory._scalars import Scalar
 
-__all__ = ["Structure", "structure"]
+__all__ = ["JordanBlocks", "Structure", "structure", "structure_json"]
+
+_MOST_CHOICES = 8  # degree up to which the subspaces are written exactly
+_DIGITS = 50
+_SIGNS = {"+": "positive", "0+": "nonnegative", "0": "zero", "-0": "nonpositive", "-": "negative", "+-": "indefinite"}
+
+
+class JordanBlocks(NamedTuple):
+    """`S` has one block of this size for each zero of the polynomial (from z^0 up, monic); these are distinct."""
+
+    polynomial: tuple[Any, ...]
+    size: int
 
 
 @dataclass(frozen=True)
 class Structure:
-    r"""What belongs to a rational state.
+    r"""What belongs to a state.
 
     Attributes
     ----------
     order : int
         The order `m` of the reduced pair.
-    start, factor : int, tuple of fmpq
-        The steps that the reduction takes, and the factor taken out of `a` and `b`, from z^0 up.
-    d : tuple of fmpq, length m + 1
+    start : int
+        The steps that the reduction takes.
+    gcd, factor : tuples of numbers
+        The greatest common divisor of `a` and `b` at the start, and at that step, from z^0 up.
+    d : tuple of numbers, length m + 1
         :math:`d_0, \dots, d_m` of the reduced pair: a point of projective space.
-    kappa : tuple of fmpq or None
+    kappa : tuple of numbers or None
         :math:`2 d_i / d_0`; None if :math:`d_0 = 0`.
     sign : str
-        As `exactkf.exact.circle.sign_on_circle`.
-    circle_zeros : tuple of CircleZero
-        The zeros of `D` on the circle with their multiplicities.
+        "positive", "nonnegative", "zero", "nonpositive", "negative" or "indefinite", of `D` on the circle.
+    circle_zeros : tuple of CirclePoint
+        The zeros of `D` on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each.
     positive_real : bool
         Whether the state is in the positive real region: `D` is positive on the circle, and `a` and `b`, with what they have in common, are Schur.
-    S : fmpq_mat or None, shape (2m, 2m)
-        None if ``m = 0``.
-    elementary_divisors : tuple of ElementaryDivisors
+    S : Matrix or None, shape (2m, 2m)
+        None if ``m = 0``, or if the orbit escapes before the reduction ends.
+    jordan : tuple of JordanBlocks
         The Jordan structure of `S`.
-    dominant, codominant : Matrix or None, shape (2m, m)
-        Bases in columns; None if `D` changes sign on the circle or ``m = 0``.
+    dominant, codominant : tuple of numbers or balls, length m, or None
+        The vectors `u` of the header, exact if the data are rational and their field is small; None if there is no `S` or `D` changes sign.
     """
 
     order: int
     start: int
-    factor: tuple[fmpq, ...]
-    d: tuple[fmpq, ...]
-    kappa: tuple[fmpq, ...] | None
+    gcd: tuple[Any, ...]
+    factor: tuple[Any, ...]
+    d: tuple[Any, ...]
+    kappa: tuple[Any, ...] | None
     sign: str
-    circle_zeros: tuple[CircleZero, ...]
+    circle_zeros: tuple[CirclePoint, ...]
     positive_real: bool
-    S: fmpq_mat | None
-    elementary_divisors: tuple[ElementaryDivisors, ...]
-    dominant: Matrix | None
-    codominant: Matrix | None
+    S: Matrix | None
+    jordan: tuple[JordanBlocks, ...]
+    dominant: tuple[Any, ...] | None
+    codominant: tuple[Any, ...] | None
+
+    def subspace(self, u: Sequence[Any]) -> Matrix:
+        """Return :math:`v, Sv, \\dots` in columns for one of the vectors `u`, if it is exact."""
+        zero = 0 * u[0]
+        columns = [[1 + zero, *[zero] * (self.order - 1), *u]]
+        for _ in range(self.order - 1):
+            columns.append([sum((x * y for x, y in zip(row, columns[-1], strict=True)), zero) for row in self.S.rows])  # type: ignore[union-attr]
+        return Matrix(columns).transpose()
 
 
 def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
-    """Return the structure behind the orbit of a rational state.
+    """Return the structure behind the orbit of a state.
 
     Parameters
     ----------
-    a, g : sequences of rationals, length n
+    a, g : sequences of rationals or of elements of one `RealField`, length n
 
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ, or the orbit escapes before the
-        reduction ends, in which case `D` is zero or the state next to an escape.
+        If the lengths differ or an entry is neither rational nor in the field of the others.
+    Unsupported
+        If zeros of `D` are too close to the circle or to each other.
 
     Examples
     --------
@@ -101,38 +132,85 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     >>> found.kappa, found.sign, found.positive_real
     ((40/79,), 'positive', True)
     """
-    a, g = unify(a=a, g=g)
-    check_length("g", g, len(a), "a")
-    if not a or not all(isinstance(x, fmpq) for x in (*a, *g)):
-        raise BadInput("(a, g): not rational, or empty; pass rationals")
-    Q, star = [x + y for x, y in zip(a, g, strict=True)][::-1] + [fmpq(1)], [*g[::-1], fmpq(0)]
-    reduced = reduce_pair(Q, star)
-    if reduced.escape is not None:
-        raise BadInput(f"(a, g): the orbit escapes at step {reduced.escape}, before a pair with S is reached; pass another state")
-    m, inside = len(reduced.Q) - 1, spectral_sign(spectral_polynomial(Q, star)) == "+" and count_circle(Q)[0] == len(a)
-    D = spectral_polynomial(reduced.Q, reduced.S)
-    d = tuple(fmpq(x) for x in D[m:])
-    kappa = tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None
-    sign = sign_on_circle(list(d))
-    zeros = tuple(circle_zeros(list(d)))
-    factor = tuple(fmpq(x) for x in reduced.removed)
-    if m == 0:
-        return Structure(0, reduced.start, factor, d, kappa, sign, zeros, inside, None, (), None, None)
-    g_m = [fmpq(x) for x in reduced.S[-2::-1]]
-    S = symplectic_matrix_of([x - y for x, y in zip(reduced.Q[-2::-1], g_m, strict=True)], g_m)
+    case = _case(a, g)
+    reduced, D, m = case.reduced, case.D, len(case.reduced.Q) - 1
+    d, sign = tuple(D[m:]), _SIGNS[spectral_sign(D)]
+    inside = spectral_sign(spectral_polynomial(case.Q, case.S)) == "+" and count_circle(case.Q)[0] == len(case.a)
+    S: Matrix | None = None
+    jordan: tuple[JordanBlocks, ...] = ()
     dominant = codominant = None
-    if sign != "indefinite":
+    if m and reduced.escape is None:
+        q_m, g_m = reduced.Q[-2::-1], reduced.S[-2::-1]
+        a_m = [x - y for x, y in zip(q_m, g_m, strict=True)]
+        S, jordan = _symplectic(q_m, g_m), tuple(JordanBlocks(tuple(f), k) for f, k in factors(D))
+        if sign != "indefinite":
+            dominant, codominant = _subspaces(D, a_m, g_m)
+    return Structure(m, reduced.start, tuple(gcd_poly(case.Q, case.S)), tuple(reduced.removed), d,
+                     tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, () if sign == "zero" else tuple(circle_points(D)),
+                     inside, S, jordan, dominant, codominant)
+
+
+def _symplectic(q: Sequence[Any], g: Sequence[Any]) -> Matrix:
+    """S as `exactkf.theory.power_method.symplectic_matrix_of` has it, over any field; q_m is not zero."""
+    m = len(q)
+    zero = 0 * q[-1]
+    # A = J - q h', so A' e_i = e_{i+1} - q_i e_1 and A' e_m = -q_m e_1
+    inverse = [[zero + int(j == i + 1) for j in range(m)] for i in range(m - 1)] + [[-x / q[-1] for x in (1 + zero, *q[:-1])]]
+    low = [[g[i] * sum((g[k] * inverse[k][j] for k in range(m)), zero) for j in range(m)] for i in range(m)]
+    top = [[*row, -row[0], *[zero] * (m - 1)] for row in inverse]
+    bottom = [[*row, *((zero + int(j == i + 1)) - (q[i] + row[0] if j == 0 else zero) for j in range(m))] for i, row in enumerate(low)]
+    return Matrix(top + bottom)
+
+
+def _subspaces(D: Sequence[Any], a: Sequence[Any], g: Sequence[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+    """The vectors u of the dominant and the codominant subspace, exact or in balls."""
+    if not isinstance(D[-1], RealNumber) and number_of_choices(D) <= _MOST_CHOICES:
         w = list(spectral_factor(D).coefficients)
-        dominant, codominant = _kernel(w[::-1], S), _kernel(w, S)
-    return Structure(m, reduced.start, factor, d, kappa, sign, zeros, inside, S,
-                     tuple(elementary_divisors(S)), dominant, codominant)
+        return _vector(w, a, g), _vector([x / w[0] for x in reversed(w)], a, g)
+    found, bits, *_ = EnclosedLimit.of(D, [D[-1] / D[-1]]).enclosed(_DIGITS + 10)
+    with precision(bits + 64):
+        inner = [arb(fmpq(lo + hi, 2 << bits), fmpq(hi - lo, 2 << bits)) for lo, hi in reversed(found)]
+        balls = [*inner, arb(1)]
+        near = [[x.enclose(3 * bits // 10) if isinstance(x, RealNumber) else arb(x) for x in p] for p in (a, g)]
+        return _vector(balls, *near), _vector([x / balls[0] for x in reversed(balls)], *near)
 
 
-def _kernel(p: list[Any], S: fmpq_mat) -> Matrix:
-    """Return a basis of the kernel of p(S), p from z^0 up."""
-    rows = [[x + 0 * p[0] for x in row] for row in S.tolist()]
-    matrix, eye = Matrix(rows), Matrix.identity(len(rows))
-    value = eye * p[-1]
-    for c in reversed(p[:-1]):
-        value = value * matrix + eye * c
-    return null_basis(value)
+def _vector(w: Sequence[Any], a: Sequence[Any], g: Sequence[Any]) -> tuple[Any, ...]:
+    """u of the equilibrium with the polynomial w, from z^0 up."""
+    r = (a[-1] + g[-1]) / w[0]
+    u = [1 - r]
+    for w_i, a_i, g_i in zip(w[-2:0:-1], a[:-1], g[:-1], strict=True):
+        u.append(g_i + a_i * u[0] - r * (w_i - a_i))
+    return tuple(u)
+
+
+# ---------------------------------------------------------------------- as data
+def structure_json(a: Sequence[Scalar], g: Sequence[Scalar]) -> dict[str, Any]:
+    """Return the structure as plain data.
+
+    Numbers are "p/q" or, over a field, lists of coefficients in its generator; `field` is the field.  In ``circle_zeros`` and the
+    subspaces they are as in the limit of an answer.
+
+    Parameters
+    ----------
+    a, g
+        As for `structure`.
+    """
+    found = structure(a, g)
+    field = field_of(*found.d, *found.gcd)
+
+    def listed(values: Sequence[Any] | None) -> list[Any] | None:
+        return None if values is None else [element_json(x) for x in values]
+
+    return {
+        "field": field_json(field), "order": found.order, "start": found.start, "gcd": listed(found.gcd), "factor": listed(found.factor),
+        "d": listed(found.d), "kappa": listed(found.kappa), "sign": found.sign,
+        "circle_zeros": [zero._asdict() for zero in found.circle_zeros], "positive_real": found.positive_real,
+        "S": None if found.S is None else [listed(row) for row in found.S.rows],
+        "jordan": [{"polynomial": listed(f), "size": k} for f, k in found.jordan],
+        "dominant": _numbers(found.dominant), "codominant": _numbers(found.codominant),
+    }
+
+
+def _numbers(u: Sequence[Any] | None) -> list[Any] | None:
+    return None if u is None else [interval_json(x) if isinstance(x, arb) else number_json(x) for x in u]

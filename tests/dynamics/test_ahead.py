@@ -9,7 +9,7 @@ import pytest
 from flint import arb, fmpq
 
 from exactkf._errors import BadInput
-from exactkf.dynamics.ahead import ahead_lines, digits_ahead, state_ahead
+from exactkf.dynamics.ahead import ahead_data, ahead_lines, digits_ahead, state_ahead
 from exactkf.dynamics.every_order import decide
 from exactkf.exact import sqrt_field
 from exactkf.exact.balls import contains
@@ -105,8 +105,8 @@ def test_digits_of_algebraic_states_agree_with_stepping(n):
 
 def test_the_text_names_an_escape():
     """The lines say that there is no state behind an escape."""
-    assert ahead_lines([-2], [fmpq(1, 2)], 10) == ["no state after 10 steps: the orbit escapes at step 1"]
-    assert ahead_lines([0], [2], 2) == ["a_1(2) = 2", "g_1(2) = -8/7"]
+    assert ahead_lines(ahead_data([-2], [fmpq(1, 2)], 10)) == ["no state after 10 steps: the orbit escapes at step 1"]
+    assert ahead_lines(ahead_data([0], [2], 2)) == ["a_1(2) = 2", "g_1(2) = -8/7"]
 
 
 @pytest.mark.parametrize(("T", "digits"), [(-1, 5), (3, 0), (True, 5)])

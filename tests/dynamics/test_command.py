@@ -33,7 +33,7 @@ def test_an_answer_is_printed_and_written(tmp_path):
     answer = json.loads(files["a.json"].read_text())
     assert answer["behaviour"] == "converges" and answer["limit"]["gamma"] == "0"
     replay(json.loads(files["c.json"].read_text()))
-    assert files["a.tex"].read_text().startswith("\\begin{itemize}")
+    assert files["a.tex"].read_text().startswith("\\noindent\\textbf{Order 1: the orbit converges.}")
     assert files["p.png"].read_bytes()[:4] == b"\x89PNG" and "<svg" in files["g.svg"].read_text() and "<svg" in files["s.svg"].read_text()
 
 
@@ -158,7 +158,8 @@ def test_a_time_limit_is_a_number_of_seconds(limit):
 def test_a_limit_of_large_degree_is_enclosed():
     """Order eight: the limit in digits, at once."""
     done = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30")
-    assert done.exit_code == 0 and done.stdout.count("(enclosed)") == 8, done.output
+    enclosed = [line.split("  ")[1][:5] for line in done.stdout.splitlines() if "(enclosed)" in line]
+    assert done.exit_code == 0 and enclosed == 8 * ["limit"] + ["rate"], done.output
     many = run("--a", "0,1/5,0,0,1/7,0,0,1/9", "--g", "1/10,0,1/11,0,0,1/20,0,1/30", "--digits", 120).stdout.splitlines()
     first = next(line for line in many if "limit of alpha_1" in line).split()[-2]
     assert len(first) > 120 and next(line for line in done.stdout.splitlines() if "limit of alpha_1" in line).split()[-2][:18] == first[:18]
@@ -178,7 +179,7 @@ def test_what_cannot_be_drawn_is_said(tmp_path, args, why):
 def test_numbers_of_steps_may_be_powers():
     """10^6, 1e6 and 1000000 are the same; algebraic data go ahead too."""
     ends = [run("--alpha", 3, "--gamma", "sqrt(2)", "--after", T).stdout.splitlines()[-2:] for T in ("10^6", "1e6", 1000000)]
-    assert ends[0] == ends[1] == ends[2] and ends[0][0].startswith("a_1(1000000) = 0.")
+    assert ends[0] == ends[1] == ends[2] and ends[0][0].startswith("  a_1(1000000) = 0.")
 
 
 def test_the_hyperbola_is_drawn_up_to_its_vertices():
@@ -195,3 +196,30 @@ def test_the_hyperbola_is_drawn_up_to_its_vertices():
     middle = (1 + 3.0**2 - 0.5**2) / 3.0 / 2
     for vertex in (middle - np.sqrt(middle**2 - 1), middle + np.sqrt(middle**2 - 1)):
         assert np.abs(drawn[np.abs(drawn[:, 0] - vertex) < 1e-6, 1]).min() < 1e-3
+
+
+@pytest.mark.parametrize(("args", "exact"), [(("--alpha", "0,2", "--gamma", "1/2,1/3", "--after", "3"), True),
+                                             (("--alpha", "3", "--gamma", "sqrt(2)", "--after", "10^9"), False)])
+def test_the_state_far_ahead_is_in_every_form(tmp_path, args, exact):
+    """Exact numbers, or decimal ones with a radius that holds: on the screen, in JSON and in LaTeX."""
+    done = run(*args, "--digits", 15, "--json", tmp_path / "a.json", "--latex", tmp_path / "a.tex")
+    assert done.exit_code == 0, done.output
+    ahead, latex = json.loads((tmp_path / "a.json").read_text())["ahead"], (tmp_path / "a.tex").read_text()
+    assert (ahead["escape"], ahead["never_escapes"]) == (None, True)
+    for name in "ag":
+        for i, x in enumerate(ahead[name], 1):
+            shown = done.stdout.split(f"  {name}_{i}({ahead['steps']}) = ")[1].splitlines()[0]
+            formula = latex.split(f"${name}_{{{i}}}({ahead['steps']}) = ")[1].split("$")[0]
+            if exact:
+                assert x == shown and formula.replace("\\frac{", "").replace("}{", "/").replace("}", "") == x
+            else:
+                assert float(x["radius"]) <= 1e-15 and shown.split("e")[0] == x["digits"][:len(shown.split("e")[0]) - 1] + shown.split("e")[0][-1]
+                assert formula.startswith(shown.split("e")[0])
+
+
+def test_an_escape_on_the_way_is_in_every_form(tmp_path):
+    """No state behind it."""
+    done = run("--a=-2", "--g", "1/2", "--after", 10, "--json", tmp_path / "a.json", "--latex", tmp_path / "a.tex")
+    assert "no state after 10 steps: the orbit escapes at step 1" in done.stdout
+    assert json.loads((tmp_path / "a.json").read_text())["ahead"] == {"steps": 10, "escape": 1, "never_escapes": False, "a": None, "g": None}
+    assert "State after $10$ steps: none, the orbit escapes at step $1$" in (tmp_path / "a.tex").read_text()

@@ -195,7 +195,9 @@ def test_answer_in_words_json_and_latex():
         answer = decide_order_one(*start) if len(start) == 2 else decide_riccati_one(*start)
         assert json.loads(json.dumps(answer.to_json())) == answer.to_json()
         assert answer.words().count("\n") == len(answer.facts) - 1 and all(f.words.endswith(".") for f in answer.facts)
-        assert answer.latex().count("\\item") == len(answer.facts) and answer.latex().count("$") % 2 == 0
+        latex = answer.latex()
+        assert all(f"\\item {fact.latex}\n" in latex for fact in answer.facts) and latex.count("$") % 2 == 0
+        assert all(line.count("$") % 2 == 0 and line.count("{") == line.count("}") for line in latex.splitlines())
 
 
 def test_numbers_as_text():

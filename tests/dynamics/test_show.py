@@ -22,11 +22,12 @@ def test_an_answer_prints_as_the_command_prints_it(alpha, gamma):
 
 
 def test_an_answer_in_a_notebook():
-    """The headline, then the derivation with its formulas."""
+    """The headline, then the derivation with its formulas, then the numbers."""
     answer = analyze(alpha=[3], gamma=["1/2"])
     first, empty, *facts = answer._repr_markdown_().split("\n")
     assert (first, empty) == ("**order 1: the orbit converges**", "")
-    assert facts == [f"- {fact.latex}" for fact in answer.facts] and "$" in facts[0]
+    assert facts[:len(answer.facts)] == [f"- {fact.latex}" for fact in answer.facts] and "$" in facts[0]
+    assert any(line.startswith("- Rate: $") for line in facts) and all(line.count("$") % 2 == 0 for line in facts)
 
 
 def test_an_outcome_prints_lemma_and_verdict():
