@@ -616,6 +616,9 @@ def rate_digits(answer: Answer, digits: int) -> arb:
     BadInput
         If the answer has no rate, or `digits` is not a positive integer.
     """
+    if not isinstance(answer, Answer):
+        raise bad("answer", "is not an Answer", answer, "pass what decide returns")
+    check_count("digits", digits, 1)
     if answer.rate is None:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no rate; pass the answer for data that converge faster than 1/t")
     question = answer.certificate["statement"]["question"]
