@@ -74,9 +74,10 @@ def judge_mutants(data: dict, by: Sequence[Evidence], drawn: list[tuple[dict, Wo
     if not drawn:
         return report
     every = mutants(data)
-    whole = [m for m in every if m.drops or m.kind == "inverse added"]
-    rest = [m for m in every if m not in whole]
-    chosen = rest[::max(1, -(-len(rest) // _MOST))] + whole
+    inverses = [m for m in every if m.kind == "inverse added"]
+    rest = [m for m in every if m not in inverses]
+    chosen = rest[::max(1, -(-len(rest) // _MOST))] + inverses
+    chosen += [m for m in rest if m.drops and m not in chosen]
     report.possible, report.looked_at = len(every), len(chosen)
     order = _informative(drawn)
     for mutant in chosen:
