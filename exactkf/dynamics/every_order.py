@@ -594,11 +594,9 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
     BadInput
         If the answer has no limit, or `digits` is not a positive integer.
     """
-    if not isinstance(answer, Answer):
-        raise bad("answer", "is not an Answer", answer, "pass what decide returns")
+    _check_asked(answer, digits)
     if answer.limit is None or "alpha" not in answer.limit:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for data that converge to such a limit")
-    check_count("digits", digits, 1)
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
     if any(isinstance(x, dict) and "minpoly" not in x for x in values):
         case = _case(*_state_of(answer.certificate["statement"]["question"]))
@@ -616,13 +614,17 @@ def rate_digits(answer: Answer, digits: int) -> arb:
     BadInput
         If the answer has no rate, or `digits` is not a positive integer.
     """
-    if not isinstance(answer, Answer):
-        raise bad("answer", "is not an Answer", answer, "pass what decide returns")
-    check_count("digits", digits, 1)
+    _check_asked(answer, digits)
     if answer.rate is None:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no rate; pass the answer for data that converge faster than 1/t")
     question = answer.certificate["statement"]["question"]
     return rate_ball(answer.rate, _case(*_state_of(question)).D if "a" in question else [], digits)
+
+
+def _check_asked(answer: Any, digits: Any) -> None:
+    if not isinstance(answer, Answer):
+        raise bad("answer", "is not an Answer", answer, "pass what decide returns")
+    check_count("digits", digits, 1)
 
 
 def _ball(lo: int, hi: int, bits: int) -> arb:

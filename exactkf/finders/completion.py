@@ -36,9 +36,9 @@ from exactkf.finders.effort import clock, spend
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.words import Poly, Relation, times_scalars
 
-__all__ = ["COMPLETE", "NO_MORE", "Stuck", "System", "system_of"]
+__all__ = ["COMPLETE", "NO_MORE", "OUT_OF_TIME", "TOO_MANY", "Stuck", "System", "system_of"]
 
-NO_MORE, COMPLETE = "no more overlaps up to this degree", "the assumptions are completed"
+OUT_OF_TIME, TOO_MANY, NO_MORE, COMPLETE = "out of time", "too many rules", "no more overlaps up to this degree", "the assumptions are completed"
 _FIRST_LETTER, _FIRST_SCALAR = 0x100, 0x8000  # characters; those of a scalar and its inverse differ in the last bit
 _MOST_RULES = 600
 _SEARCHED = 5  # steps that it takes to look for a rule
@@ -172,10 +172,9 @@ class System:
         rest, used = self._reduce(self.encode(goal))
         while rest:
             if clock() > deadline:
-                return self._stuck("out of time", rest)
+                return self._stuck(OUT_OF_TIME, rest)
             if not self._grow():
-                late = clock() > deadline
-                return self._stuck("out of time" if late else "too many rules" if self.queue else NO_MORE if self.cut else COMPLETE, rest)
+                return self._stuck(self._end(clock() > deadline), rest)
             rest, more = self._reduce(rest)
             used += more
         total: dict = {}
@@ -185,17 +184,23 @@ class System:
 
     def normal_form(self, p: Poly, deadline: float) -> dict[str, Any]:
         """What is left of a polynomial, by keys that are the same for all from when on no rule is added."""
-        self.deadline = deadline
-        while clock() < deadline and self._grow():
-            pass
+        self._complete(deadline)
         return self._reduce(self.encode(p))[0]
 
     def bound(self, deadline: float) -> str:
         """What the completion ends at, in the words of `Stuck`."""
+        self._complete(deadline)
+        return self._end(clock() >= deadline)
+
+    def _complete(self, deadline: float) -> None:
+        """Add rules as long as there are any and there is time."""
         self.deadline = deadline
         while clock() < deadline and self._grow():
             pass
-        return self._stuck("out of time" if clock() >= deadline else "too many rules" if self.queue else NO_MORE if self.cut else COMPLETE, {}).reason
+
+    def _end(self, late: bool) -> str:
+        """Why no rule was added any more."""
+        return OUT_OF_TIME if late else TOO_MANY if self.queue else NO_MORE if self.cut else COMPLETE
 
     def _listed(self, total: dict) -> list[list]:
         out = []
