@@ -29,6 +29,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 from exactkf.kernel.generic import Terms
@@ -141,17 +142,17 @@ class Witness:
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
         try:
-            values = {place: x for place in atoms if (x := self.value(terms.atoms[place])) is not None}
+            values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
-            return False
-        if len(values) < len(atoms):
             return False
         total = Fraction(0)
         for monomial, c in p.items():
-            term = Fraction(c)
-            for place, e in enumerate(exponents(monomial)):
-                term *= values[place]**e if e else 1
-            total += term
+            powers = [(values[place], e) for place, e in enumerate(exponents(monomial)) if e]
+            if any(x == 0 for x, _ in powers):  # whatever the others are: they have values
+                continue
+            if any(x is None for x, _ in powers):
+                return False
+            total += c * prod(x**e for x, e in powers if x is not None)
         return total != 0
 
     def _number(self, body: tuple) -> Fraction | None:
@@ -196,8 +197,9 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
-        if kind == "sum":  # of atoms that have been looked at
-            return None
+        if kind == "sum":  # of zeros: then F with F(0) = 0 is zero there, for any index; other sums have values if their atoms have
+            found = [self.value(factor) for factor, _ in name]
+            return Fraction(0) if Fraction(0) in found else None
         if kind == "at" and name in self.entries:
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):

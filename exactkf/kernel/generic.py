@@ -97,6 +97,14 @@ class Terms(Indefinite, Chains):
         value = Fraction(value)
         return Symbolic(self.field, {0: value.numerator} if value else {}, value.denominator, ())
 
+    def linear(self, form: Form) -> Symbolic:
+        """An index as a number: one atom for each parameter, about which nothing is known."""
+        out = self.number(form.get("", 0))
+        for name, c in form.items():
+            if name:
+                out = out + self.number(c) * self.atom(("number", "", ((name, 1),)))
+        return out
+
     @staticmethod
     def form_text(form: Form) -> str:
         """A form for people."""
@@ -123,6 +131,8 @@ class Terms(Indefinite, Chains):
             return total
         if op == "neg":
             return plus({}, self._index(tree[1], env), -1)
+        if op == "*" and len(tree) == 3 and type(tree[1]) is int:
+            return plus({}, self._index(tree[2], env), tree[1])
         if op == "abs":
             form = self._index(tree[1], env)
             return form if self.region.holds(form) else plus({}, form, -1)
@@ -181,7 +191,7 @@ class Terms(Indefinite, Chains):
             return self.product(self.index(low, env), self.index(high, env), lambda inner, j: inner._reread(inner.value, body, {**env, name: j}))
         if op == "sym":
             if tree[1] in env or tree[1] in self.statement["sizes"]:
-                raise Unknown(f"index {tree[1]!r} as a number")
+                return self.linear(self.index(tree, env))
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
@@ -214,7 +224,7 @@ class Terms(Indefinite, Chains):
         if op == "^" and tree[1] == ["z"]:
             return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
         if op in ("*", "/"):
-            return self._product(tree, m, env)
+            return self._product([(tree, env, 1)], m)
         if op == "rev":
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
@@ -231,36 +241,47 @@ class Terms(Indefinite, Chains):
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
-    def _product(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product in which all factors but one are free of z, powers of z, or sums that are multiplied out."""
-        factor, rest = self.number(1), list[Any]()
-        parts = [(x, 1) for x in tree[1:]] if tree[0] == "*" else [(tree[1], 1), (tree[2], -1)]
+    def _product(self, parts: list[tuple[Any, Mapping[str, Form], int]], m: Form) -> Symbolic:
+        """Coefficient of a product of terms, each with its indices and an exponent 1 or -1: all but one are free of z, powers of z, or sums that are
+        multiplied out, names of which are opened."""
+        factor, rest = self.number(1), list[tuple[Any, Mapping[str, Form]]]()
         while parts:
-            x, e = parts.pop(0)
+            (x, env, e), *parts = parts
             if not self.has_z(x):
                 value = self.value(x, env)
                 factor = factor * (value if e > 0 else value.inverse())
             elif x[0] == "*":
-                parts = [(y, e) for y in x[1:]] + parts
+                parts = [*((y, env, e) for y in x[1:]), *parts]
             elif x[0] == "/":
-                parts = [(x[1], e), (x[2], -e), *parts]
+                parts = [(x[1], env, e), (x[2], env, -e), *parts]
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
                 m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
             elif e > 0:
-                rest.append(x)
+                rest.append((x, env))
             else:
                 raise Unknown("a quotient by a polynomial at a generic index")
         if len(rest) < 2:
-            return factor * (self.coefficient(rest[0], m, env) if rest else self.number(int(self.region.zero(m))))
-        several = next((x for x in rest if x[0] in ("+", "-", "neg")), None)
-        if several is None:
+            return factor * (self.coefficient(rest[0][0], m, rest[0][1]) if rest else self.number(int(self.region.zero(m))))
+        kept = self.recursive | self.closed | self.whole
+        at = next((k for k, (x, _) in enumerate(rest) if x[0] in ("+", "-", "neg", "sum") or (
+            x[0] in ("sym", "at") and x[1] in self.definitions and x[1] not in kept)), None)
+        if at is None:
             raise Unknown("a product of polynomials at a generic index")
-        others = [x for x in rest if x is not several]
+        (several, env), others = rest.pop(at), [(x, env, 1) for x, env in rest]
+        return factor * self._multiplied_out(several, env, others, m)
+
+    def _multiplied_out(self, tree: Any, env: Mapping[str, Form], others: list[tuple[Any, Mapping[str, Form], int]], m: Form) -> Symbolic:
+        """Coefficient of a product with a sum, or with a name that stands for one."""
+        if tree[0] == "sum":
+            return self._sum(tree, env, lambda body, inner: self._product([(body, inner, 1), *others], m))
+        if tree[0] in ("sym", "at"):
+            args = tuple(self.index(a, env) for a in tree[2:])
+            return self.deeper(self.definitions[tree[1]], args, lambda body, inner: self._product([(body, inner, 1), *others], m))
         out = self.number(0)
-        for k, x in enumerate(several[1:]):
-            term = self.coefficient(["*", x, *others], m, env)
-            out = out - term if several[0] == "neg" or (several[0] == "-" and k) else out + term
-        return factor * out
+        for k, x in enumerate(tree[1:]):
+            term = self._product([(x, env, 1), *others], m)
+            out = out - term if tree[0] == "neg" or (tree[0] == "-" and k) else out + term
+        return out
 
     def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""

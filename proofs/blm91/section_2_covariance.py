@@ -197,10 +197,18 @@ BACK_AND_THERE = (
     rec(f, t, 1, Z * f[t] - gg[t] * fs[t]), rec(fs, t, 1, fs[t] - gg[t] * Z * f[t]), rec(w, t, 1, (1 - gg[t] ** 2) * w[t]),
     function(back, [t], gg[t - 1] * w[t - 1] - sum_of(k, 0, t - 2, coeff(f[t - 1], k) * back(k + 1))),
     *szego(back, (psi, psis, delta, rho)))
+# all covariances up to one are known at once, as they enter the next one in a sum; the other way round both recursions are the same
+RECOVERED = (
+    REVERSED, MONIC,
+    lemma(s, always(t, sum_of(k, 0, s, coeff(phi[t], k) * again(k + 1)) == sum_of(k, 0, s, coeff(phi[t], k) * cc(k + 1))) & (again(s + 1) == cc(s + 1)),
+          uses=[use(again, s + 2), use(gam, s + 1), use(2, s=s, t=t), use(2, s=s, t=s + 1), use(1, t=s + 1)], base=[use(again, 1), use(gam, 0)]),
+    lemma(t, fs[t] == rev(f[t], t), rule=True), lemma(t, coeff(f[t], t) == 1, uses=[use(4, t=t)]),
+    lemma(t, (psi[t] == f[t]) & (psis[t] == fs[t]) & (rho[t] == w[t]), rule=True, uses=[use(delta, t), use(back, t + 1), use(4, t=t)]))
 claim("BLM91-S15", "covariances and Schur parameters determine each other",
       forall(t, 1, n, (again(t) == cc(t)) & (delta(t - 1) == gg[t - 1])), sizes=["n"],
       over={c: sequence(1, n), gg: sequence(0, n - 1)}, where=[*THERE_AND_BACK, *BACK_AND_THERE],
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[generic_index(*RECOVERED, supported=[phi, phis, f, fs], closed=[gam, delta, again, back], whole=[r], shift=1,
+                        uses=[use(2, s=t - 1), use(delta, t - 1), use(back, t), use(4, t=t - 1)]), instances(n=range(1, 6))],
       note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
 
 Low = sym("R_n")
@@ -212,12 +220,13 @@ claim("BLM91-E2.9", "positive definite Toeplitz matrix and Schur parameters",
                       "positive exactly when all 1 - gamma_k^2 are, k < t"),
           instances(40, n=range(1, 5)), example(n=3, c=["1/2", "1/3", "1/4"]), example(n=2, c=["1/2", "-1/2"]), example(n=2, c=["1/2", "1"])])
 
+X = sum_of(k, 0, n, x[k] * Z**k)
 claim("BLM91-E2.10", "the second recursion is the reversal of the first",
       forall(t, 0, n, phis[t] == rev(phi[t], t))
-      & (rev(Z * x - y * rev(x, n), n + 1) == rev(x, n) - y * Z * x) & (rev(rev(x, n) - y * Z * x, n + 1) == Z * x - y * rev(x, n)),
-      sizes=["n"], over={**C, x: polynomial(n), y: scalar()}, where=SZEGO,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
-      note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
+      & (rev(Z * X - y * rev(X, n), n + 1) == rev(X, n) - y * Z * X) & (rev(rev(X, n) - y * Z * X, n + 1) == Z * X - y * rev(X, n)),
+      sizes=["n"], over={**C, x: sequence(0, n), y: scalar()}, where=SZEGO,
+      by=[generic_index(REVERSED), instances(n=range(1, 6))],
+      note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial x_0 + .. + x_n z^n.")
 
 # ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
 yhat, err, Coe = symbols("y_hat err Phi_n")

@@ -129,7 +129,9 @@ claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
       forall(t, 0, m, (fk[t] == kk(t)) & (fks[t] == ks(t)) & (size_of(vstack(fk[t], fks[t])) == 2 * n))
       & (sum_of(i, 1, n, sum_of(j, i, n, 1)) == rational("1/2") * n * (n + 1)),
       sizes=["n", "m"], over=FGH, where=[*GAINS, *FAST],
-      by=[identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      by=[generic_index(lemma(t, (fk[t] == kk(t)) & (fks[t] == ks(t)), rule=True),
+                        lemma(s, sum_of(i, 1, s, i) == rational("1/2") * s * (s + 1), uses=[use(1, s=s)]), supported=[phi, phis], uses=[use(1, s=n)]),
+          instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="(1.9) is run on its own and compared with the gains by Szego polynomials. The counts of equations, 2n against the n(n+1)/2 "
            "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
 

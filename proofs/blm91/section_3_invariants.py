@@ -19,7 +19,7 @@ from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_filtering import NEXT, SOME
 
-q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y u_next w_next h_m")
+q0, qs0, qm, qsm, hi, til, one, x, y, ht, num, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y h_t sums h_m")
 av, bv, dv, pd_, Fa, dm, xt, p = symbols("a_poly b_poly d N F_a d_m x_orbit f")
 SX = sum_of(i, 1, n, abs(x[i]))
 POINT = {q0: vector(n), qs0: vector(n)}
@@ -61,19 +61,32 @@ MIRROR = (rec(qm, t, q0, 1 / (1 - qsm[t][1] ** 2) * (qm[t] - qsm[t][1] * (J * qs
           rec(qsm, t, -qs0, 1 / (1 - qsm[t][1] ** 2) * (J * qsm[t] - qsm[t][1] * qm[t])))
 claim("BLM91-E3.3", "mirror orbits", always(t, (qm[t] == q[t]) & (qsm[t] == -qs[t])), sizes=["n"], over=POINT, where=[*stripped(q0, qs0), *MIRROR],
       by=[generic_index(lemma(t, (qm[t] == q[t]) & (qsm[t] == -qs[t]), rule=True)), instances(n=(1, 2, 3))])
-STEP = (SHIFT, function(un, [x, y], 1 / (1 - y[1] ** 2) * (x - y[1] * (J * y))), function(wn, [x, y], 1 / (1 - y[1] ** 2) * (J * y - y[1] * x)))
+
+
+def after(x, y):
+    """The two components of the map (2.25) at a point."""
+    return 1 / (1 - y[1] ** 2) * (x - y[1] * (J * y)), 1 / (1 - y[1] ** 2) * (J * y - y[1] * x)
+
+
+NEXT_POINT, NEXT_MIRRORED = after(q0, qs0), after(q0, -qs0)
 claim("BLM91-T3.2.2", "the map commutes with (q, q*) -> (q, -q*)",
-      (un(q0, -qs0) == un(q0, qs0)) & (wn(q0, -qs0) == -wn(q0, qs0)), sizes=["n"], over=POINT, where=STEP,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="un and wn are the two components of the map (2.25).")
+      (NEXT_MIRRORED[0] == NEXT_POINT[0]) & (NEXT_MIRRORED[1] == -NEXT_POINT[1]), sizes=["n"], over=POINT, where=[SHIFT], given=SOME,
+      by=[generic_index(), instances(n=(1, 2, 3))], note="Written out are the two components of the map (2.25), at (q0, -q*0) and at (q0, q*0).")
 HI = (function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
       function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y)) / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)))
+#: (3.4) along an orbit
+ON_ORBIT = (function(one, [t, i], when(i == 0, 1, q[t][i])), function(til, [t, i], when(i == 0, 0, qs[t][i])),
+            function(num, [t, i], sum_of(j, 0, n - i, one(t, j) * one(t, j + i) - til(t, j) * til(t, j + i))), function(ht, [t, i], num(t, i) / num(t, 0)))
+#: what a step multiplies r_t by it divides the sums by
+KEPT = lemma(t, forall(i, 0, n, r[t] * num(t, i) == num(0, i)), uses=[use(0, t=t, i=i)])
 claim("BLM91-E3.4", "the quotients of coefficients of the invariant",
-      forall(t, 0, m, forall(i, 1, n, eq(hi(i, q[t], qs[t]), coeff(D, i) / coeff(D, 0), hi(i, q0, qs0)))), sizes=["n", "m"], over=POINT,
-      where=[*FROM, INVARIANT, *HI], by=[identity(n=(1, 2, 3, 4), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      forall(t, 0, m, forall(i, 1, n, eq(ht(t, i), coeff(D, i) / coeff(D, 0), ht(0, i)))), sizes=["n", "m"], over=POINT, given=SOME,
+      where=[*FROM, INVARIANT, *ON_ORBIT], by=[generic_index(KEPT, uses=[use(0, t=t, i=i), use(0, t=t, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="n + 1 equations for q_t, q*_t and r_t; the quotient removes r_t.")
 claim("BLM91-T3.2.1", "level sets of the integrals are invariant",
-      forall(i, 1, n, hi(i, un(q0, qs0), wn(q0, qs0)) == hi(i, q0, qs0)), sizes=["n"], over=POINT, where=[*STEP, *HI],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="One step from any point keeps every h_i, so a common level set is mapped into itself.")
+      always(t, forall(i, 1, n, ht(t, i) == ht(0, i))), sizes=["n"], over=POINT, where=[*FROM, *ON_ORBIT], given=SOME,
+      by=[generic_index(KEPT, uses=[use(0, t=t, i=i), use(0, t=t, i=0)]), instances(n=(1, 2, 3), horizon=2)],
+      note="Every h_i keeps its value along the orbit of any point, so a common level set is mapped into itself.")
 up, down, first = symbols("h_up h_down h_0")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 claim("BLM91-T3.2.3", "the algorithm is not topologically transitive",
