@@ -254,6 +254,8 @@ class Terms(Indefinite, Chains):
                 parts = [*((y, env, e) for y in x[1:]), *parts]
             elif x[0] == "/":
                 parts = [(x[1], env, e), (x[2], env, -e), *parts]
+            elif x[0] == "if":
+                parts = [(x[2] if self.condition(x[1], env) else x[3], env, e), *parts]
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
                 m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
             elif e > 0:

@@ -175,7 +175,7 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
 
 
 def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    says = lemma["says"]
+    says, env, region = _for_all(proof, lemma["says"], env, region, name, 1)
     if not (says[0] == "always" or says[0] == "forall" and says[2] == 0) or says[-1][0] != "=" or len(says[-1]) != 3:
         raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K, or for all k")
     k, (_, left, x) = says[1], says[-1]
@@ -208,16 +208,25 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
     proof.close(region.and_({k: 1}, *least), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
 
 
-def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
-    says, bound = lemma["says"], dict(env)
-    while says[0] in ("forall", "always"):
+def _for_all(proof: Any, says: Any, env: dict[str, Form], region: Region, name: str, inner: int) -> tuple[Any, dict[str, Form], Region]:
+    """What is said for all indices between bounds, these indices and their region; so many of the inner quantifiers are left."""
+    bound, left = dict(env), says
+    depth = -inner
+    while left[0] in ("forall", "always"):
+        left, depth = left[-1], depth + 1
+    for _ in range(depth):
         if proof.is_bound(says[1], bound):
             raise Rejected(f"{name}: index {says[1]!r} bound twice")
         index: Form = {says[1]: 1}
         terms = Terms(proof.statement, region)
         ends = [plus(index, terms.index(says[2], bound), -1), plus(terms.index(says[3], bound), index, -1)] if says[0] == "forall" else [index]
         region, bound, says = region.and_(*ends), {**bound, says[1]: index}, says[-1]
+    return says, bound, region
+
+
+def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
+    says, bound, region = _for_all(proof, lemma["says"], env, region, name, 0)
     left, right = says[1], says[2]
     if says[0] != "=" or len(says) != 3 or left[0] != "sum" or right[0] != "entry" or len(right) != 4 or right[1][0] != "*" or len(right[1]) != 3:
         raise Rejected(f"{name}: the fact is sum(k, 1, p, A[i, k]*B[k, j]) == (A*B)[i, j]")

@@ -193,17 +193,19 @@ claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
       rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
       by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
 
-# h_i of (3.4) as functions of a point, and the step as a map
-hi, til, one, u, w, un, wn = symbols("h_i zero one u w u_next w_next")
+# h_i of (3.4) along an orbit; what a step multiplies r_t by it divides the sums by
+ht, num, til, one, u, w, oz, tz, sz = symbols("h_t sums zero one u w one_z zero_z sums_z")
+ON_ORBIT = (function(one, [t, i], when(i == 0, 1, q[t][i])), function(til, [t, i], when(i == 0, 0, qs[t][i])),
+            function(num, [t, i], sum_of(j, 0, n - i, one(t, j) * one(t, j + i) - til(t, j) * til(t, j + i))), function(ht, [t, i], num(t, i) / num(t, 0)))
+KEPT = lemma(t, forall(i, 0, n, r[t] * num(t, i) == num(0, i)), uses=[use(0, t=t, i=i)])
+SCALED = (function(oz, [i], when(i == 0, 1, u[i] / Z)), function(tz, [i], when(i == 0, 0, w[i] / Z)),
+          function(sz, [i], sum_of(j, 0, n - i, oz(j) * oz(j + i) - tz(j) * tz(j + i))))
 claim("BLM91-S21", "n independent first integrals",
-      forall(i, 1, n, (hi(i, un, wn) == hi(i, u, w)) & (laurent(hi(i, u / Z, w / Z), 1) == u[i])), sizes=["n"],
-      over={u: vector(n), w: vector(n)},
-      where=[SHIFT, function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
-             function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
-                      / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
-             let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
-      note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
+      always(t, forall(i, 1, n, ht(t, i) == ht(0, i))) & forall(i, 1, n, laurent(sz(i) / sz(0), 1) == u[i]), sizes=["n"],
+      over={u: vector(n), w: vector(n)}, where=[*stripped(u, w), *ON_ORBIT, *SCALED], given=SOME,
+      by=[generic_index(KEPT, fact(t, "laurent", forall(i, 1, n, forall(k, 0, 1, laurent(sz(i) / sz(0), k) == when(k == 1, u[i], 0))), 0),
+                        uses=[use(0, t=t, i=i), use(0, t=t, i=0), use(1, t=0, i=i, k=1)]), instances(n=(1, 2, 3), horizon=2)],
+      note="The n quotients of coefficients of (2.28) keep their values along the orbit of any point (u, w). For the point (u/z, w/z) the quotients are "
            "u_i/z + ..., so that their gradients at the origin are independent.")
 
 # ---------------------------------------------------------------------- positive real data

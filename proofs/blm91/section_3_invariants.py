@@ -17,9 +17,9 @@ from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
-from proofs.blm91.section_2_filtering import NEXT, SOME
+from proofs.blm91.section_2_filtering import KEPT, NEXT, ON_ORBIT, SOME, ht, one, til
 
-q0, qs0, qm, qsm, hi, til, one, x, y, ht, num, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y h_t sums h_m")
+q0, qs0, qm, qsm, hi, x, y, lev, row = symbols("q0 qs0 q_mirror qs_mirror h_i x y h_m row")
 av, bv, dv, pd_, Fa, dm, xt, p = symbols("a_poly b_poly d N F_a d_m x_orbit f")
 SX = sum_of(i, 1, n, abs(x[i]))
 POINT = {q0: vector(n), qs0: vector(n)}
@@ -74,11 +74,6 @@ claim("BLM91-T3.2.2", "the map commutes with (q, q*) -> (q, -q*)",
       by=[generic_index(), instances(n=(1, 2, 3))], note="Written out are the two components of the map (2.25), at (q0, -q*0) and at (q0, q*0).")
 HI = (function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
       function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y)) / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)))
-#: (3.4) along an orbit
-ON_ORBIT = (function(one, [t, i], when(i == 0, 1, q[t][i])), function(til, [t, i], when(i == 0, 0, qs[t][i])),
-            function(num, [t, i], sum_of(j, 0, n - i, one(t, j) * one(t, j + i) - til(t, j) * til(t, j + i))), function(ht, [t, i], num(t, i) / num(t, 0)))
-#: what a step multiplies r_t by it divides the sums by
-KEPT = lemma(t, forall(i, 0, n, r[t] * num(t, i) == num(0, i)), uses=[use(0, t=t, i=i)])
 claim("BLM91-E3.4", "the quotients of coefficients of the invariant",
       forall(t, 0, m, forall(i, 1, n, eq(ht(t, i), coeff(D, i) / coeff(D, 0), ht(0, i)))), sizes=["n", "m"], over=POINT, given=SOME,
       where=[*FROM, INVARIANT, *ON_ORBIT], by=[generic_index(KEPT, uses=[use(0, t=t, i=i), use(0, t=t, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))],
@@ -100,13 +95,13 @@ claim("BLM91-R3.1.3", "the algorithm is not topologically transitive",
       iff(first < 0, lev < 0) & (up > 0) & (down < 0), sizes=["n", "m"], over=POINT,
       where=[*stripped(q0, qs0), *HI, let(first, hi(1, q0, qs0)), let(lev, hi(1, q[m], qs[m])), let(up, hi(1, E1, 0 * E1)), let(down, hi(1, -E1, 0 * E1))],
       by=[steps("BLM91-T3.2.1", prose="as for Theorem 3.2"), instances(40, n=(1, 2, 3), m=(1, 2)), example(n=1, m=1, q0=[0], qs0=["1/2"])])
-HVEC = (let(first, matrix_of(i, j, n, 1, hi(i, q0, qs0))), let(lev, matrix_of(i, j, n, 1, hi(i, q[m], qs[m]))), let(p, vstack(q0, qs0)))
+HVEC = (let(first, matrix_of(i, j, n, 1, ht(0, i))), let(lev, matrix_of(i, j, n, 1, ht(m, i))), let(p, vstack(q0, qs0)))
 claim("BLM91-S31", "the vector of integrals separates orbits",
-      (size_of(p) == n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *HI, *HVEC],
+      (size_of(p) == n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *ON_ORBIT, *HVEC],
       by=[example(n=1, m=1, q0=[1], qs0=[0]), instances(n=(1, 2), m=(1, 2))],
       repair=repair("index", "h is a map from R^2n (where its common denominator is not zero) to R^n, not from R^n: its argument is the pair (q, q*)",
-                    (size_of(p) == 2 * n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *HI, *HVEC],
-                    by=[identity(n=(1, 2, 3), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))]),
+                    (size_of(p) == 2 * n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *ON_ORBIT, *HVEC], given=SOME,
+                    by=[generic_index(KEPT, uses=[use(0, t=m, i=row), use(0, t=m, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))]),
       note="As printed h maps R^n to R^n, so that its argument would have n entries. h being constant on orbits, preimages of disjoint sets "
            "are not joined by an orbit; m is the time.")
 
