@@ -123,8 +123,8 @@ def by_invariant(times):
 
 claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME, by=[by_invariant(1), instances(n=(1, 2, 3))])
 claim("BLM91-E3.7", "the real part of b_t/(2 a_t)",
-      forall(t, 0, m, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n", "m"], over=POINT, where=ORBITS,
-      by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))], note="d_t is written D/r_t.")
+      always(t, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
+      by=[by_invariant(1 / (2 * r[t] * av(t) * recip(av(t)))), instances(n=(1, 2, 3), horizon=2)], note="d_t is written D/r_t.")
 claim("BLM91-E3.8", "d_t in terms of a_t and b_t",
       always(t, 1 / r[t] * D == av(t) * recip(bv(t)) + recip(av(t)) * bv(t)), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
       by=[example(n=1, q0=[0], qs0=[0]), instances(n=(1, 2))],
