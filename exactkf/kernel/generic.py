@@ -68,6 +68,7 @@ class Terms(Indefinite, Chains):
         self.known = known(statement, self.definitions)
         self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
+        self.letters = self.known.spread({name for name in self.closed & set(self.definitions) if self.known.is_matrix_function(name)})
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
@@ -109,6 +110,10 @@ class Terms(Indefinite, Chains):
     def form_text(form: Form) -> str:
         """A form for people."""
         return _form_text(form_key(form))
+
+    def has_letters(self, tree: Any) -> bool:
+        """Whether a term contains a matrix that is not opened: a variable, or what is closed."""
+        return self.known.has_letters(tree) or bool(self.letters) and not self.letters.isdisjoint(names(tree))
 
     # ------------------------------------------------------------------ indices and conditions
     def index(self, tree: Any, env: Mapping[str, Form]) -> Form:
@@ -422,7 +427,7 @@ class Terms(Indefinite, Chains):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
+        if d is None or name not in self.recursive | self.closed or name in self.unused or not (args or name in self.letters):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
@@ -430,6 +435,11 @@ class Terms(Indefinite, Chains):
             m = places["z"]
             read: Callable = lambda body, inner: self.coefficient(body, m, inner)
             return self._call(name, args, read, m) - self._open(d, args, read)
+        if name in self.letters:
+            i, j = places["row"], places.get("column", {"": 1})
+            tree, env = ["at", name, *(["sym", f"@{k}"] for k in range(len(args)))] if args else ["sym", name], {f"@{k}": x for k, x in enumerate(args)}
+            self._need_entry(tree, i, j, env)
+            return self.entry(tree, i, j, env) - self._open(d, args, lambda body, inner: self.entry(body, i, j, inner))
         if d[0] == "rec" and self.is_matrix(d[4][0]):
             place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
             self._need_place(["sym", name], place[0], place[1] if len(place) > 1 else {"": 1}, {})
@@ -602,6 +612,10 @@ class Terms(Indefinite, Chains):
         """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
         if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
             return
+        self._need_entry(tree, i, j, env)
+
+    def _need_entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
+        """Beyond its rows and columns a matrix has no entry."""
         rows, cols = self.shape(tree, env)
         if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
             raise Undefined("no entry there")
@@ -609,7 +623,7 @@ class Terms(Indefinite, Chains):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
-        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
+        if op not in ("mat", "col", "block") and self.has_letters(tree):
             return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
@@ -694,7 +708,7 @@ class Terms(Indefinite, Chains):
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
         if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
-                any(self.known.has_letters(x) for x in parts)):
+                any(self.has_letters(x) for x in parts)):
             return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)

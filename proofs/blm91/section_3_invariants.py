@@ -14,7 +14,7 @@ with real part (doubled) d/(a a*), d = D/r = (a b* + a* b)/2. Where d > 0 and a 
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_filtering import KEPT, NEXT, ON_ORBIT, SOME, ht, one, til
