@@ -29,6 +29,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_canonical import BY_CAYLEY, TO_CANONICAL, Fc, Lc, Tm
 from proofs.blm91.lemmas_estimate import PROJECTED, SOME, Gram, filtered, innovation_weights, xh
 from proofs.blm91.lemmas_gain import (
     BACKWARD,
@@ -136,16 +137,11 @@ claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
            "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
 
 # ---------------------------------------------------------------------- canonical form
-Obs, Oc, Tm, Fc = symbols("O_F O_c T_c F_c")
 claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
-      (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
-      where=[let(a, matrix_of(i, j, n, 1, coeff(charpoly(F), n - i))), let(e, matrix_of(i, j, n, 1, when(i == 1, 1, 0))),
-             let(Fc, matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0))),
-             let(Obs, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j])), let(Oc, matrix_of(i, j, n, n, (T(e) * Fc ** (i - 1))[1, j])),
-             let(Tm, inv(Oc) * Obs)],
-      by=[identity(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4))],
-      note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the quotient of the "
-           "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
+      (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)) & (det(Lc) == 1), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
+      where=TO_CANONICAL, given=SOME, by=[BY_CAYLEY, instances(n=(1, 2, 3, 4))],
+      note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the triangular Toeplitz matrix "
+           "L_a of 1, a_1, a_2, .. times the observability matrix O_F carries (F, h) to it, and is invertible when (F, h) is observable, as det L_a = 1.")
 FORM = (SHIFT, *CANONICAL)
 claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
       by=[generic_index(), instances(n=(1, 2, 3, 4))])
