@@ -141,7 +141,7 @@ def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
 
 def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
-                  in_values: bool = False) -> Evidence:
+                  in_values: bool | Sequence[int] = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
 
     Parameters
@@ -161,14 +161,15 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         at the shift's distance before it stay as they are and later ones are opened.
     in_values : bool
         The polynomials of the conclusion are read as functions of z and 1/z, with those of ``closed`` as they are,
-        and not coefficient by coefficient: so they may be multiplied.
+        and not coefficient by coefficient: so they may be multiplied. A list: those of its equations of these numbers.
     triangular : matrix term L
         For a conclusion det(M) == prod(k, .., d): LM is upper triangular with diagonal d, and L is lower
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
                              **({"whole": [_name(x) for x in whole]} if whole else {}),
-                             "uses": list(uses), "shift": shift, "in values": in_values}
+                             "uses": list(uses), "shift": shift,
+                             "in values": in_values if isinstance(in_values, bool) else list(in_values)}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
     return Evidence("generic index", hints)

@@ -266,6 +266,8 @@ class Terms(Indefinite, Chains):
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""
         if not self.has_z(tree):
             return self.value(tree, env)
+        if self.is_matrix(tree) and self.shape(tree, env) != ({"": 1}, {"": 1}):
+            raise Unknown("a matrix as a function of z")
         op = tree[0]
         if op == "z":
             return self.atom(("at", "z")).inverse() if flip else self.atom(("at", "z"))
@@ -279,15 +281,29 @@ class Terms(Indefinite, Chains):
                 y = self.at_z(part, env, flip)
                 out = out + y if op == "+" else out - y if op == "-" else out * y if op == "*" else out / y
             return out
+        if op == "^" and isinstance(tree[2], int) and 0 <= tree[2] <= _LARGEST_POWER:
+            out, x = self.number(1), self.at_z(tree[1], env, flip)
+            for _ in range(tree[2]):
+                out = out * x
+            return out
+        if op == "if":
+            return self.at_z(tree[2] if self.condition(tree[1], env) else tree[3], env, flip)
+        if op == "sum":
+            return self._sum(tree, env, lambda body, inner: self.at_z(body, inner, flip))
         if op in ("sym", "at"):
-            args = tuple(self.index(a, env) for a in tree[2:])
-            if tree[1] in self.closed:
-                if tree[1] in self.inverting:
-                    self._meet(tree[1], args)
-                return self.atom(("value at 1/z" if flip else "value", tree[1], *map(form_key, args)))
-            if tree[1] not in self.recursive and tree[1] in self.definitions:
-                return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
+            return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
         raise Unknown(f"{op!r} as a function of z")
+
+    def named_at_z(self, name: str, args: tuple[Form, ...], flip: bool) -> Symbolic:
+        """What a name stands for as a function of z (of 1/z): a variable and what is closed as it is, a recursion where it is not opened."""
+        kind = "value at 1/z" if flip else "value"
+        if name in self.closed or self.known.kinds.get(name, ("",))[0] in ("poly", "monic"):
+            if name in self.inverting:
+                self._meet(name, args)
+            return self.atom((kind, name, *map(form_key, args)))
+        if name in self.definitions:
+            return self._call(name, args, lambda body, inner: self.at_z(body, inner, flip), kind=kind)
+        raise Unknown(f"{name!r} as a function of z")
 
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
@@ -311,16 +327,17 @@ class Terms(Indefinite, Chains):
             self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
-    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met and what is divided by then."""
+    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = (), kind: str = "at") -> Symbolic:
+        """The value of a name (of the kind of atoms that it is), its coefficient at m, or its entry at a place: once in each region, with the inverses
+        met and what is divided by then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
-        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        key = (self.region, kind, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
             before = self.met, self.sure, self.perhaps, self.field.used
             self.met, self.sure, self.perhaps, self.field.used = set(), set(), 0, set()
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure, self.field.used
+                self.called[key] = self._called(name, args, read, m, place, kind), self.met, self.sure, self.field.used
             finally:
                 before[0].update(self.met)
                 self.met, self.sure, self.perhaps, self.field.used = before
@@ -331,8 +348,8 @@ class Terms(Indefinite, Chains):
             self.sure |= sure
         return out
 
-    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...], value: str) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom of the kind of values (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -353,7 +370,7 @@ class Terms(Indefinite, Chains):
             if not self._opens(d, last):
                 if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
-                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
+                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else (value, ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         return self.deeper(d, args, read)
 
@@ -403,6 +420,9 @@ class Terms(Indefinite, Chains):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
+        if name in self.in_z and self.in_values:
+            flip = "flip" in places
+            return self.named_at_z(name, args, flip) - self._open(d, args, lambda body, inner: self.at_z(body, inner, flip))
         if name in self.in_z:
             m = places["z"]
             read: Callable = lambda body, inner: self.coefficient(body, m, inner)

@@ -48,6 +48,7 @@ class Indefinite:
     entry: Callable[..., Symbolic]
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
+    named_at_z: Callable[..., Symbolic]
     again: Callable[[tuple], Symbolic]
     _call: Callable[..., Symbolic]
 
@@ -214,6 +215,8 @@ class Indefinite:
         if key[0] == "coeff":
             *args, m = forms
             return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)
+        if key[0] in ("value", "value at 1/z"):
+            return self.named_at_z(key[1], tuple(self.region.reduce(a) for a in forms), key[0] != "value")
         return self._call(key[1], tuple(self.region.reduce(a) for a in forms), self.value)
 
 

@@ -58,6 +58,7 @@ from proofs.blz94.lemmas_orbit import (
     TOP,
     row,
 )
+from proofs.blz94.lemmas_sigma import FORMS, OPENED_FOR_SIGMA, SIGMA
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -314,8 +315,9 @@ claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma
       forall(i, 1, n, (sigma(0, i, i) == r(0, i)) & (sigma(0, i, i - 1) == r(0, i - 1) * Z)
              & forall(j, 1, i, (sigma(0, i, i - j) == r(0, i - j) * pi(i - j, j))
                       & (pi(i - j, j) == Z**j + sum_of(k, 1, j - 1, coeff(pi(i - j, j), k) * Z**k)))),
-      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
+      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED, *FORMS],
+      by=[generic_index(*SIGMA, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
+          use(2, j=i, s=0), use(3, m=1, s=0, j=i - 1), use(3, m=j, s=0, j=i - j), use(4, t=j, s=i - j)]), instances(n=(2, 3, 4))],
       note="pi(s, j), the polynomial pi_j for gamma_s, gamma_{s+1}, ..., is made of gamma_s, ..., gamma_{s+j-1} alone.")
 
 claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n split off",
