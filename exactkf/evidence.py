@@ -176,15 +176,15 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          closed: Sequence[Expr] = (), uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
     (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
-    a ``direct`` one is shown at t for any t >= start, without induction.
+    a ``direct`` one is shown at t for any t >= start, without induction; in one with ``closed`` these names are closed too.
     """
     return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
-            **({"base": list(base)} if base else {})}
+            **({"closed": [_name(x) for x in closed]} if closed else {}), **({"base": list(base)} if base else {})}
 
 
 def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:

@@ -56,8 +56,9 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
     return first, [(step, {index: {INDEX: 1}}, [plus({INDEX: 1}, {"": 1 - start - len(initial)})], {INDEX: 1})]
 
 
-def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0) -> Iterator[tuple[Terms, Symbolic]]:
-    """What a case, its coefficients or its entries come to, in each part of the region."""
+def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0,
+            at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients (or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
     tree, env, forms, within = case
     region = Region.of(*sizes, *forms)
     if region.empty:
@@ -69,15 +70,26 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
             terms.region = region.and_(*inside)
             found = terms.entry(tree, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
+        elif at_z:
+            found = _without_poles(terms, terms.at_z(tree, env))
         else:
             found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if name in terms.in_z else terms.value(tree, env)
     except Split as split:
         if splits > _MOST_SPLITS:
             raise Unknown("too many cases") from None
         for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
-            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1)
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, at_z)
         return
     yield terms, found
+
+
+def _without_poles(terms: Terms, x: Symbolic) -> Symbolic:
+    """A function of z that is divided by no other than z: where those that it is made of have coefficients it has them too."""
+    for p in terms.field.factors:
+        kinds = {(key[0], key[1]) for monomial in p for place, e in enumerate(exponents(monomial)) if e for key in [terms.atoms[place]]}
+        if ("at", "z") in kinds and (len(p) > 1 or len(kinds) > 1) or any(kind in ("value", "value at 1/z") for kind, _ in kinds):
+            raise Unknown("a function of z with poles")
+    return x
 
 
 def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
@@ -88,13 +100,20 @@ def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
     found = set()
     for name in make(Region.of()).recursive:
         first, later = _cases(next(d for d in statement["where"] if d[1] == name))
-        try:
-            for case in first + later:
-                for _ in _values(make, name, case, sizes):
-                    pass
-        except (Unknown, Undefined, RecursionError, KeyError):
+        if not any(_ends(make, name, first + later, sizes, at_z) for at_z in (False, True)):
             found.add(name)
     return found
+
+
+def _ends(make: Callable[[Region], Terms], name: str, cases: list[Case], sizes: list[Form], at_z: bool) -> bool:
+    """Whether values are seen to be made of values at smaller indices: coefficient by coefficient, or as functions of z."""
+    try:
+        for case in cases:
+            for _ in _values(make, name, case, sizes, at_z=at_z):
+                pass
+    except (Unknown, Undefined, RecursionError, KeyError):
+        return False
+    return True
 
 
 class _AtPoint(Terms):
@@ -127,46 +146,56 @@ class Witness:
         self.at = {name: Fraction(1 if kind[0] in ("nonzero", "positive") else number) for name, kind in statement["over"]}
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
+        self.monic = {name for name, kind in statement["over"] if kind[0] == "monic"}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
         self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
 
     def is_not_zero(self, terms: Terms, p: Poly) -> bool:
-        """The polynomial has one atom, an entry of a variable, or is not zero at the point."""
+        """The polynomial has one atom, an entry of a variable, is a power of a monic one, or is not zero at the point."""
         atoms = {place for monomial in p for place, e in enumerate(exponents(monomial)) if e}
         if len(atoms) == 1:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
+            if key[0] in ("value", "value at 1/z") and len(p) == 1 and key[1] in self.monic:  # a power of a polynomial that is not zero
+                return True
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
+        powers = {place for place in atoms if terms.atoms[place][0] == "power"}  # of the place z, whatever their exponents are: not zero
         try:
-            values = {place: x for place in atoms if (x := self.value(terms.atoms[place])) is not None}
+            values = {place: x for place in atoms - powers if (x := self.value(terms.atoms[place])) is not None}
         except (Unknown, Undefined):
             return False
-        if len(values) < len(atoms):
+        if len(values) < len(atoms - powers):
             return False
-        total = Fraction(0)
+        totals: dict[tuple, Fraction] = {}
         for monomial, c in p.items():
-            term = Fraction(c)
+            term, of_powers = Fraction(c), []
             for place, e in enumerate(exponents(monomial)):
-                term *= values[place]**e if e else 1
-            total += term
-        return total != 0
+                if e and place in powers:
+                    of_powers.append((place, e))
+                elif e:
+                    term *= values[place]**e
+            totals[tuple(of_powers)] = totals.get(tuple(of_powers), Fraction(0)) + term
+        return sum(x != 0 for x in totals.values()) == 1
 
     def _number(self, body: tuple) -> Fraction | None:
         """The factor of a product at the point, where it is the same number at every index."""
         total = Fraction(0)
         for monomial, c in body:
-            term = Fraction(c)
+            term, all_known = Fraction(c), True
             for key, e in monomial:
                 try:
                     x = self.value(key)
                 except (Unknown, Undefined):
-                    x = None
-                if x is None:
                     return None
-                term *= x**e
+                if x is None:
+                    all_known = False
+                else:
+                    term *= x**e
+            if term and not all_known:
+                return None
             total += term
         return total
 
@@ -196,8 +225,10 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
-        if kind == "sum":  # of atoms that have been looked at
+        if kind == "power":
             return None
+        if kind == "sum":  # of atoms that have been looked at; of zeros it may be taken as zero
+            return Fraction(0) if self._number(((name, 1),)) == 0 else None
         if kind == "at" and name in self.entries:
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):

@@ -286,6 +286,9 @@ class Terms(Indefinite, Chains):
             for _ in range(tree[2]):
                 out = out * x
             return out
+        if op == "^" and tree[1] == ["z"]:
+            form = self.index(tree[2], env)
+            return self.power_of_z(plus({}, form, -1) if flip else form)
         if op == "if":
             return self.at_z(tree[2] if self.condition(tree[1], env) else tree[3], env, flip)
         if op == "sum":
@@ -293,6 +296,21 @@ class Terms(Indefinite, Chains):
         if op in ("sym", "at"):
             return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
         raise Unknown(f"{op!r} as a function of z")
+
+    def power_of_z(self, form: Form) -> Symbolic:
+        """z to an index: a power of z itself for the constant, and for each parameter a power of z^parameter; z^(c j) as it is for the index j of a sum."""
+        form = self.region.reduce(form)
+        out, z = self.number(1), self.atom(("at", "z"))
+        for name, c in form.items():
+            if abs(c) > _LARGEST_POWER:
+                raise Unknown("too large a power")
+            if name.startswith("#"):
+                out = out * self.atom(("power", "z", ((name, c),)))
+                continue
+            x = self.atom(("power", "z", ((name, 1),))) if name else z
+            for _ in range(abs(c)):
+                out = out * x if c > 0 else out / x
+        return out
 
     def named_at_z(self, name: str, args: tuple[Form, ...], flip: bool) -> Symbolic:
         """What a name stands for as a function of z (of 1/z): a variable and what is closed as it is, a recursion where it is not opened."""
@@ -360,7 +378,7 @@ class Terms(Indefinite, Chains):
             self._meet(name, args)
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
-        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+        if name in self.closed and args and m is None and not place and name not in self.recursive | self.in_z:
             return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
@@ -713,7 +731,10 @@ def _atom_text(key: tuple) -> str:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
         body = " + ".join("*".join([*([str(c)] if c != 1 or not m else []), *(_atom_text(k) for k, e in m for _ in range(e))]) for m, c in monomials)
         return f"{key[0]}({body}, {_form_text(key[2])})"
-    return f"{key[1]}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else key[1]
+    if key[0] == "power":
+        return f"z^({_form_text(key[2])})"
+    name = f"{key[1]}(1/z)" if key[0] == "value at 1/z" else key[1]
+    return f"{name}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else name
 
 
 def _form_text(form: tuple) -> str:

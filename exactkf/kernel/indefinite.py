@@ -49,6 +49,7 @@ class Indefinite:
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
     named_at_z: Callable[..., Symbolic]
+    power_of_z: Callable[..., Symbolic]
     again: Callable[[tuple], Symbolic]
     _call: Callable[..., Symbolic]
 
@@ -132,8 +133,21 @@ class Indefinite:
     def _difference(self, moving: list, name: str, low: Form, high: Form) -> Symbolic:
         if not moving:
             raise Unknown("a sum of a term that does not depend on its index")
-        (made,), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
-        return self._sum_to(made[0], high) - self._sum_to(made[0], plus(low, {"": 1}, -1))
+        ((made, _),), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
+        factor, made = self._without_powers(made)
+        return factor * (self._sum_to(made, high) - self._sum_to(made, plus(low, {"": 1}, -1)))
+
+    def _without_powers(self, monomial: tuple) -> tuple[Symbolic, tuple]:
+        """Powers of z outside of a sum: of z^(c # + e) stays z^(c #)."""
+        factor, left = self.number(1), dict[tuple, int]()
+        for key, e in monomial:
+            if key[0] == "power":
+                c = dict(key[2]).get("#", 0)
+                for _ in range(e):
+                    factor = factor * self.power_of_z({n: x for n, x in key[2] if n != "#"})
+                key = (*key[:2], (("#", c),))
+            left[key] = left.get(key, 0) + e
+        return factor, tuple(sorted(left.items()))
 
     def _quotient(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
         """P(high)/P(low - 1) for a polynomial in the index of the product."""
@@ -209,6 +223,8 @@ class Indefinite:
             return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
         if key[0] == "word":
             return self.again(key)
+        if key[0] == "power":
+            return self.power_of_z(forms[0])
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})

@@ -42,7 +42,7 @@ from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power")  # atoms, in the order in which equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -116,6 +116,13 @@ class _Proof:
                 self.close(Region.of(*forms, outside), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
+        """A lemma, in which more names may be closed than elsewhere."""
+        closed = self.closed
+        self.closed = [*closed, *(lemma.get("closed") or ())]
+        self._lemma(lemma)
+        self.closed = closed
+
+    def _lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
         index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
         if type(first) is not int or first < 0:

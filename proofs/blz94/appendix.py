@@ -58,7 +58,8 @@ from proofs.blz94.lemmas_orbit import (
     TOP,
     row,
 )
-from proofs.blz94.lemmas_sigma import FORMS, OPENED_FOR_SIGMA, SIGMA
+from proofs.blz94.lemmas_double_sum import ABOVE, DOUBLE_SUM
+from proofs.blz94.lemmas_sigma import COLUMN, ENDS, EXPONENTS, FORMS, OPENED_FOR_SIGMA, SIGMA, chi, tau
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -309,14 +310,14 @@ claim("BLZ94-EA.15", "D as a double sum", D == sum_of(i, 0, n, sum_of(j, 0, n, x
       repair=repair("index", "a and b are sums of alpha_i phi_{n-i} and alpha_i psi_{n-i}, so the weight alpha_i "
                              "alpha_j belongs to sigma_{n-i,n-j}.",
                     D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, n - i, n - j))), **_SIGMA,
-                    by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
+                    by=[generic_index(in_values=True), instances(n=(1, 2, 3))]))
 
 claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma_{i-j}, ..., gamma_{i-1}",
       forall(i, 1, n, (sigma(0, i, i) == r(0, i)) & (sigma(0, i, i - 1) == r(0, i - 1) * Z)
              & forall(j, 1, i, (sigma(0, i, i - j) == r(0, i - j) * pi(i - j, j))
                       & (pi(i - j, j) == Z**j + sum_of(k, 1, j - 1, coeff(pi(i - j, j), k) * Z**k)))),
       sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED, *FORMS],
-      by=[generic_index(*SIGMA, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
+      by=[generic_index(*SIGMA, COLUMN, ENDS, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
           use(2, j=i, s=0), use(3, m=1, s=0, j=i - 1), use(3, m=j, s=0, j=i - j), use(4, t=j, s=i - j)]), instances(n=(2, 3, 4))],
       note="pi(s, j), the polynomial pi_j for gamma_s, gamma_{s+1}, ..., is made of gamma_s, ..., gamma_{s+j-1} alone.")
 
@@ -326,7 +327,10 @@ claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n 
                                                        sum_of(j, i + 1, n, x[i] * x[j] * sigma(0, n - i, n - j))),
            sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
              + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
-      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **_SIGMA, by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))])
+      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **{**_SIGMA, "where": [*_SIGMA["where"], *FORMS, *ABOVE]},
+      by=[generic_index(*SIGMA, EXPONENTS, *DOUBLE_SUM, supported=OPENED_FOR_SIGMA["supported"], closed=[r], whole=[sigma, tau, chi, D], in_values=[1, 2, 3], uses=[
+          use(5, k=0, z=0), use(7, k=n, u=n, l=0), use(8, k=0), use(9, k=n, u=n)]), instances(n=(2, 3, 4))],
+      note="tau, chi and w serve the proof alone.")
 
 claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and of the gammas by one",
       forall(k, 1, n - 1, forall(l, 0, k - 1, sigma(0, k + 1, l + 1) * r(1, l) == r(0, l + 1) * sigma(1, k, l)))
