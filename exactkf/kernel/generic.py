@@ -232,35 +232,58 @@ class Terms(Indefinite, Chains):
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
     def _product(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product in which all factors but one are free of z, powers of z, or sums that are multiplied out."""
-        factor, rest = self.number(1), list[Any]()
+        """A product in which all factors but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for."""
         parts = [(x, 1) for x in tree[1:]] if tree[0] == "*" else [(tree[1], 1), (tree[2], -1)]
+        return self._product_of([(x, env, False, e) for x, e in parts], m)
+
+    def _product_of(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """The coefficient at m of a product of factors (a term, its indices, whether 1/z stands for z, exponent)."""
+        factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
         while parts:
-            x, e = parts.pop(0)
+            x, env, flip, e = parts.pop(0)
             if not self.has_z(x):
                 value = self.value(x, env)
                 factor = factor * (value if e > 0 else value.inverse())
-            elif x[0] == "*":
-                parts = [(y, e) for y in x[1:]] + parts
-            elif x[0] == "/":
-                parts = [(x[1], e), (x[2], -e), *parts]
+            elif self.is_matrix(x) and self.shape(x, env) != ({"": 1}, {"": 1}):
+                raise Unknown("a matrix in a product of polynomials")
+            elif x[0] in ("*", "/"):
+                parts = [(y, env, flip, -e if k and x[0] == "/" else e) for k, y in enumerate(x[1:])] + parts
+            elif x[0] == "recip":
+                parts.insert(0, (x[1], env, not flip, e))
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
-                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
+                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, e if flip else -e))
             elif e > 0:
-                rest.append(x)
+                rest.append((x, env, flip, e))
             else:
                 raise Unknown("a quotient by a polynomial at a generic index")
-        if len(rest) < 2:
-            return factor * (self.coefficient(rest[0], m, env) if rest else self.number(int(self.region.zero(m))))
-        several = next((x for x in rest if x[0] in ("+", "-", "neg")), None)
-        if several is None:
-            raise Unknown("a product of polynomials at a generic index")
-        others = [x for x in rest if x is not several]
-        out = self.number(0)
-        for k, x in enumerate(several[1:]):
-            term = self.coefficient(["*", x, *others], m, env)
-            out = out - term if several[0] == "neg" or (several[0] == "-" and k) else out + term
-        return factor * out
+        if not rest:
+            return factor * self.number(int(self.region.zero(m)))
+        if len(rest) == 1:
+            x, env, flip, _ = rest[0]
+            return factor * self.coefficient(x, plus({}, m, -1) if flip else m, env)
+        return factor * self._several(rest, m)
+
+    def _several(self, rest: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
+        for place, (x, env, flip, e) in enumerate(rest):
+            def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
+                return self._product_of([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
+
+            if x[0] in ("+", "-", "neg"):
+                out = self.number(0)
+                for k, y in enumerate(x[1:]):
+                    term = put(y, env)
+                    out = out - term if x[0] == "neg" or (x[0] == "-" and k) else out + term
+                return out
+            if x[0] == "if":
+                return put(x[2] if self.condition(x[1], env) else x[3], env)
+            if x[0] == "sum":
+                return self._sum(x, env, put)
+            if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
+                args = tuple(self.index(a, env) for a in x[2:])
+                if x[1] not in self.recursive | self.inverting or x[1] not in self.inverting and self._opens(d, args[-1]):
+                    return self.deeper(d, args, put)
+        raise Unknown("a product of polynomials at a generic index")
 
     def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""

@@ -58,8 +58,8 @@ from proofs.blz94.lemmas_orbit import (
     TOP,
     row,
 )
-from proofs.blz94.lemmas_double_sum import ABOVE, DOUBLE_SUM
-from proofs.blz94.lemmas_sigma import COLUMN, ENDS, EXPONENTS, FORMS, OPENED_FOR_SIGMA, SIGMA, chi, tau
+from proofs.blz94.lemmas_double_sum import ABOVE, DOUBLE_SUM, OPENED_FOR_SUMS
+from proofs.blz94.lemmas_sigma import COLUMN, ENDS, FORMS, OPENED_FOR_SIGMA, SIGMA
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -71,6 +71,7 @@ from proofs.blz94.notation import (
     RHO,
     RHO_T,
     SHIFTED,
+    SHIFTED_FACTORS,
     VECTORS,
     A,
     D,
@@ -104,9 +105,10 @@ from proofs.blz94.notation import (
     sigma,
     symmetric_part,
     t,
+    x,
 )
 
-B, d, l, x = symbols("B d l x")
+B, l = symbols("B l")
 VECTOR_POINT = {alpha0: vector(n), gamma0: vector(n)}
 GAMMA = {gamma: sequence(0, n)}
 
@@ -300,10 +302,7 @@ claim("BLZ94-SA6", "rho_t* is z^n rho_t(1/z)", forall(t, 0, n, rhos[t] == rev(rh
                                       uses=[use(0, t=t, z=z)]), instances(n=(2, 3, 4))]))
 
 _POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
-_D = (let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))),
-      let(b, psi(0, n) + sum_of(i, 1, n, alpha[i] * psi(0, n - i))),
-      let(D, symmetric_part(a, b)), function(x, [i], when(i == 0, 1, alpha[i])))
-_SIGMA = {"sizes": ["n"], "over": _POINT, "where": [*SHIFTED, *_D]}
+_SIGMA = {"sizes": ["n"], "over": _POINT, "where": [*SHIFTED, *SHIFTED_FACTORS]}
 claim("BLZ94-EA.15", "D as a double sum", D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, i, j))), **_SIGMA,
       by=[example(n=1, alpha=[2], gamma=["1/2"]), instances(n=(1, 2, 3))],
       note="x_i is alpha_i with alpha_0 = 1; sigma(0, i, j) is sigma_ij.",
@@ -317,7 +316,7 @@ claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma
              & forall(j, 1, i, (sigma(0, i, i - j) == r(0, i - j) * pi(i - j, j))
                       & (pi(i - j, j) == Z**j + sum_of(k, 1, j - 1, coeff(pi(i - j, j), k) * Z**k)))),
       sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED, *FORMS],
-      by=[generic_index(*SIGMA, COLUMN, ENDS, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
+      by=[generic_index(*SIGMA, COLUMN(3), ENDS, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
           use(2, j=i, s=0), use(3, m=1, s=0, j=i - 1), use(3, m=j, s=0, j=i - j), use(4, t=j, s=i - j)]), instances(n=(2, 3, 4))],
       note="pi(s, j), the polynomial pi_j for gamma_s, gamma_{s+1}, ..., is made of gamma_s, ..., gamma_{s+j-1} alone.")
 
@@ -328,7 +327,7 @@ claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n 
            sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
              + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
       & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **{**_SIGMA, "where": [*_SIGMA["where"], *FORMS, *ABOVE]},
-      by=[generic_index(*SIGMA, EXPONENTS, *DOUBLE_SUM, supported=OPENED_FOR_SIGMA["supported"], closed=[r], whole=[sigma, tau, chi, D], in_values=[1, 2, 3], uses=[
+      by=[generic_index(*DOUBLE_SUM, **OPENED_FOR_SUMS, in_values=[1, 2, 3], uses=[
           use(5, k=0, z=0), use(7, k=n, u=n, l=0), use(8, k=0), use(9, k=n, u=n)]), instances(n=(2, 3, 4))],
       note="tau, chi and w serve the proof alone.")
 

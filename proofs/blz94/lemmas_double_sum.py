@@ -5,20 +5,22 @@ With x_i = alpha_i, x_0 = 1, let w_k be the sum of x_i x_j sigma_{n-i,n-j}, i < 
 
     (A(z) B(1/z) + A(1/z) B(z)) / 2 = x_0^2 r_n + .. + x_k^2 r_{n-k} + w_k(z) + w_k(1/z)
 
-for the parts A, B of a(z), b(z) with x_0, .., x_k; and w_k has the exponents 1, .., n, as those sigma have.
+for the parts A, B of a(z), b(z) with x_0, .., x_k; and w_k has the exponents 1, .., k, as those sigma have.
 
-They are numbered as they stand in `DOUBLE_SUM`, after `SIGMA` and `EXPONENTS` of lemmas_sigma.
+They are numbered as they stand in `DOUBLE_SUM`, after those on sigma. For the recursion of Lemma 4.4 let d^(k) belong to alpha_1, .., alpha_k and
+gamma_{n-k}, .., gamma_{n-1}: by (A-17c) the recursion is that of w_k, and r_{n-k} d_i^(k) is the coefficient of z^i in w_k.
 """
 
 from __future__ import annotations
 
 from exactkf.evidence import lemma, use
 from exactkf.language import Expr, Z, always, coeff, forall, function, recip, sum_of, sym, symbols, when
-from proofs.blz94.notation import D, i, j, k, n, phi, psi, r, sigma, symmetric_part, u
+from proofs.blz94.lemmas_sigma import COLUMN, EXPONENTS, OPENED_FOR_SIGMA, SIGMA, chi, tau
+from proofs.blz94.notation import D, i, j, k, n, phi, pi, psi, r, rhos, s, sigma, symmetric_part, t, u, x
 
-__all__ = ["ABOVE", "DOUBLE_SUM", "w"]
+__all__ = ["ABOVE", "CONSTANT", "DOUBLE_SUM", "OPENED_FOR_RECURSION", "OPENED_FOR_SUMS", "OTHERS", "RECURSION", "d", "w"]
 
-w, x, l = symbols("w x l")
+w, d, l = symbols("w d l")
 
 
 def _column(high: Expr, at: Expr) -> Expr:
@@ -45,12 +47,25 @@ def _split(high: Expr) -> Expr:
 _PARTS = lemma(k, _up_to(symmetric_part(_part(phi), _part(psi)) == _split(k)), in_values=True,
                uses=[use(4, k=k, u=u, times=1), use(2, j=n - k - 1, s=0, times=x[k + 1] ** 2)], base=[use(2, j=n, s=0, times=1)])
 _WHOLE = lemma(k, D == _split(n), direct=True, in_values=True, uses=[use(4, k=n, u=n, times=1)])
-_OF_COLUMN = lemma(j, forall(k, 0, n, forall(u, j, k, always(l, (coeff(_column(j - 1, k), -l) == 0) & (coeff(_column(j - 1, k), n + 1 + l) == 0)))),
-                   uses=[use(6, j=j, k=k, u=u, l=l), *(use(3, m=k - j, s=0, j=n - k, l=x) for x in (l, n - k + j + l))])
-_OF_ABOVE = lemma(k, _up_to(always(l, (coeff(w(k), -l) == 0) & (coeff(w(k), n + 1 + l) == 0))),
-                  uses=[use(7, k=k, u=u, l=l), use(6, j=k + 1, k=k + 1, u=k + 1, l=l)])
+_OF_COLUMN = lemma(j, forall(k, 0, n, forall(u, j, k, always(l, (coeff(_column(j - 1, k), -l) == 0) & (coeff(_column(j - 1, k), k + 1 + l) == 0)))),
+                   uses=[use(6, j=j, k=k, u=u, l=l), *(use(3, m=k - j, s=0, j=n - k, l=x) for x in (l, j + l))])
+_OF_ABOVE = lemma(k, _up_to(always(l, (coeff(w(k), -l) == 0) & (coeff(w(k), k + 1 + l) == 0))),
+                  uses=[*(use(7, k=k, u=u, l=x) for x in (l, l + 1)), use(6, j=k + 1, k=k + 1, u=k + 1, l=l)])
 _Z = sym("z")
 _OF_D = lemma(k, sum_of(i, 1, n, coeff(D, i) * Z**i) == w(n), direct=True,
               uses=[use(5, k=k, z=_Z), *(use(7, k=n, u=n, l=x) for x in (-_Z, _Z, _Z - n - 1, -_Z - n - 1))])
 _AS_PRINTED = lemma(k, _up_to(w(k) == sum_of(i, 0, k - 1, sum_of(j, i + 1, k, x[i] * x[j] * sigma(0, n - i, n - j)))), in_values=True, uses=[use(9, k=k, u=u)])
-DOUBLE_SUM = (_PARTS, _WHOLE, _OF_COLUMN, _OF_ABOVE, _OF_D, _AS_PRINTED)
+DOUBLE_SUM = (*SIGMA, EXPONENTS, _PARTS, _WHOLE, _OF_COLUMN, _OF_ABOVE, _OF_D, _AS_PRINTED)
+#: uses for the coefficient of z^i of D, for i = 0 and for 1 <= i <= n
+CONSTANT, OTHERS = [use(5, k=0, z=0), use(7, k=n, u=n, l=0)], [use(5, k=0, z=i), use(7, k=n, u=n, l=i)]
+OPENED_FOR_SUMS = {"supported": OPENED_FOR_SIGMA["supported"], "closed": [r], "whole": [sigma, tau, chi, D]}
+
+_TOP = lemma(t, always(s, coeff(pi(s, t), t) == 1), uses=[use(9, t=t, s=s)])
+_BY_PI = lemma(j, forall(k, 1, n, forall(u, j, k, _column(j - 1, k) == r(0, n - k) * sum_of(i, 0, j - 1, x[i] * pi(n - k, k - i)))), in_values=True,
+               closed=[sigma], uses=[use(10, j=j, k=k, u=u), use(8, m=k - j, s=0, j=n - k)])
+_BY_RECURSION = lemma(k, _up_to(forall(i, 1, k, r(0, n - k) * d(n - k, i, k) == coeff(w(k), i))),
+                      uses=[use(11, k=k, u=u, i=i), use(r, 0, n - k), use(r, 0, n - k - 1), use(10, j=k + 1, k=k + 1, u=k + 1, z=i), use(7, k=k, u=u, l=0),
+                            use(9, t=k + 1, s=n - k - 1)])
+#: for d(s, i, k), the d_i^(k) of gamma_s, gamma_{s+1}, .., with recursions for pi and its companion
+RECURSION = (*DOUBLE_SUM[:8], COLUMN(8, rhos), _TOP, _BY_PI, _BY_RECURSION)
+OPENED_FOR_RECURSION = {**OPENED_FOR_SUMS, "supported": [*OPENED_FOR_SUMS["supported"], pi, rhos]}

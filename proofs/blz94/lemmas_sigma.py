@@ -15,7 +15,7 @@ They are numbered as they stand in `SIGMA`.
 from __future__ import annotations
 
 from exactkf.evidence import lemma, use
-from exactkf.language import Z, always, coeff, function, recip, symbols, when
+from exactkf.language import Expr, Z, always, coeff, function, recip, symbols, when
 from proofs.blz94.notation import HALF, gamma, i, j, m, phi, phis, pi, psi, psis, r, s, sigma, t
 
 __all__ = ["ENDS", "EXPONENTS", "FORMS", "OPENED_FOR_SIGMA", "SIGMA", "chi", "tau"]
@@ -42,16 +42,21 @@ _BOTH = lemma(j, always(s, (sigma(s, j + 1, j + 1) == sigma(s, j, j) - _g**2 * c
 _DIAGONAL = lemma(j, always(s, (sigma(s, j, j) == r(s, j)) & (tau(s, j, j) == 0) & (chi(s, j, j) == r(s, j))), in_values=True, closed=_CLOSED,
                   uses=[use(1, j=j, s=s), use(2, j=j, s=s), use(r, s, j + 1), use(r, s, j)], base=[*(use(x, s, 0, 0) for x in (sigma, tau, chi)), use(r, s, 0)])
 SIGMA = (_FIRST, _BOTH, _DIAGONAL)
-#: fourth of a list: (A-17c)
-COLUMN = lemma(m, always(s, always(j, (sigma(s, j + m, j) == r(s, j) * pi(s + j, m))
-                                   & (tau(s, j + m, j) == r(s, j) * HALF * (psis(s + j, m) - phis(s + j, m))))), in_values=True, closed=_CLOSED,
-               uses=[use(0, i=j + m, s=s, j=j), use(3, m=m, s=s, j=j)], base=[use(2, j=j, s=s)])
-#: fifth of a list: leading and constant coefficients
-ENDS = lemma(t, always(s, (coeff(psi(s, t), t) == 1) & (coeff(phi(s, t), t) == 1) & (coeff(phis(s, t), 0) == 1) & (coeff(psis(s, t), 0) == 1)
-                       & (coeff(psi(s, t), 0) == -coeff(phi(s, t), 0))), start=1, uses=[use(4, t=t, s=s)])
 #: fourth of a list: no other exponents than 1, .., m; for m = 0 zero alone
 EXPONENTS = lemma(m, always(s, always(j, always(l, (coeff(sigma(s, j + m, j), -l) == when(m == 0, when(l == 0, r(s, j), 0), 0))
                                                 & (coeff(tau(s, j + m, j), -l) == 0)
                                                 & (coeff(sigma(s, j + m, j), m + 1 + l) == 0) & (coeff(tau(s, j + m, j), m + 1 + l) == 0)))),
                   uses=[*(use(0, i=j + m, s=s, j=j, z=x) for x in (-l, m + 2 + l)), *(use(3, m=m, s=s, j=j, l=x) for x in (l, l + 1))],
                   base=[use(2, j=j, s=s, z=x) for x in (-l, l + 1)])
+
+
+def COLUMN(number: int, second: Expr | None = None) -> dict:
+    """(A-17c), as the lemma so numbered; ``second`` is the recursion that goes with that of pi, if pi has one of its own."""
+    other = HALF * (psis(s + j, m) - phis(s + j, m)) if second is None else second(s + j, m)
+    return lemma(m, always(s, always(j, (sigma(s, j + m, j) == r(s, j) * pi(s + j, m)) & (tau(s, j + m, j) == r(s, j) * other))), in_values=True, closed=_CLOSED,
+                 uses=[use(0, i=j + m, s=s, j=j), use(number, m=m, s=s, j=j)], base=[use(2, j=j, s=s)])
+
+
+#: fifth of a list: leading and constant coefficients
+ENDS = lemma(t, always(s, (coeff(psi(s, t), t) == 1) & (coeff(phi(s, t), t) == 1) & (coeff(phis(s, t), 0) == 1) & (coeff(psis(s, t), 0) == 1)
+                       & (coeff(psi(s, t), 0) == -coeff(phi(s, t), 0))), start=1, uses=[use(4, t=t, s=s)])
