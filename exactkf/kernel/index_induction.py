@@ -42,7 +42,7 @@ from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power")  # atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power")  # atoms, as equations are solved for them
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1

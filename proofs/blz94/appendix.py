@@ -18,7 +18,7 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, fact, generic_index, identity, instances, lemma, use
+from exactkf.evidence import combination, example, fact, generic_index, instances, lemma, use
 from exactkf.language import (
     T,
     Z,
@@ -28,7 +28,6 @@ from exactkf.language import (
     column,
     eq,
     forall,
-    function,
     given,
     inv,
     let,
@@ -45,6 +44,7 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
 from proofs.blz94.lemmas import column as col
+from proofs.blz94.lemmas_double_sum import ABOVE, ABOVE_NEXT, DOUBLE_SUM, OPENED_FOR_SUMS, SHIFT
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, OPENED, SCHUR_0, SCHUR_LEMMAS, alpha1, schur
 from proofs.blz94.lemmas_orbit import (
     ALONG,
@@ -58,7 +58,6 @@ from proofs.blz94.lemmas_orbit import (
     TOP,
     row,
 )
-from proofs.blz94.lemmas_double_sum import ABOVE, DOUBLE_SUM, OPENED_FOR_SUMS
 from proofs.blz94.lemmas_sigma import COLUMN, ENDS, FORMS, OPENED_FOR_SIGMA, SIGMA
 from proofs.blz94.notation import (
     FAST,
@@ -80,7 +79,6 @@ from proofs.blz94.notation import (
     a_of,
     alpha,
     alpha0,
-    b,
     b_of,
     co,
     cot,
@@ -336,10 +334,13 @@ claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and 
       & (sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
          == (1 - gamma[0] ** 2) * sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1,
                                                              x[i] * x[j] * sigma(1, n - 1 - i, n - 1 - j))))
-      & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]), **_SIGMA,
-      by=[identity(n=range(2, 7)), instances(n=(2, 3, 4))],
+      & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]),
+      **{**_SIGMA, "where": [*_SIGMA["where"], *FORMS, *ABOVE_NEXT]},
+      by=[generic_index(*SHIFT, supported=OPENED_FOR_SIGMA["supported"], in_values=[0, 1], uses=[
+          use(3, m=k - l, s=0, j=l + 1, times=r(1, l)), use(3, m=k - l, s=1, j=l, times=-r(0, l + 1)), *(use(y, k=n - 1, u=n - 1) for y in (4, 5, 8))]),
+          instances(n=(2, 3, 4))],
       note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first "
-           "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2.")
+           "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2. tau, chi, w and v serve the proof alone.")
 
 _WEIGHT = matrix_of(i, k, n, n, when(k < i, 0, prod(s, 0, n - k - 1, 1 - gamma[s] ** 2)
                                      * sum_of(j, 1, k, x[k - j] * coeff(pi(n - k, j), i))))

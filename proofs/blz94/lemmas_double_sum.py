@@ -16,20 +16,21 @@ from __future__ import annotations
 from exactkf.evidence import lemma, use
 from exactkf.language import Expr, Z, always, coeff, forall, function, recip, sum_of, sym, symbols, when
 from proofs.blz94.lemmas_sigma import COLUMN, EXPONENTS, OPENED_FOR_SIGMA, SIGMA, chi, tau
-from proofs.blz94.notation import D, i, j, k, n, phi, pi, psi, r, rhos, s, sigma, symmetric_part, t, u, x
+from proofs.blz94.notation import D, gamma, i, j, k, n, phi, pi, psi, r, rhos, s, sigma, symmetric_part, t, u, x
 
-__all__ = ["ABOVE", "CONSTANT", "DOUBLE_SUM", "OPENED_FOR_RECURSION", "OPENED_FOR_SUMS", "OTHERS", "RECURSION", "d", "w"]
+__all__ = ["ABOVE", "ABOVE_NEXT", "CONSTANT", "DOUBLE_SUM", "OPENED_FOR_RECURSION", "OPENED_FOR_SUMS", "OTHERS", "RECURSION", "SHIFT", "d", "v", "w"]
 
-w, d, l = symbols("w d l")
+w, v, d, l = symbols("w v d l")
 
 
-def _column(high: Expr, at: Expr) -> Expr:
-    """Sum of x_i sigma_{n-i,n-at}, i = 0 .. high."""
-    return sum_of(i, 0, high, x[i] * sigma(0, n - i, n - at))
+def _column(high: Expr, at: Expr, start: int = 0) -> Expr:
+    """Sum of x_i sigma_{n-i,n-at}, i = 0 .. high; or of the same in dimension n - 1, for the parameters gamma_1, gamma_2, .."""
+    return sum_of(i, 0, high, x[i] * sigma(start, n - start - i, n - start - at))
 
 
 #: the terms above the diagonal
 ABOVE = (function(w, [k], when(k == 0, 0, w(k - 1) + x[k] * _column(k - 1, k))),)
+ABOVE_NEXT = (*ABOVE, function(v, [k], when(k == 0, 0, v(k - 1) + x[k] * _column(k - 1, k, 1))))
 
 
 def _part(p: Expr) -> Expr:
@@ -54,8 +55,15 @@ _OF_ABOVE = lemma(k, _up_to(always(l, (coeff(w(k), -l) == 0) & (coeff(w(k), k + 
 _Z = sym("z")
 _OF_D = lemma(k, sum_of(i, 1, n, coeff(D, i) * Z**i) == w(n), direct=True,
               uses=[use(5, k=k, z=_Z), *(use(7, k=n, u=n, l=x) for x in (-_Z, _Z, _Z - n - 1, -_Z - n - 1))])
-_AS_PRINTED = lemma(k, _up_to(w(k) == sum_of(i, 0, k - 1, sum_of(j, i + 1, k, x[i] * x[j] * sigma(0, n - i, n - j)))), in_values=True, uses=[use(9, k=k, u=u)])
-DOUBLE_SUM = (*SIGMA, EXPONENTS, _PARTS, _WHOLE, _OF_COLUMN, _OF_ABOVE, _OF_D, _AS_PRINTED)
+
+
+def _as_printed(number: int, above: Expr, start: int = 0) -> dict:
+    """The double sum, as the lemma so numbered."""
+    terms = sum_of(i, 0, k - 1, sum_of(j, i + 1, k, x[i] * x[j] * sigma(start, n - start - i, n - start - j)))
+    return lemma(k, forall(u, k, n - start, above(k) == terms), in_values=True, uses=[use(number, k=k, u=u)])
+
+
+DOUBLE_SUM = (*SIGMA, EXPONENTS, _PARTS, _WHOLE, _OF_COLUMN, _OF_ABOVE, _OF_D, _as_printed(9, w))
 #: uses for the coefficient of z^i of D, for i = 0 and for 1 <= i <= n
 CONSTANT, OTHERS = [use(5, k=0, z=0), use(7, k=n, u=n, l=0)], [use(5, k=0, z=i), use(7, k=n, u=n, l=i)]
 OPENED_FOR_SUMS = {"supported": OPENED_FOR_SIGMA["supported"], "closed": [r], "whole": [sigma, tau, chi, D]}
@@ -69,3 +77,11 @@ _BY_RECURSION = lemma(k, _up_to(forall(i, 1, k, r(0, n - k) * d(n - k, i, k) == 
 #: for d(s, i, k), the d_i^(k) of gamma_s, gamma_{s+1}, .., with recursions for pi and its companion
 RECURSION = (*DOUBLE_SUM[:8], COLUMN(8, rhos), _TOP, _BY_PI, _BY_RECURSION)
 OPENED_FOR_RECURSION = {**OPENED_FOR_SUMS, "supported": [*OPENED_FOR_SUMS["supported"], pi, rhos]}
+
+_ONCE = 1 - gamma[0] ** 2
+_NEXT_NORM = lemma(j, r(0, j + 1) == _ONCE * r(1, j), uses=[use(6, j=j)])
+_NEXT_COLUMN = lemma(j, forall(k, 0, n - 1, forall(u, j, k, _column(j - 1, k) == _ONCE * _column(j - 1, k, 1))), in_values=True, closed=[sigma],
+                     uses=[use(7, j=j, k=k, u=u), *(use(3, m=k - j, s=y, j=n - k - y) for y in (0, 1)), use(6, j=n - k - 1)])
+_NEXT = lemma(k, forall(u, k, n - 1, w(k) == _ONCE * v(k)), in_values=True, closed=[sigma], uses=[use(8, k=k, u=u), use(7, j=k + 1, k=k + 1, u=k + 1)])
+#: the double sum without alpha_n, and that for gamma_1, gamma_2, ..
+SHIFT = (*SIGMA, COLUMN(3), _as_printed(4, w), _as_printed(5, v, 1), _NEXT_NORM, _NEXT_COLUMN, _NEXT)

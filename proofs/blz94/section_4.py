@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, restated, steps, use
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, lemma, restated, steps, use
 from exactkf.language import (
     T,
     Z,
@@ -52,6 +52,7 @@ from exactkf.language import (
     standing,
     substitute,
     sum_of,
+    sym,
     symbols,
     vector,
     vstack,
@@ -63,8 +64,8 @@ from proofs.blz94.lemmas_double_sum import ABOVE, CONSTANT, DOUBLE_SUM, OPENED_F
 from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
-from proofs.blz94.lemmas_sigma import FORMS
 from proofs.blz94.lemmas_shift import OPENED_FOR_SHIFT, SHIFT_LEMMAS
+from proofs.blz94.lemmas_sigma import FORMS
 from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
     FACTORS_T,
@@ -264,15 +265,20 @@ claim("BLZ94-T4.3.5", "the gain in the new coordinates",
            "coordinates (alpha, gamma). The fast algorithm, rho, pi_k and r serve the proof alone.")
 
 # ---------------------------------------------------------------------- the invariants
+_r = sym("varrho")
 claim("BLZ94-E4.10", "D is d(z) + d(1/z)", D == d + recip(d), sizes=["n"], over={a: monic(n), b: monic(n)},
       where=[let(D, symmetric_part(a, b)), let(d, HALF * coeff(D, 0) + sum_of(i, 1, n, coeff(D, i) * Z**i))],
       by=[identity(n=range(1, 8)), instances(n=(1, 2, 3))])
 
 _D = (*KIMURA, let(D, symmetric_part(a, b)))
 claim("BLZ94-L4.4.1", "d_0 is a sum of squares times the r_i",
-      coeff(D, 0) == sum_of(i, 0, n - 1, r(0, i) * alpha[n - i] ** 2) + r(0, n), sizes=["n"], over=POINT, where=[*SHIFTED, *SHIFTED_FACTORS, *FORMS, *ABOVE],
-      by=[generic_index(*DOUBLE_SUM[:8], **OPENED_FOR_SUMS, uses=CONSTANT), instances(n=(1, 2, 3, 4))],
-      note="r(0, i) is r_i; x, tau, chi and w serve the proof alone.")
+      coeff(D, 0) == sum_of(i, 0, n - 1, _r[i] * alpha[n - i] ** 2) + _r[n], sizes=["n"], over=POINT,
+      where=[*SHIFTED, *SHIFTED_FACTORS, rec(_r, t, 1, (1 - gamma[t] ** 2) * _r[t]), *FORMS, *ABOVE],
+      by=[generic_index(*DOUBLE_SUM[:8], lemma(t, _r[t] == r(0, t), uses=[use(8, t=t), use(r, 0, t), use(r, 0, t + 1)], base=[use(r, 0, 0)]),
+                        lemma(k, sum_of(i, 0, k, _r[i] * alpha[n - i] ** 2) == sum_of(i, 0, k, r(0, i) * alpha[n - i] ** 2), uses=[use(9, k=k, times=1), use(8, t=k + 1)],
+                              base=[use(8, t=0)]),
+                        **OPENED_FOR_SUMS, uses=[*CONSTANT, use(9, k=n - 1), use(8, t=n)]), instances(n=(1, 2, 3, 4))],
+      note="varrho_i is r_i; x, r(s, i), tau, chi and w serve the proof alone.")
 
 
 def _recursion(polynomials):
