@@ -147,6 +147,7 @@ class Witness:
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
         self.monic = {name for name, kind in statement["over"] if kind[0] == "monic"}
+        self.polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
         self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
 
@@ -229,7 +230,7 @@ class Witness:
             return None
         if kind == "sum":  # of atoms that have been looked at; of zeros it may be taken as zero
             return Fraction(0) if self._number(((name, 1),)) == 0 else None
-        if kind == "at" and name in self.entries:
+        if kind == "at" and name in self.entries or kind == "coeff" and name in self.polynomials:  # but for leading coefficients, which are no atoms
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
             return _Z if name == "z" else self.at[name]

@@ -225,6 +225,8 @@ class Terms(Indefinite, Chains):
             return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
         if op == "sum":
             return self._sum(tree, env, lambda body, inner: self.coefficient(body, m, inner))
+        if op == "sym" and self.known.kinds.get(tree[1], ("",))[0] in ("poly", "monic"):
+            return self._variable(tree[1], m)
         if op == "sym":
             return self._call(tree[1], (), lambda body, inner: self.coefficient(body, m, inner), m)
         if op == "at":
@@ -283,7 +285,30 @@ class Terms(Indefinite, Chains):
                 args = tuple(self.index(a, env) for a in x[2:])
                 if x[1] not in self.recursive | self.inverting or x[1] not in self.inverting and self._opens(d, args[-1]):
                     return self.deeper(d, args, put)
+        for k, (x, env, flip, _) in enumerate(rest):
+            if (degree := self._degree(x, env)) is not None:
+                others = [*rest[:k], *rest[k + 1:]]
+                return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
+                    self.coefficient(x, j, env) * self._product_of(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
         raise Unknown("a product of polynomials at a generic index")
+
+    def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
+        """A number d if a name stands for a polynomial with exponents 0 .. d."""
+        if tree[0] == "sym" and (kind := self.known.kinds.get(tree[1])) and kind[0] in ("poly", "monic"):
+            return self.index(kind[1], {})
+        if tree[0] == "at" and tree[1] in self.supported and not self.limited and self.region.holds(last := self.index(tree[-1], env)):
+            return last
+        return None
+
+    def _variable(self, name: str, m: Form) -> Symbolic:
+        """Coefficient of a variable that is a polynomial."""
+        kind, degree = self.known.kinds[name][0], self.index(self.known.kinds[name][1], {})
+        gap = plus(degree, m, -1)
+        if not self.region.holds(m) or not self.region.holds(gap):
+            return self.number(0)
+        if kind == "monic" and self.region.zero(gap):
+            return self.number(1)
+        return self.atom(("coeff", name, form_key(self.region.reduce(m))))
 
     def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""

@@ -194,6 +194,8 @@ class Indefinite:
     def _product_to(self, made: tuple, high: Form) -> Symbolic:
         """The indefinite product, in the same way."""
         base, c = self._from_constant(high)
+        if c < 0 and any(name.startswith("#") for name in base):  # within a sum, where no factor may be divided by
+            return self.atom(("prod", made, form_key(self.region.reduce(high))))
         out = self.atom(("prod", made, form_key(base)))
         for q in range(min(c, 0) + 1, max(c, 0) + 1):
             factor = self.number(0)
@@ -228,6 +230,8 @@ class Indefinite:
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
+        if key[0] == "coeff" and len(forms) == 1:
+            return self.coefficient(["sym", key[1]], self.region.reduce(forms[0]), {})
         if key[0] == "coeff":
             *args, m = forms
             return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)

@@ -202,7 +202,7 @@ claim("BLZ94-E2.11", "the transfer function of the observer form",
 claim("BLZ94-E2.12", "v = b/(2a) with b = a + 2g monic",
       (HALF + strict_of(g) / monic_of(a) == HALF * ((monic_of(a) + 2 * strict_of(g)) / monic_of(a)))
       & (monic_of(a) + 2 * strict_of(g) == monic_of(a + 2 * g)),
-      sizes=["n"], over={a: vector(n), g: vector(n)}, by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      sizes=["n"], over={a: vector(n), g: vector(n)}, by=[generic_index(in_values=[0]), instances(n=(1, 2, 3))])
 
 a1, b1, d = symbols("a1 b1 d")
 claim("BLZ94-E2.13", "for positive real v of degree n, D is positive on the circle and a and b are stable",

@@ -268,7 +268,7 @@ claim("BLZ94-T4.3.5", "the gain in the new coordinates",
 _r = sym("varrho")
 claim("BLZ94-E4.10", "D is d(z) + d(1/z)", D == d + recip(d), sizes=["n"], over={a: monic(n), b: monic(n)},
       where=[let(D, symmetric_part(a, b)), let(d, HALF * coeff(D, 0) + sum_of(i, 1, n, coeff(D, i) * Z**i))],
-      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3))])
+      by=[generic_index(), instances(n=(1, 2, 3))])
 
 _D = (*KIMURA, let(D, symmetric_part(a, b)))
 claim("BLZ94-L4.4.1", "d_0 is a sum of squares times the r_i",
