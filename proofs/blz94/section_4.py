@@ -49,6 +49,7 @@ from exactkf.language import (
     recip,
     scalar,
     sequence,
+    size_of,
     standing,
     substitute,
     sum_of,
@@ -332,25 +333,30 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
           example(n=2, alpha=[0, "3/4"], gamma=[0, "5/4"]), example(n=2, alpha=[0, 0], gamma=["1/2", "1/2"])])
 
 _ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T, *PRODUCT_T)
+_PROJECTIVE = generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly], uses=[use(9, t=t, z=row - 1)])
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
       over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
-      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly],
-                        uses=[use(9, t=t, z=row - 1)]), instances(n=(1, 2, 3), horizon=3)],
+      by=[_PROJECTIVE, instances(n=(1, 2, 3), horizon=3)],
       note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later "
            "start.")
 
+
+
+def _functions(number, at):
+    """d_0, d_1, .. at a time."""
+    return column(i, number, coeff(D[at], i - 1))
+
+
 claim("BLZ94-S24", "the n + 1 functions d_0, ..., d_{n-1} are invariant up to a common factor",
-      always(t, (sum_of(i, 0, n - 1, 1) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1))
-                                                     == column(i, n, coeff(D[0], i - 1)))),
+      always(t, (size_of(_functions(n, t)) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1)) == _functions(n, 0))),
       sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[example(n=1, alphabar=[1], gammabar=["1/2"]),
                                                           instances(n=(1, 2), horizon=2)],
       note="The first equation counts the functions.",
       repair=repair("index", "The n + 1 functions are d_0, ..., d_n; d_n = alpha_n is left out by the printed range.",
-                    always(t, (sum_of(i, 0, n, 1) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1))
-                                                               == column(i, n + 1, coeff(D[0], i - 1)))),
-                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D,
-                    by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)]))
+                    always(t, (size_of(_functions(n + 1, t)) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1)) == _functions(n + 1, 0))),
+                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
+                    by=[_PROJECTIVE, instances(n=(1, 2, 3), horizon=3)]))
 
 # ---------------------------------------------------------------------- the level sets
 V, K, M = symbols("V K M")

@@ -11,7 +11,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, order, restated, steps, use, within
+from exactkf.evidence import example, generic_index, induction, instances, lemma, order, restated, steps, use, within
 from exactkf.language import (
     Identity,
     T,
