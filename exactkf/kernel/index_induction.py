@@ -43,7 +43,7 @@ from exactkf.kernel.wellformed import check_formula
 __all__ = ["generic_index"]
 
 #: atoms, in the order in which equations are solved for them
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "number")
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "number", "power")
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -79,6 +79,8 @@ class _Proof:
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
+        self.some: list[Any] | None = None  # the equations of the conclusion, by their numbers, for which it is so
+        self.equations = 0
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
         self.not_zero: set[frozenset] = set()
@@ -115,6 +117,13 @@ class _Proof:
                 self.close(Region.of(*forms, outside), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
+        """A lemma, in which more names may be closed than elsewhere."""
+        closed = self.closed
+        self.closed = [*closed, *(lemma.get("closed") or ())]
+        self._lemma(lemma)
+        self.closed = closed
+
+    def _lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
         index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
         if type(first) is not int or first < 0:
@@ -142,7 +151,9 @@ class _Proof:
         self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
-        says, uses, self.in_values = self.statement["says"], evidence.get("uses", ()), bool(evidence.get("in values"))
+        says, uses, some = self.statement["says"], evidence.get("uses", ()), evidence.get("in values")
+        self.in_values = bool(some)
+        self.some, self.equations = list(some) if isinstance(some, (list, tuple)) else None, 0
         for place, part in enumerate(says[1:] if says[0] == "and" else [says]):
             name = f"conclusion {place}"
             if part[0] == "always" or (part[0] == "forall" and type(part[2]) is int):
@@ -220,7 +231,9 @@ class _Proof:
 
             def goal(t: Terms) -> list[Symbolic]:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
-        self.close(region, goal, uses, names, place, current, in_values=self.in_values)
+        in_values = self.in_values if self.some is None else self.equations in self.some
+        self.equations += 1
+        self.close(region, goal, uses, names, place, current, in_values=in_values)
 
     def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[_Row]:
         """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too; with what they divide by."""
@@ -235,7 +248,10 @@ class _Proof:
         if "definition" in use:
             with suppress(Unknown):  # it speaks of names of another part
                 places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
-                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
+                at = tuple(terms.index(tree, names) for tree in use["at"])
+                yield terms.defining(use["definition"], at, places)
+                if terms.in_values and use["definition"] in terms.in_z:
+                    yield terms.defining(use["definition"], at, {"flip": {}})
             return
         if "given" in use:
             yield from self._assumed(terms, use, names)

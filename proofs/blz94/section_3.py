@@ -21,7 +21,7 @@ determined by a alone, since the phi_k are monic of different degrees.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import combination, example, generic_index, instances, lemma, steps, use
 from exactkf.language import (
     Identity,
     T,
@@ -157,15 +157,18 @@ claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positi
                                            b: substitute(x, 4 * Z) / to_expr(4) ** n})]))
 
 # ---------------------------------------------------------------------- Szego polynomials
+_AGAINST = lemma(t, forall(k, 0, t, y(t, k) == when(k == t, r[t], 0)), direct=True, uses=[use(y, t, k), use(2, t=t, k=k)])
+_ORTHOGONAL_PARTS = lemma(m, always(t, forall(s, m, t, sum_of(i, 0, m, coeff(phi[s], i) * y(t, i)) == when(m == t, r[t], 0))),
+                          uses=[use(4, m=m, t=t, s=s), use(3, t=t, k=m + 1), use(1, t=t)], base=[use(3, t=t, k=0), use(1, t=t)])
 claim("BLZ94-E3.5", "phi_t and phi_t* have the shape (3.3), (3.4), and the phi_t are orthogonal",
       forall(t, 0, n, (phi[t] == Z**t + sum_of(k, 1, t, co(phi, t, k) * Z ** (t - k)))
              & (phis[t] == sum_of(k, 1, t, co(phi, t, k) * Z**k) + 1)
-             & forall(s, 0, t, sum_of(i, 0, s, sum_of(j, 0, t, coeff(phi[s], i) * coeff(phi[t], j) * c[abs(i - j)]))
-                      == when(s == t, r[t], 0))),
-      sizes=["n"], over=GAMMA, where=[*CORRELATIONS],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
+             & forall(s, 0, t, sum_of(i, 0, s, coeff(phi[s], i) * y(t, i)) == when(s == t, r[t], 0))),
+      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, function(y, [t, i], sum_of(j, 0, t, coeff(phi[t], j) * c[abs(i - j)]))],
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL, _AGAINST, _ORTHOGONAL_PARTS, **PAIR, closed=[c, y], uses=[use(1, t=t), use(4, m=s, t=t, s=s)]),
+          instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that the recursion produces monic polynomials of the stated form, "
-           "orthogonal with respect to the sequence c of (3.10), with squared norms r_t.")
+           "orthogonal with respect to the sequence c of (3.10), with squared norms r_t. y(t, i) is the product of phi_t and z^i.")
 
 claim("BLZ94-E3.5b", "the second recursion gives the reversed polynomial",
       forall(t, 0, n, phis[t] == rev(phi[t], t)), sizes=["n"], over=GAMMA, where=[*PHI],
@@ -312,8 +315,8 @@ claim("BLZ94-S17", "the first normal equation and the value of rho_kk give (3.17
       repair=repair("cross-reference", "What the two equations give is (3.15) for t = k, the start of the induction; "
                                        "(3.17) is the recursion.",
                     coeff(rho, 0) == c[n] + sum_of(j, 1, n - 1, c[n - j] * coeff(phi, n - j)), sizes=["n"],
-                    over={c: sequence(1, n), phi: monic(n), rho: polynomial(n - 1)}, given=[_FIRST, _VALUE],
-                    by=[combination([(1, "value of rho_kk", 1), (-1, "first normal equation", 1)], n=range(1, 8)),
+                    over={c: sequence(1, n), phi: monic(n), rho: polynomial(n - 1)}, given=[_FIRST, _VALUE, standing("n >= 1", n >= 1)],
+                    by=[generic_index(uses=[use("value of rho_kk"), use("first normal equation")]),
                         instances(n=(2, 3, 4), using={x: polynomial(n - 1), y: vector(n)},
                                   made_by={rho: x - coeff(x, 0) - coeff(phi, 0),
                                            c: column(i, n, when(i == n,
