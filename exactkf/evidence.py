@@ -197,6 +197,8 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
     ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
+    ``cayley``                              (sum_of(k, 0, n, coeff(charpoly(A), k) * (U * A**k * V)) == Zero(p, q)) &
+                                            (coeff(charpoly(A), n) == 1)
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
