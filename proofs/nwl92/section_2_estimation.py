@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, null_vector, order, restated, steps, within
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -83,7 +83,6 @@ from proofs.nwl92.notation import (
     T2,
     TWO_BLOCK,
     U2,
-    UNBIASED,
     W2,
     G,
     H,
@@ -109,7 +108,6 @@ from proofs.nwl92.notation import (
     lower,
     made_inverse,
     n,
-    one_inverse,
     p,
     q,
     r,
