@@ -233,7 +233,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = (),
+          away_from_zero: Sequence[Expr] = ()) -> Evidence:
     """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
@@ -262,6 +263,8 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         For determinants: that of the matrix is the product of theirs.
     inside : sequence of `within`
         What belongs to the proof of one leaf.
+    away_from_zero : scalars of the statement
+        It is shown where they are not zero, and holds everywhere by continuity (see `exactkf.kernel.continuity`).
     """
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
     stable: list[list] = []
@@ -272,7 +275,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
                               "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
-                              "inside": inner, "stable": stable})
+                              "inside": inner, "stable": stable, "away": tuple(_name(x) for x in away_from_zero)})
 
 
 def null_vector(block: int = 0) -> Expr:

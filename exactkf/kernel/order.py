@@ -52,6 +52,7 @@ FACTS = {
     "determinant": "the determinant of a product of square matrices is the product of theirs, that of a transpose the same, "
                    "of a block triangular matrix that of its diagonal blocks",
     "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
+    "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 

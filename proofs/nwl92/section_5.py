@@ -388,16 +388,17 @@ claim("NWL92-E5.13", "the matrices of p(s, t) and p(t, s) are equal up to scalin
 
 #: both sides of (5.13) have one determinant, and so have the members of (5.11), up to that of the exchange
 SCALED = scaled(1, t) * inner(s, t) * scaled(1 / t, 1)
-BOTH_DETERMINANTS = order(factors=[(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
-                                   TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])])
+DETERMINANTS = [(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
+                TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])]
 claim("NWL92-E5.14", "determinants of (5.13)",
       t ** k * first(s, t) * t ** (-n) == s ** k * first(t, s) * s ** (-n), sizes=["k", "n"], over=NONZERO,
-      by=[BOTH_DETERMINANTS, instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
+      by=[order(factors=DETERMINANTS), instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
-      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
-      by=[restated("polynomials that agree where s and t are not zero agree"), BOTH_DETERMINANTS, instances(**SIZES)],
-      note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
+      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), **ANY_POINT,
+      by=[order(factors=DETERMINANTS, away_from_zero=[s, t]), example({"k": 2, "n": 1, F: [[1], [0]], K: [[0], [1]], G: [[1, 0], [0, 1]], s: 1, t: 0}),
+          instances(**SIZES)],
+      note="For all s and t for which both sides have a value: those other than zero, and for k >= n zero too, where both sides are polynomials.")
 
 # ------------------------------------------------------------------ the stable eigenspace
 EIGENSPACE = {**PENCIL, X: matrix(n, n), Y: matrix(k, n), J: matrix(n, n)}
