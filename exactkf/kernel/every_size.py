@@ -126,7 +126,7 @@ def _text(term: Blocks) -> str:
 
 
 #: what the proof of a leaf may bring in beside its terms
-_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique")
+_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:

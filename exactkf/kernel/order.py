@@ -27,7 +27,7 @@ from typing import Any
 from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.stable import is_stable, no_eigenvector
+from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
@@ -53,6 +53,7 @@ FACTS = {
                    "of a block triangular matrix that of its diagonal blocks",
     "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
     "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
+    "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex; so CX = 0 and AX = XB give X = 0 if (C, A) is observable",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -165,6 +166,8 @@ class Leaf:
         A stable matrix M: instead of X the terms add up to X - MXM', for an order.
     unique : pair of trees
         Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
+    kept : triple of trees
+        An observable pair C, A and a matrix B: instead of X = 0 it is shown that CX = 0 and AX = XB, for an equation.
 
     Attributes
     ----------
@@ -180,7 +183,7 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = ()) -> None:
+                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = ()) -> None:
         said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
@@ -219,6 +222,8 @@ class Leaf:
                 raise Unknown("an inverse that need not exist")
         if unique:
             found = self._contracted(found, unique, op == "=")
+        if kept:
+            found = self._kept(found, kept, op == "=")
         if stein is not None:
             found = self._contracted(found, [stein, ["T", stein]], bool(wanted))
         if op == "invertible":
@@ -333,6 +338,21 @@ class Leaf:
             raise Unknown("two stable matrices are for an equation, one for an order")
         left, right = (self._stable(m) for m in sides)
         return [self.reader._plus(x, self.reader._times(self.reader._times(left, x), right), -1) for x in found]
+
+    def _kept(self, found: list, by: Any, fits: bool) -> list:
+        """CX and AX - XB in the place of X, for an observable pair (C, A)."""
+        reader, (c, a, b) = self.reader, by
+        if not fits or not is_observable(reader, c, a) or not all(exists(reader, x, self.known) for x in by):
+            raise Unknown("a pair that no hypothesis says to be observable, or no equation")
+        rows, inner, outer = (reader.read(x) for x in by)
+        if not all(isinstance(x, Blocks) for x in (rows, inner, outer)):
+            raise Unknown("numbers where matrices are needed")
+        if any(reader.total(x.rows) != reader.total(inner.rows) or reader.total(x.cols) != reader.total(outer.rows) for x in found):
+            raise Unknown("matrices of other sizes")  # a 1 x 1 matrix is no number here
+        if reader.total(outer.rows) != reader.total(outer.cols):
+            raise Unknown("what acts from the right is not square")
+        times = reader._times
+        return [y for x in found for y in (times(rows, x), reader._plus(times(inner, x), times(x, outer), -1))]
 
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""

@@ -12,9 +12,15 @@ The facts, for real square matrices of every size:
    eigenvalue a + ib with a^2 + b^2 >= 1; in real terms, if Mx = ax - by,
    My = bx + ay and a^2 + b^2 >= 1 give x = 0 and y = 0.
 
+And of a pair (C, A), observable if C annihilates no eigenvector of A, real or complex:
+
+4. if (C, A) is observable, CX = 0 and AX = XB give X = 0: the columns of X span
+   a space that A keeps, and over the complex numbers such a space other than
+   zero has an eigenvector of A, which C would annihilate.
+
 Main definitions
 ----------------
-`is_stable`
+`is_stable`, `is_observable`
     A hypothesis says so.
 `no_eigenvector`
     Fact 3, as a statement without ``schur``.
@@ -30,13 +36,19 @@ from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.reader import Reader, hypotheses
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["is_stable", "no_eigenvector"]
+__all__ = ["is_observable", "is_stable", "no_eigenvector"]
 
 
 def is_stable(reader: Reader, tree: Any) -> bool:
     """A hypothesis says that the matrix, or its transpose, is stable."""
     said = [f[1] for _, f in hypotheses(reader.statement) if f[0] == "schur"]
     return any(are_transposed(reader, ["T", tree], x) or are_transposed(reader, tree, x) for x in said)
+
+
+def is_observable(reader: Reader, c: Any, a: Any) -> bool:
+    """A hypothesis says that the pair is observable."""
+    said = [f[1:] for _, f in hypotheses(reader.statement) if f[0] == "observable"]
+    return any(are_transposed(reader, ["T", c], x) and are_transposed(reader, ["T", a], y) for x, y in said)
 
 
 def no_eigenvector(statement: Mapping[str, Any], tree: Any) -> tuple[dict[str, Any], Any]:
