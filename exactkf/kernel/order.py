@@ -53,7 +53,8 @@ FACTS = {
                    "of a block triangular matrix that of its diagonal blocks",
     "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
     "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
-    "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex; so CX = 0 and AX = XB give X = 0 if (C, A) is observable",
+    "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex: "
+                          "CX = 0 and AX = XB give X = 0 if C annihilates none",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -341,7 +342,7 @@ class Leaf:
 
     def _kept(self, found: list, by: Any, fits: bool) -> list:
         """CX and AX - XB in the place of X, for an observable pair (C, A)."""
-        reader, (c, a, b) = self.reader, by
+        reader, (c, a, _) = self.reader, by
         if not fits or not is_observable(reader, c, a) or not all(exists(reader, x, self.known) for x in by):
             raise Unknown("a pair that no hypothesis says to be observable, or no equation")
         rows, inner, outer = (reader.read(x) for x in by)

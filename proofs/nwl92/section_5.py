@@ -29,7 +29,7 @@ is said through a left inverse, full row rank through a right inverse.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, restated, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
