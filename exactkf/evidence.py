@@ -249,7 +249,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
-    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
+    schur(M), observable(C, A)        see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -297,8 +297,8 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
     lemmas : formulas
         Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
     vector : "right" or "left"
-        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
-        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
+        Instead of invertible(X), rank(X) == number of columns, schur(X), observable(C, X) it is shown that a vector v with Xv = 0, an
+        eigenvector v of X outside the open unit disc, or one with Cv = 0, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
     stein : term
         A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
     unique : pair of terms

@@ -203,7 +203,7 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
     inverses = [["inv", x] for x in _nonsingular(case)]
     if op in ("=", "symmetric", "symplectic"):
         return [[], inverses] if inverses else [[]]
-    if op == "schur":
+    if op in ("schur", "observable"):
         return [[]]
     if op in ("similar", "cospectral"):
         return [*([x[1], x] for x in inverses), *([x, x[1]] for x in inverses)]

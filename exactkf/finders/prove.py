@@ -16,7 +16,7 @@ from typing import Any
 from exactkf.evidence import Evidence
 from exactkf.finders.membership import find_induction, find_membership, find_order
 from exactkf.kernel.continuity import away_from_zero
-from exactkf.kernel.numbers import Unknown
+from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import seal
 
 __all__ = ["PROOFS", "candidates", "every_size"]
@@ -77,12 +77,13 @@ def _by_order(id: str, statement: dict, asked: Mapping[str, Any], seconds: float
     sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
     more = {"inside": inside} if inside else {}
     shown = statement
-    if away := asked.get("away"):
-        try:
+    try:
+        if away := asked.get("away"):
             shown, more = away_from_zero(statement, away), {**more, "away from zero": away}
-        except Unknown:  # a wrong neighbour may be no statement of that kind
-            return
-    if (parts := find_order(shown, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
+        parts = find_order(shown, sums, roots, lemmas, degree, seconds, factors, inside, stable)
+    except (Unknown, Undefined):  # a wrong neighbour may be no statement that the hints are for
+        return
+    if parts is not None:
         yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **more})
 
 

@@ -27,7 +27,7 @@ from typing import Any
 from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector
+from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector, none_annihilated
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
@@ -71,7 +71,7 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
     lemmas : sequence of formulas
     inside : sequence of [number, vector, lemmas]
         Lemmas that belong to one leaf, counted from 0 without those of other leaves. If ``vector`` is "right" or "left", the leaf
-        (stability, invertibility or full rank) is first replaced by: Xv = 0, or an eigenvector v of X outside the open disc, is
+        (stability, observability, invertibility or full rank) is first replaced by: Xv = 0, or an eigenvector v of X outside the open disc, is
         zero, where X is the matrix or its transpose.
     """
     inner = {number: (vector, formulas) for number, vector, formulas in inside}
@@ -128,7 +128,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
         for part in formula[1:]:
             statement = _evaluated(statement, part)  # where the parts before are true
             yield from _leaves(statement, part)
-            if part[0] in ("psd", "pd", "invertible", "schur"):  # what is proved may be used for what follows
+            if part[0] in ("psd", "pd", "invertible", "schur", "observable"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
     elif formula[0] == "=>":
         yield from _leaves(_evaluated(_assume(statement, label, formula[1]), formula[2]), formula[2])
@@ -406,6 +406,8 @@ def _through_vector(statement: Mapping[str, Any], formula: Any, left: bool = Fal
     """
     if formula[0] == "schur":
         return no_eigenvector(statement, ["T", formula[1]] if left else formula[1])
+    if formula[0] == "observable" and not left:
+        return none_annihilated(statement, *formula[1:])
     reader = Reader(statement)
     rank = formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank"
     if not rank and formula[0] != "invertible":

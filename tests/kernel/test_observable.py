@@ -11,7 +11,7 @@ from hypothesis import given as drawn
 from hypothesis import settings
 from hypothesis import strategies as st
 
-from exactkf.evidence import order, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, order, within
 from exactkf.finders.membership import find_order
 from exactkf.finders.prove import every_size
 from exactkf.kernel.linear import Matrix
@@ -19,7 +19,7 @@ from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.order import Leaf
 from exactkf.kernel.replay import Rejected, replay, seal
-from exactkf.language import Expr, Statement, T, given, invertible, kernel_basis, let, matrix, observable, symbols, vstack
+from exactkf.language import Expr, Identity, Statement, T, block, given, hstack, invertible, kernel_basis, let, matrix, observable, symbols, vstack
 
 A, B, C, M, N, X, m, n, p = symbols("A B C M N X m n p")
 OVER = {A: matrix(n, n), B: matrix(m, m), C: matrix(p, n), X: matrix(n, m), M: matrix(n, n)}
@@ -111,3 +111,41 @@ def test_a_forged_proof():
     for forged, part in ((without, parts[0]), (made, {key: x for key, x in parts[0].items() if key != "kept"}), (made, {**parts[0], "kept": []})):
         with pytest.raises(Rejected):
             replay(seal("X", "order", forged, {"parts": [part], "lemmas": []}))
+
+
+# ---------------------------------------------------------------------- what makes a pair observable
+L = symbols("L")[0]
+(v, w), (re, im) = EIGENVECTOR, EIGENVALUE
+TURN = block([[re * Identity(1), im * Identity(1)], [-im * Identity(1), re * Identity(1)]])
+INJECTED = {"sizes": ["n", "p"], "over": {A: matrix(n, n), C: matrix(p, n), L: matrix(n, p), M: matrix(n, n)}}
+
+
+def injection(inner: Expr, rows: Expr = C) -> bool:
+    """(C, A) is observable if (rows, inner) is, by an eigenvector of A."""
+    both = hstack(v, w) == 0 * hstack(v, w)
+    made = statement(observable(C, A), given("seen", observable(rows, inner)), **INJECTED)
+    return proved(made, order(inside=[within(0, both, vector="right", kept=(rows, inner, TURN), on=0)]))
+
+
+def test_output_injection():
+    """A + LC in the place of A; not any other matrix, and no other rows."""
+    assert injection(A + L * C)
+    assert injection(A - L * C, C)
+    assert not injection(A + M)
+    assert not injection(A + L * C, C * M)
+    assert injection(A, C * A) and not injection(M, C)
+
+
+def test_an_eigenvector_is_not_taken_for_granted():
+    """Without a reason, and through the transpose, nothing is observable."""
+    for vector in ("", "right", "left"):
+        assert not proved(statement(observable(C, A), **INJECTED), order(inside=[within(0, vector=vector)]))
+        assert not proved(statement(observable(C, A), given("seen", observable(C, T(A))), **INJECTED), order(inside=[within(0, vector=vector)]))
+    seen = given("an inverse", T(C) * C == Identity(n))
+    assert proved(statement(observable(C, A), seen, **INJECTED), order(inside=[within(0, vector="right")]))
+
+
+def test_a_pair_that_does_not_fit():
+    """Rows of another length than A are refused, and so is a matrix that is not square."""
+    for pair in ((T(C), A), (C, C)):
+        assert not proved(statement(observable(*pair), **INJECTED), order(inside=[within(0, vector="right")]))
