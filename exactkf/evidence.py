@@ -200,6 +200,8 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
     ``cayley``                              (sum_of(k, 0, n, coeff(charpoly(A), k) * (U * A**k * V)) == Zero(p, q)) &
                                             (coeff(charpoly(A), n) == 1)
+    ``resolvent``                           charpoly(A) * (T(h) * inv(Identity(n) * Z - A) * g) ==
+                                            charpoly(A - g * T(h)) - charpoly(A)
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.

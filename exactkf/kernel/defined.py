@@ -162,7 +162,7 @@ class Witness:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
-            if key[0] in ("value", "value at 1/z") and len(p) == 1 and key[1] in self.monic:  # a power of a polynomial that is not zero
+            if key[0] in _IN_Z and len(p) == 1 and (key[1] in self.monic or key[1].startswith('["charpoly", ')):  # a power of a polynomial that is not zero
                 return True
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])

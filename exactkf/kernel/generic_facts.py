@@ -18,6 +18,8 @@ fact           follows from
 ``product``    A_i1 B_1j + .. + A_ip B_pj = (AB)_ij, if A has p columns and B as many rows, at places that AB has
 ``cayley``     c_0 U V + c_1 U A V + .. + c_n U A^n V = 0 and c_n = 1 for c_k = coeff(charpoly(A), k) and A of size n: the theorem of Cayley
                and Hamilton, and charpoly(A) is monic
+``resolvent``  charpoly(A) h'(z - A)^(-1) g = charpoly(A - gh') - charpoly(A), for A, g, h without z: det(z - A + gh') is
+               det(z - A) times det(1 + (z - A)^(-1) gh'), which is 1 + h'(z - A)^(-1) g; z - A has an inverse, as charpoly(A) is monic
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -270,6 +272,32 @@ def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: 
             raise Rejected(f"{name}: the zero is of another size")
 
 
+def _resolvent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """A theorem: what is looked at is that it says no more."""
+    fault = Rejected(f"{name}: the fact is charpoly(A)*(T(h)*inv(Identity(n)*Z - A)*g) == charpoly(A - g*T(h)) - charpoly(A)")
+    says = lemma["says"]
+    right = says[2] if says[0] == "=" and len(says) == 3 else None
+    if _operation(right) != "-" or len(right) != 3 or [_operation(x) for x in right[1:]] != ["charpoly"] * 2 or _operation(right[1][1]) != "-":
+        raise fault
+    matrix, changed = right[2][1], right[1][1]
+    column_row = changed[2] if len(changed) == 3 else None
+    if _operation(column_row) != "*" or len(column_row) != 3 or _operation(column_row[2]) != "T":
+        raise fault
+    g, h = column_row[1], column_row[2][1]
+    rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
+    inverse = says[1][2][2] if _operation(says[1]) == "*" and len(says[1]) == 3 and _operation(says[1][2]) == "*" and len(says[1][2]) == 4 else None
+    if _operation(inverse) != "inv" or _operation(inverse[1]) != "-" or _operation(inverse[1][1]) != "*" or _operation(inverse[1][1][1]) != "I":
+        raise fault
+    size = inverse[1][1][1]
+    if changed[1] != matrix or says[1] != ["*", right[2], ["*", ["T", h], ["inv", ["-", ["*", size, ["z"]], matrix]], g]]:
+        raise fault
+    if any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, g, h)):
+        raise fault
+    for x, wanted in ((size, (rows, rows)), (g, (rows, _ONE)), (h, (rows, _ONE))):
+        if any(region.reduce(plus(a, b, -1)) for a, b in zip(terms.shape(x, env), wanted, strict=True)):
+            raise Rejected(f"{name}: sizes do not fit")
+
+
 def _operation(tree: Any) -> Any:
     return tree[0] if isinstance(tree, list) else None
 
@@ -283,4 +311,5 @@ def _mentioned(tree: Any) -> set[str]:
 #: name of a fact -> how it is shown for every index in the region
 FACTS: dict[str, Callable[[Any, Mapping[str, Any], dict[str, Form], Region, str], None]] = {
     "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product, "cayley": _cayley,
+    "resolvent": _resolvent,
 }

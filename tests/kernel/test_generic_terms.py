@@ -155,9 +155,11 @@ def test_functions_that_do_not_vanish_at_one():
     where = [function(f, [t], Z**n + tail), function(g, [t], tail), function(w, [t], Z**n + tail),
              function(h, [t], when(t == 0, 0 * Z, Z)), function(p, [t], Z * (Z - 1) * y[t][1]),
              rec(y, t, x, y[t])]
-    made = {"sizes": ["n"], "over": {x: vector(n), c: scalar()}, "where": where, "given": SOME}
+    made = {"sizes": ["n"], "over": {x: vector(n), c: scalar(), a: signal(0)}, "where": where, "given": SOME}
     for factor, fine in ((f(t), True), (f(t) - g(t), True), (recip(f(t)), True), (f(t) * recip(f(t)), True), (f(t) + g(t + 1), True), (g(t), False),
-                         (f(t) - w(t), False), (h(t), False), (p(t), False), (f(t) - recip(f(t)), False)):
+                         (f(t) - w(t), False), (h(t), False),
+                         (Z + sum_of(k, 0, n, p(t) * a[k]) - 1, False), (Z + sum_of(k, 0, n, p(t) * a[k]), True),
+                         (p(t), False), (f(t) - recip(f(t)), False)):
         assert accepts(always(t, c / factor * factor == c), generic_index(closed=[f, g, h, p, w], in_values=True), **made) is fine, factor
 
 
