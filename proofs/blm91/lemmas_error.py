@@ -59,17 +59,19 @@ def _normal_equations() -> tuple:
 
 
 ERROR_LEMMAS = (*COVARIANCE_LEMMAS, SYMMETRIC, *_normal_equations(),
-                lemma(t, _places(err(t)[i, k] == (P - Pi[t])[i, k]), direct=True, uses=_is_error(i, k)))
-BY_ERROR = [use(_LAST, t=t, i=row, k=column)]
+                lemma(t, _places(err(t)[i, k] == (P - Pi[t])[i, k]), direct=True, uses=_is_error(i, k)),
+                lemma(t, _places(err(t)[i, k] == err(t)[k, i]), direct=True,
+                      uses=[use(_LAST, t=t, i=i, k=k, times=1), use(_LAST, t=t, i=k, k=i, times=-1), use(21, t=t, a=0, e=0, i=i, k=k)]))
+BY_ERROR = [use(_LAST, t=t, i=row, k=column), use(_LAST + 1, t=t, i=row, k=column), use(21, t=t, a=0, e=0, i=row, k=column)]
 #: next of a list: the solution of (4.26) from P is P - Pi_t
 SAME_ERROR = lemma(t, rec_p[t] == P - Pi[t], rule=True, uses=[use(21, t=t, a=x, e=x, i=row, k=column) for x in (0, 1)])
 
 _BOTH = err(t), P - Pi[t]
 _WITH_F, _WITH_H = (tuple(y * z for y in _BOTH) for z in (T(F), h))
 RICCATI_OF_ERROR = (
-    *ERROR_LEMMAS, *multiplied(_LAST + 1, None, _BOTH, T(F), _LAST, n, n), *multiplied(_LAST + 5, F, _WITH_F, None, _LAST + 4, n, n),
-    *multiplied(_LAST + 9, None, _BOTH, h, _LAST, n, 1), *multiplied(_LAST + 13, F, _WITH_H, None, _LAST + 12, n, 1),
-    *multiplied(_LAST + 17, T(h), _WITH_H, None, _LAST + 12, 1, 1))
+    *ERROR_LEMMAS, *multiplied(_LAST + 2, None, _BOTH, T(F), _LAST, n, n), *multiplied(_LAST + 6, F, _WITH_F, None, _LAST + 5, n, n),
+    *multiplied(_LAST + 10, None, _BOTH, h, _LAST, n, 1), *multiplied(_LAST + 14, F, _WITH_H, None, _LAST + 13, n, 1),
+    *multiplied(_LAST + 18, T(h), _WITH_H, None, _LAST + 13, 1, 1))
 BY_RICCATI_OF_ERROR = [
-    use(_LAST, t=t + 1, i=row, k=column, times=1), use(_LAST + 8, t=t, i=row, k=column), use(_LAST + 16, t=t, i=row, k=1), use(_LAST + 16, t=t, i=column, k=1),
-    use(_LAST + 20, t=t, i=1, k=1), use(21, t=t, a=1, e=1, i=row, k=column)]
+    use(_LAST, t=t + 1, i=row, k=column, times=1), use(_LAST + 9, t=t, i=row, k=column), use(_LAST + 17, t=t, i=row, k=1), use(_LAST + 17, t=t, i=column, k=1),
+    use(_LAST + 21, t=t, i=1, k=1), use(21, t=t, a=1, e=1, i=row, k=column), use(_LAST + 1, t=t + 1, i=row, k=column)]

@@ -180,3 +180,18 @@ def test_coefficients_at_infinity_between_bounds():
     assert not accepts(eq(x[1], x[n]), generic_index(fact(t, "laurent", says(1, x[i]), 1), uses=used), **made)
     twice = forall(k, 1, n, forall(k, 0, 1, laurent((x[n] * Z + 1) / D, k) == when(k == 0, x[n], 1 - x[n] * x[n])))
     assert not accepts(goal, generic_index(fact(t, "laurent", twice, 1), uses=used), **made)
+
+
+def test_a_symmetric_matrix_has_symmetric_entries():
+    """By its type, and F P F' with it; another matrix has not."""
+    from exactkf.language import matrix, positive_semidefinite, symmetric_matrix
+
+    def equal(M):
+        return forall(i, 1, n, forall(k, 1, n, M[i, k] == M[k, i]))
+
+    for kind, fine in ((symmetric_matrix(n), True), (positive_semidefinite(n), True), (matrix(n, n), False)):
+        made = {"sizes": ["n"], "over": {A: kind, B: matrix(n, n)}, "given": SOME}
+        assert accepts(equal(A), generic_index(), **made) is fine
+        assert accepts(equal(B * A * T(B)), generic_index(), **made) is fine
+        assert not accepts(equal(B * A), generic_index(), **made)
+        assert accepts(forall(k, 1, n, sum_of(i, 1, n, A[i, k] * x[i]) == sum_of(i, 1, n, A[i, k] * x[i])), generic_index(), **{**made, "over": {**made["over"], x: vector(n)}})
