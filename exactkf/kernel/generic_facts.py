@@ -249,24 +249,20 @@ def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
 
 def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
     """A theorem: what is looked at is that it says no more."""
-    fault = Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
-    says = lemma["says"]
-    if says[0] != "and" or len(says) != 3 or any(part[0] != "=" or len(part) != 3 for part in says[1:]):
-        raise fault
-    (_, total, zero), (_, leading, one) = says[1:]
-    if [_operation(x) for x in (total, zero, leading)] != ["sum", "O", "coeff"] or _operation(leading[1]) != "charpoly" or type(one) is not int or one != 1:
-        raise fault
-    _, k, low, high, body = total
-    charpoly, matrix, last, power = leading[1], leading[1][1], leading[2], ["^", leading[1][1], ["sym", k]]
-    if type(low) is not int or low or high != last or _operation(body) != "*" or body[1] != ["coeff", charpoly, ["sym", k]] or proof.is_bound(k, env):
-        raise fault
-    factors = body[2][1:] if len(body) == 3 and _operation(body[2]) == "*" else body[2:]
-    others = [x for x in factors if x != power]
-    if len(others) + 1 != len(factors) or k in _mentioned([matrix, last, others, zero]):
-        raise fault
+    match lemma["says"]:
+        case ["and", ["=", ["sum", k, low, high, ["*", ["coeff", ["charpoly", matrix], index], *rest]], ["O", *_] as zero],
+              ["=", ["coeff", ["charpoly", same], last], one]] if rest:
+            factors = rest[0][1:] if len(rest) == 1 and isinstance(rest[0], list) and rest[0][0] == "*" else rest
+        case _:
+            raise Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
+    others = [x for x in factors if x != ["^", matrix, ["sym", k]]]
+    if (type(low), low, type(one), one, index, same, high) != (int, 0, int, 1, ["sym", k], matrix, last) or len(others) + 1 != len(factors):
+        raise Rejected(f"{name}: not the theorem of Cayley and Hamilton")
+    if proof.is_bound(k, env) or k in _mentioned([matrix, last, others, zero]):
+        raise Rejected(f"{name}: index {k!r} bound twice")
     rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
-    if region.reduce(plus(rows, terms.index(last, env), -1)) or terms.has_z(matrix) or any(terms.has_z(x) or not terms.is_matrix(x) for x in others):
-        raise fault
+    if region.reduce(plus(rows, terms.index(last, env), -1)) or any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, *others)):
+        raise Rejected(f"{name}: a matrix with z, a number, or another size")
     for x, y in zip(terms.shape(["*", *factors] if others else matrix, {**env, k: {}}), terms.shape(zero, env), strict=True):
         if region.reduce(plus(x, y, -1)):
             raise Rejected(f"{name}: the zero is of another size")
@@ -275,31 +271,21 @@ def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: 
 def _resolvent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
     """A theorem: what is looked at is that it says no more."""
     fault = Rejected(f"{name}: the fact is charpoly(A)*(T(h)*inv(Identity(n)*Z - A)*g) == charpoly(A - g*T(h)) - charpoly(A)")
-    says = lemma["says"]
-    right = says[2] if says[0] == "=" and len(says) == 3 else None
-    if _operation(right) != "-" or len(right) != 3 or [_operation(x) for x in right[1:]] != ["charpoly"] * 2 or _operation(right[1][1]) != "-":
+    match lemma["says"]:
+        case ["=", ["*", ["charpoly", matrix], ["*", _, ["inv", ["-", ["*", ["I", *_] as one, ["z"]], _]], _]],
+              ["-", ["charpoly", ["-", _, ["*", g, ["T", h]]]], _]]:
+            pass
+        case _:
+            raise fault
+    if lemma["says"] != ["=", ["*", ["charpoly", matrix], ["*", ["T", h], ["inv", ["-", ["*", one, ["z"]], matrix]], g]],
+                         ["-", ["charpoly", ["-", matrix, ["*", g, ["T", h]]]], ["charpoly", matrix]]]:
         raise fault
-    matrix, changed = right[2][1], right[1][1]
-    column_row = changed[2] if len(changed) == 3 else None
-    if _operation(column_row) != "*" or len(column_row) != 3 or _operation(column_row[2]) != "T":
-        raise fault
-    g, h = column_row[1], column_row[2][1]
     rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
-    inverse = says[1][2][2] if _operation(says[1]) == "*" and len(says[1]) == 3 and _operation(says[1][2]) == "*" and len(says[1][2]) == 4 else None
-    if _operation(inverse) != "inv" or _operation(inverse[1]) != "-" or _operation(inverse[1][1]) != "*" or _operation(inverse[1][1][1]) != "I":
-        raise fault
-    size = inverse[1][1][1]
-    if changed[1] != matrix or says[1] != ["*", right[2], ["*", ["T", h], ["inv", ["-", ["*", size, ["z"]], matrix]], g]]:
-        raise fault
     if any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, g, h)):
-        raise fault
-    for x, wanted in ((size, (rows, rows)), (g, (rows, _ONE)), (h, (rows, _ONE))):
-        if any(region.reduce(plus(a, b, -1)) for a, b in zip(terms.shape(x, env), wanted, strict=True)):
+        raise Rejected(f"{name}: a matrix with z, or a number")
+    for x, size in ((one, (rows, rows)), (g, (rows, _ONE)), (h, (rows, _ONE))):
+        if any(region.reduce(plus(a, b, -1)) for a, b in zip(terms.shape(x, env), size, strict=True)):
             raise Rejected(f"{name}: sizes do not fit")
-
-
-def _operation(tree: Any) -> Any:
-    return tree[0] if isinstance(tree, list) else None
 
 
 def _mentioned(tree: Any) -> set[str]:
