@@ -14,7 +14,7 @@ from exactkf.language import Statement
 from exactkf.language.latex import statement_latex
 from exactkf.language.text import statement_text
 
-__all__ = ["describe_claim", "instance_lines", "sampled"]
+__all__ = ["describe_claim", "instance_lines", "void"]
 
 
 def describe_claim(claim: Claim, result: Mapping[str, Any]) -> str:
@@ -37,7 +37,7 @@ def _lines(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
     if mutants["made"]:
         yield from _paragraph("wrong neighbours", [
             f"{mutants['made']} made, {mutants['rejected']} rejected, {mutants.get('equal', 0)} equal to the original, "
-            f"{len(mutants.get('survivors', ()))} survived{sampled(mutants)}", *mutants.get("survivors", ()),
+            f"{len(mutants.get('survivors', ()))} survived{void(mutants)}", *mutants.get("survivors", ()),
             f"{neighbours['accepted']} of {neighbours['made']} equal rewritings accepted"])
     yield f"\n{number_of(result['checks'], 'check')} in {result['seconds']:.3g} s, {number_of(len(result['certificates']), 'certificate')}"
 
@@ -68,16 +68,14 @@ def _correction(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
     yield from fixed.get("evidence", ())
 
 
-def sampled(mutants: Mapping[str, Any]) -> str:
-    """What became of the mutants that were not judged.
+def void(mutants: Mapping[str, Any]) -> str:
+    """The mutants that are no statement, such as a sum of matrices that do not fit.
 
-    >>> sampled({"made": 25, "possible": 152, "looked_at": 38})
-    '; 38 of 152 looked at, spread over the formula, 13 of them no statement'
+    >>> void({"made": 25, "void": 13})
+    '; 13 more are no statement'
     """
-    possible, looked_at = mutants.get("possible", 0), mutants.get("looked_at", 0)
-    some = f"; {looked_at} of {possible} looked at, spread over the formula" if looked_at < possible else ""
-    void = looked_at - mutants.get("made", looked_at)
-    return some + (f"{',' if some else ';'} {void} of them no statement" if void > 0 else "")
+    number = mutants.get("void", 0)
+    return f"; {number} more {'is' if number == 1 else 'are'} no statement" if number else ""
 
 
 def instance_lines(instance: Mapping[str, Any] | None) -> list[str]:

@@ -15,7 +15,7 @@ from markupsafe import Markup, escape
 
 from exactkf import __version__
 from exactkf.claims import Claim
-from exactkf.describe import instance_lines, sampled
+from exactkf.describe import instance_lines, void
 from exactkf.display import column_of, describe, heading, ranges
 from exactkf.files import write_text
 from exactkf.language import Statement
@@ -49,7 +49,7 @@ def render(results: Sequence[Mapping[str, Any]], claims: Mapping[str, Claim], pa
     environment = Environment(
         loader=PackageLoader("exactkf.report"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
         undefined=StrictUndefined)
-    environment.filters.update(formula=formula, sampled=sampled, describe=describe, ranges=ranges)
+    environment.filters.update(formula=formula, void=void, describe=describe, ranges=ranges)
     shown = {r["id"] for r in results}
     environment.filters["linked"] = lambda line: _linked(line, shown)
     papers = [_paper(key, rows, claims, package) for key, rows in _grouped(results, "paper")]
