@@ -23,10 +23,10 @@ from exactkf.evidence import Evidence
 from exactkf.finders.remembering import Remembering, nodes_of
 from exactkf.kernel.instances import generic
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World
+from exactkf.kernel.meaning import Generic, World
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown
 from exactkf.kernel.replay import _integers
-from exactkf.kernel.symbolic import SymbolicField
+from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.language.statement import as_lists
 
 __all__ = ["Original", "subtree"]
@@ -67,11 +67,18 @@ class Original:
         if not self.worlds:
             return False
         old, new = _narrowed(self.data["says"], says)
-        if _same_term(self.worlds, old, new):
+        if _same_term(self.worlds, old, new, {}):
             return True
-        if any(_same_term(self.worlds, subtree(self.data["says"], path[:cut]), subtree(says, path[:cut])) for cut in range(len(path), -1, -1)):
-            return True
+        for cut in range(len(path), -1, -1):
+            old, new, local = subtree(self.data["says"], path[:cut]), subtree(says, path[:cut]), self._any_time(path[:cut])
+            if _same_term(self.worlds, old, new, local) or (local and old[0] == "=" and _says_the_same(self.worlds, old, self.worlds, new, local)):
+                return True
         return any(_says_the_same(moved, self.data["says"], worlds, says) for moved, worlds in self._cases())
+
+    def _any_time(self, path: tuple[int, ...]) -> dict[str, int]:
+        """The indices of "for all t" around a node, standing for any t."""
+        around = [subtree(self.data["says"], path[:cut]) for cut in range(len(path))]
+        return {node[1]: Generic(Generic.T) for node in around if node[0] == "always"}
 
     @cached_property
     def worlds(self) -> list[World]:
@@ -120,9 +127,27 @@ def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mappin
     case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:
-            yield generic(statement, integers, made_by, SymbolicField().variable)[0]
+            world, new = generic(statement, integers, made_by, SymbolicField().variable)
         except (Undefined, Unknown):
             return
+        _at_any_time(world, new)
+        yield world
+
+
+def _at_any_time(world: World, new: Callable[[str], Any]) -> None:
+    """At any t a sequence that a recursion defines may have any value: symbols, whatever the values from which it comes."""
+    for name, definition in world.definitions.items():
+        if definition[0] != "rec":
+            continue
+        try:
+            first, second = (world.call(name, (definition[3] + k,)) for k in (0, 1))
+        except (Undefined, Unknown, ArithmeticError, KeyError, TypeError):
+            continue
+        for t in (Generic.T + k for k in range(-1, 4)):
+            if isinstance(first, Matrix) and isinstance(second, Matrix) and (first.nrows, first.ncols) == (second.nrows, second.ncols):
+                world.memory[name, (t,)] = Matrix.build(first.nrows, first.ncols, lambda i, j, at=f"{name}_{t}": new(f"{at}_{i}{j}"))  # type: ignore[misc]
+            elif isinstance(first, (int, Fraction, Symbolic)) and isinstance(second, (int, Fraction, Symbolic)):
+                world.memory[name, (t,)] = new(f"{name}_{t}")
 
 
 def _narrowed(old: Any, new: Any) -> tuple[Any, Any]:
@@ -141,10 +166,10 @@ def _narrowed(old: Any, new: Any) -> tuple[Any, Any]:
     return old, new
 
 
-def _same_term(worlds: list[World], old: Any, new: Any) -> bool:
+def _same_term(worlds: list[World], old: Any, new: Any, local: Mapping[str, int]) -> bool:
     try:
         for world in worlds:
-            a, b = world.value(old), world.value(new)
+            a, b = world.value(old, local), world.value(new, local)
             if isinstance(a, bool):
                 if not (a is True and b is True):
                     return False
@@ -214,10 +239,10 @@ def _substitutions(data: dict) -> Iterator[Callable[[dict], dict]]:
 _FAULTS = (Undefined, Unknown, KeyError, TypeError, AttributeError)
 
 
-def _says_the_same(moved: list[World], f: Any, worlds: list[World], g: Any) -> bool:
+def _says_the_same(moved: list[World], f: Any, worlds: list[World], g: Any, local: Mapping[str, int] | None = None) -> bool:
     """f in the first worlds says the same as g in the others."""
     try:
-        return all(_same_formula(w, f, v, g, {}) for w, v in zip(moved, worlds, strict=True))
+        return all(_same_formula(w, f, v, g, dict(local or {})) for w, v in zip(moved, worlds, strict=True))
     except _FAULTS:
         return False
 

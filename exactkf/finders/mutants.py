@@ -2,7 +2,7 @@
 """Judging mutants: refuted on an instance, shown equal to the original, or a survivor.
 
 A mutant whose conclusion has no value on any instance, or whose matrices do
-not fit each other on some, is no statement at all and is not counted. Where
+not fit each other or have no such entry on some, is no statement at all and is not counted. Where
 one of two factors is a scalar they commute, so exchanging them is no mutation
 there either.
 """
@@ -120,8 +120,8 @@ def _weight(one: tuple[dict, World]) -> int:
 
 
 def _misfit(reason: str) -> bool:
-    """The shapes of matrices do not fit each other."""
-    return reason.startswith(("sizes ", "blocks ")) or reason.endswith("is not square")
+    """The shapes of matrices do not fit each other, or an entry is named that there is not."""
+    return reason.startswith(("sizes ", "blocks ", "no entry ")) or reason.endswith(("is not square", "is outside the sequence"))
 
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
@@ -160,7 +160,8 @@ def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:
     """Without the hypothesis there must be an instance on which the conclusion is false; examples by hand come first."""
-    weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
+    kept = [g if g[0] != mutant.drops else [g[0], mutant.weaker, g[2]] for g in data["given"] if g[0] != mutant.drops or mutant.weaker]
+    weaker = {**data, "given": kept}
     asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
     for hints in asked:
         for tries, made_by in _partial(hints.get("made_by", {}), data):
