@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Judging mutants: refuted on an instance, shown equal to the original, or a survivor.
+"""Judging mutants: refuted on an instance, shown equal to the original, a stronger statement that may be true, or a survivor.
 
 A mutant whose conclusion has no value on any instance, or whose matrices do
 not fit each other or have no such entry on some, is no statement at all and is not counted. Where
@@ -58,6 +58,10 @@ class MutantReport:
         return sum(r["outcome"] == "equal" for r in self.rows)
 
     @property
+    def stronger(self) -> int:
+        return sum(r["outcome"] == "stronger" for r in self.rows)
+
+    @property
     def survivors(self) -> list[str]:
         return [f"{r['kind']}: {text(as_tuples(r['says']))}" for r in self.rows if r["outcome"] == "survived"]
 
@@ -110,6 +114,8 @@ class _Bench:
                 continue
         if not meaningful or not fits:
             return "void", None
+        if mutant.stronger:
+            return "stronger", None
         changed = {**self.data, "says": mutant.says}
         return "equal" if self.original.says_as_much(mutant.says, mutant.path) or _proved(changed, self.by) else "survived", None
 
@@ -173,6 +179,8 @@ def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evid
                         return "rejected", instance
                 except (Undefined, Unknown):
                     continue
+    if mutant.stronger:
+        return "stronger", None
     return "equal" if _proved(weaker, by) else "survived", None
 
 

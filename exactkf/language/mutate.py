@@ -3,15 +3,20 @@
 
 A mutant changes the conclusion in one place, in the ways papers go wrong: a
 sign, a term, a factor, an index, the order of two factors, a transpose or an
-inverse, a relation (reversed; stricter where it is concluded, weaker where it
-is assumed, both in an equivalence), the last printed digit; or it drops a
-hypothesis that is needed, or weakens it. Inside
-a predicate such as "is invertible" or "is at most", outside of equivalences,
-a factor two or a missing term mostly gives another true statement; there only
-signs, indices, orders, transposes and relations are changed, and under "for
-all t" not the indices either, nor in an equation that names t once: what holds
-for every t holds for t + 1. An
-equal rewriting (sums reversed, sides exchanged, names renamed) must change
+inverse, a relation, the last printed digit; or it drops a hypothesis that is
+needed. Inside a predicate such as "is invertible" or "is at most", outside of
+equivalences, a factor two or a missing term mostly gives another true
+statement; there only signs, indices, orders, transposes and relations are
+changed, and under "for all t" not the indices either, nor in an equation that
+names t once: what holds for every t holds for t + 1.
+
+A relation is weakened or strengthened both ways in an equivalence and in the
+condition of a case. Elsewhere a weaker conclusion is a true one, and a stronger
+statement (a strict relation concluded, a weak one assumed, an implication made
+an equivalence) may be true too without the print's denying it: such a mutant
+is ``stronger``, and shows, where it is rejected, that the print is sharp.
+
+An equal rewriting (sums reversed, sides exchanged, names renamed) must change
 nothing.
 
 Main definitions
@@ -35,7 +40,7 @@ class Mutant:
     """One wrong neighbour.
 
     ``path`` leads to the changed node of the conclusion; ``drops`` is the label of a dropped hypothesis, or '', and ``weaker`` what stands in
-    its place, if anything.
+    its place, if anything. One that is ``stronger`` says more than the original, which may be true.
     """
 
     kind: str
@@ -43,10 +48,12 @@ class Mutant:
     path: tuple[int, ...] = ()
     drops: str = ""
     weaker: Any = None
+    stronger: bool = False
 
 
 _TERM_RELATIONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _WEAKER = {"<": "<=", ">": ">=", "pd": "psd", "pos_circle": "nonneg_circle"}
+_STRONGER_KIND = "more claimed"
 _STRONGER = {weak: strict for strict, weak in _WEAKER.items()}
 _INDEX_ARGUMENTS = {"at": (2, 3, 4), "entry": (2, 3), "coeff": (2,), "laurent": (2,), "rev": (2,), "sum": (2, 3), "prod": (2, 3)}
 _BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}
@@ -60,11 +67,11 @@ def mutants(statement: dict) -> list[Mutant]:
     for kind, says, path in _changes(statement["says"], _Place()):
         if _key(says) not in seen:
             seen.add(_key(says))
-            made.append(Mutant(kind, says, path))
+            made.append(Mutant(kind, says, path, stronger=kind == _STRONGER_KIND))
     for label, formula, kind in statement["given"]:
         if kind == "needed":
             made.append(Mutant(f"hypothesis {label!r} dropped", statement["says"], (), label))
-            made.extend(Mutant(f"hypothesis {label!r} weakened", statement["says"], (), label, weaker) for weaker in _weaker(formula))
+            made.extend(Mutant(f"hypothesis {label!r} weakened", statement["says"], (), label, weaker, True) for weaker in _weaker(formula))
     return made
 
 
@@ -75,7 +82,7 @@ def _key(tree: Any) -> str:
 def _weaker(formula: Any) -> Iterator[Any]:
     """A hypothesis with one strict relation weakened."""
     for kind, new, _path in _changes(formula, _Place(side=-1)):
-        if kind == "relation weakened":
+        if kind == _STRONGER_KIND:
             yield new
 
 
@@ -198,15 +205,15 @@ def _here(tree: list, place: _Place) -> Iterator[tuple[str, Any]]:
 
 
 def _relations(op: str, args: list, side: int) -> Iterator[tuple[str, Any]]:
-    """More concluded, or less assumed."""
+    """One relation for another that says more or less."""
     if side <= 0 and op in _WEAKER:
-        yield "relation weakened", [_WEAKER[op], *args]
+        yield _STRONGER_KIND if side else "relation weakened", [_WEAKER[op], *args]
     if side >= 0 and op in _STRONGER:
-        yield "relation strengthened", [_STRONGER[op], *args]
+        yield _STRONGER_KIND if side else "relation strengthened", [_STRONGER[op], *args]
     elif side >= 0 and op == "loewner":
-        yield "relation strengthened", ["pd", ["-", *args]]
-    elif side >= 0 and op == "=>" and "'always'" not in repr(args):  # that something is so for all t cannot be assumed: it is seen up to a horizon
-        yield "relation strengthened", ["<=>", *args]
+        yield _STRONGER_KIND if side else "relation strengthened", ["pd", ["-", *args]]
+    elif side > 0 and op == "=>" and "'always'" not in repr(args):  # that something is so for all t cannot be assumed: it is seen up to a horizon
+        yield _STRONGER_KIND, ["<=>", *args]
 
 
 def _digits(tree: list) -> Iterator[tuple[str, Any]]:
