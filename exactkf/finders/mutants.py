@@ -127,7 +127,8 @@ def _weight(one: tuple[dict, World]) -> int:
 
 def _misfit(reason: str) -> bool:
     """The shapes of matrices do not fit each other, or an entry is named that there is not."""
-    return reason.startswith(("sizes ", "blocks ", "no entry ")) or reason.endswith(("is not square", "is outside the sequence"))
+    return reason.startswith(("sizes ", "blocks ", "no entry ")) or reason.endswith(
+        ("is not square", "is outside the sequence", "lies before the start of the recursion"))
 
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
@@ -153,8 +154,11 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
 
 
 def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
-    """A proof of the same kind proves the changed statement: both are theorems."""
-    tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)), every_size("mutant", changed, by, 1.0))
+    """A proof of the same kind proves the changed statement: both are theorems. Of an order there may be several, for what follows from the original."""
+    orders = [e for e in by if e.kind == "order"]
+    ways = [[e for e in by if e.kind != "order" or e is one] for one in orders or [None]]
+    tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)),
+                  *(every_size("mutant", changed, way, 1.0) for way in ways))
     for certificate in tries:
         try:
             replay(certificate)
