@@ -45,6 +45,7 @@ class Indefinite:
     within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
+    linear: Callable[[Form], Symbolic]
     entry: Callable[..., Symbolic]
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
@@ -129,8 +130,8 @@ class Indefinite:
         return key == name or isinstance(key, tuple) and any(Indefinite._moves(x, name) for x in key)
 
     def _difference(self, moving: list, name: str, low: Form, high: Form) -> Symbolic:
-        if not moving:
-            raise Unknown("a sum of a term that does not depend on its index")
+        if not moving:  # as many times one as there are terms
+            return self.linear(self.region.reduce(plus(plus(high, low, -1), {"": 1})))
         (made,), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
         return self._sum_to(made[0], high) - self._sum_to(made[0], plus(low, {"": 1}, -1))
 
@@ -208,6 +209,8 @@ class Indefinite:
             return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
         if key[0] == "word":
             return self.again(key)
+        if key[0] == "number":
+            return self.linear(self.region.reduce(forms[0]))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
