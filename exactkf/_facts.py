@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.definite import _by_hypothesis, _is_number, definiteness
 from exactkf.kernel.every_size import _HELP
 from exactkf.kernel.order import FACTS, Leaf, leaves
@@ -54,13 +55,16 @@ def _cases(made: Induction, proofs: list) -> Iterator[tuple[Mapping[str, Any], M
 
 
 def _of_order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> Iterator[str]:
+    if "away from zero" in evidence:
+        yield "continuity"
+        statement = away_from_zero(statement, evidence["away from zero"])
     todo = leaves(statement, evidence.get("lemmas", ()), evidence.get("inside", ()))
     for (case, formula), proof in zip(todo, evidence["parts"], strict=True):
         yield from _of_leaf(case, formula, proof)
 
 
 _BY_KEY = {"null": "null vectors", "roots": "square root", "factors": "determinant",
-           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation"}
+           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation", "kept": "invariant subspace"}
 
 
 def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str]:

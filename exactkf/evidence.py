@@ -198,6 +198,8 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
     ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
+    ``cayley``                              (sum_of(k, 0, n, coeff(charpoly(A), k) * (U * A**k * V)) == Zero(p, q)) &
+                                            (coeff(charpoly(A), n) == 1)
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -234,7 +236,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = (),
+          away_from_zero: Sequence[Expr] = ()) -> Evidence:
     """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
@@ -249,7 +252,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
-    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
+    schur(M), observable(C, A)        see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -263,6 +266,8 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         For determinants: that of the matrix is the product of theirs.
     inside : sequence of `within`
         What belongs to the proof of one leaf.
+    away_from_zero : scalars of the statement
+        It is shown where they are not zero, and holds everywhere by continuity (see `exactkf.kernel.continuity`).
     """
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
     stable: list[list] = []
@@ -273,7 +278,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
                               "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
-                              "inside": inner, "stable": stable})
+                              "inside": inner, "stable": stable, "away": tuple(_name(x) for x in away_from_zero)})
 
 
 def null_vector(block: int = 0) -> Expr:
@@ -286,7 +291,7 @@ EIGENVECTOR = (null_vector(), Expr(("sym", "w.0")))
 EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
 
 
-def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
+def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None, kept: tuple[Any, Any, Any] | None = None,
            solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
@@ -295,22 +300,26 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
     lemmas : formulas
         Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
     vector : "right" or "left"
-        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
-        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
+        Instead of invertible(X), rank(X) == number of columns, schur(X), observable(C, X) it is shown that a vector v with Xv = 0, an
+        eigenvector v of X outside the open unit disc, or one with Cv = 0, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
     stein : term
         A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
     unique : pair of terms
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
+    kept : triple of terms
+        C, A and B with an observable pair (C, A), as a hypothesis says: for an equation X = 0 it is shown that CX = 0 and AX = XB.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional
-        The lemma, counted from 0, that ``stein``, ``unique``, ``solutions`` are for; else they are for the leaf.
+        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``solutions`` are for; else they are for the leaf.
     """
     help_: dict[str, Any] = {}
     if stein is not None:
         help_["stein"] = to_expr(stein).tree
     if unique:
         help_["unique"] = [to_expr(m).tree for m in unique]
+    if kept:
+        help_["kept"] = [to_expr(m).tree for m in kept]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
     return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}

@@ -15,6 +15,8 @@ from typing import Any
 
 from exactkf.evidence import Evidence
 from exactkf.finders.membership import find_induction, find_membership, find_order
+from exactkf.kernel.continuity import away_from_zero
+from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import seal
 
 __all__ = ["PROOFS", "candidates", "every_size"]
@@ -73,8 +75,16 @@ def _by_membership(id: str, statement: dict, _asked: Mapping[str, Any], seconds:
 
 def _by_order(id: str, statement: dict, asked: Mapping[str, Any], seconds: float, degree: int) -> Iterator[dict]:
     sums, roots, lemmas, factors, inside, stable = (asked.get(key, []) for key in ("sums", "roots", "lemmas", "factors", "inside", "stable"))
-    if (parts := find_order(statement, sums, roots, lemmas, degree, seconds, factors, inside, stable)) is not None:
-        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **({"inside": inside} if inside else {})})
+    more = {"inside": inside} if inside else {}
+    shown = statement
+    try:
+        if away := asked.get("away"):
+            shown, more = away_from_zero(statement, away), {**more, "away from zero": away}
+        parts = find_order(shown, sums, roots, lemmas, degree, seconds, factors, inside, stable)
+    except (Unknown, Undefined):  # a wrong neighbour may be no statement that the hints are for
+        return
+    if parts is not None:
+        yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **more})
 
 
 def _has_index(tree: Any) -> bool:

@@ -60,6 +60,7 @@ class Chains:
     entry: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
     shape: Callable[..., tuple[Form, Form]]
+    has_letters: Callable[[Any], bool]
     is_matrix: Callable[[Any], bool]
     total: Callable[..., Symbolic]
     inverts: Callable[[Any], bool]
@@ -101,7 +102,7 @@ class Chains:
         """A product in which a matrix is given by its entries, and none is an inverse or a power, as a sum over an index; and one of columns alone."""
         if any(tree[0] in ("inv", "^") for tree, _, _ in parts):
             return None
-        columns = len(parts) > 1 and not any(self.known.has_letters(tree) for tree, _, _ in parts)
+        columns = len(parts) > 1 and not any(self.has_letters(tree) for tree, _, _ in parts)
         at = next((k for k, (tree, _, _) in enumerate(parts) if columns or self._given_by_entries(tree)), None)
         if at is None:
             return None

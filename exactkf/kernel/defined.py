@@ -29,6 +29,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 from exactkf.kernel.generic import Terms
@@ -41,7 +42,8 @@ from exactkf.kernel.symbolic import Symbolic
 __all__ = ["Witness", "ill_founded"]
 
 _MOST_SPLITS = 8
-_Z = Fraction(2)  # the place at which polynomials are looked at as functions of z
+_Z = Fraction(2)  # the place at which z is looked at, beside no function of it
+_IN_Z = ("value", "value at 1/z")
 
 Case = tuple[Any, dict[str, Form], list[Form], Form]  # term, values of its indices, region, largest index it may use
 
@@ -57,8 +59,8 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
 
 
 def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0,
-            at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
-    """What a case, its coefficients (or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
+            in_z: bool = True, at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients (if ``in_z``; or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
     tree, env, forms, within = case
     region = Region.of(*sizes, *forms)
     if region.empty:
@@ -73,12 +75,12 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
         elif at_z:
             found = _without_poles(terms, terms.at_z(tree, env))
         else:
-            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if name in terms.in_z else terms.value(tree, env)
+            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if in_z and name in terms.in_z else terms.value(tree, env)
     except Split as split:
         if splits > _MOST_SPLITS:
             raise Unknown("too many cases") from None
         for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
-            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, at_z)
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, in_z, at_z)
         return
     yield terms, found
 
@@ -149,6 +151,8 @@ class Witness:
         self.monic = {name for name, kind in statement["over"] if kind[0] == "monic"}
         self.polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
+        self.z = _Z
+        self.at_one: dict[tuple[str, str], Fraction] = {}  # functions of z, for z = 1
         self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
 
     def is_not_zero(self, terms: Terms, p: Poly) -> bool:
@@ -163,23 +167,22 @@ class Witness:
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
-        powers = {place for place in atoms if terms.atoms[place][0] == "power"}  # of the place z, whatever their exponents are: not zero
+        self.z = Fraction(1) if any(terms.atoms[place][0] in (*_IN_Z, "power") for place in atoms) else _Z
         try:
-            values = {place: x for place in atoms - powers if (x := self.value(terms.atoms[place])) is not None}
+            values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
             return False
-        if len(values) < len(atoms - powers):
-            return False
-        totals: dict[tuple, Fraction] = {}
+        finally:
+            self.z = _Z
+        total = Fraction(0)
         for monomial, c in p.items():
-            term, of_powers = Fraction(c), []
-            for place, e in enumerate(exponents(monomial)):
-                if e and place in powers:
-                    of_powers.append((place, e))
-                elif e:
-                    term *= values[place]**e
-            totals[tuple(of_powers)] = totals.get(tuple(of_powers), Fraction(0)) + term
-        return sum(x != 0 for x in totals.values()) == 1
+            powers = [(values[place], e) for place, e in enumerate(exponents(monomial)) if e]
+            if any(x == 0 for x, _ in powers):  # whatever the others are: they have values
+                continue
+            if any(x is None for x, _ in powers):
+                return False
+            total += c * prod(x**e for x, e in powers if x is not None)
+        return total != 0
 
     def _number(self, body: tuple) -> Fraction | None:
         """The factor of a product at the point, where it is the same number at every index."""
@@ -226,19 +229,41 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
-        if kind == "power":
-            return None
-        if kind == "sum":  # of atoms that have been looked at; of zeros it may be taken as zero
-            return Fraction(0) if self._number(((name, 1),)) == 0 else None
+        if kind == "power":  # of z
+            return Fraction(1) if self.z == 1 else None
+        if kind == "sum":  # of zeros: then F with F(0) = 0 is zero there, for any index; other sums have values if their atoms have
+            found = [self.value(factor) for factor, _ in name]
+            return Fraction(0) if Fraction(0) in found else None
         if kind == "at" and name in self.entries or kind == "coeff" and name in self.polynomials:  # but for leading coefficients, which are no atoms
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
-            return _Z if name == "z" else self.at[name]
+            return self.z if name == "z" else self.at[name]
+        if kind in _IN_Z:
+            if (kind, name) not in self.at_one:
+                self.at_one[kind, name] = self._value_at_one(name)
+            return self.at_one[kind, name]
         if kind not in ("at", "entry", "coeff") or name not in self.recursions:
             raise Unknown(f"no value of {name} at a point")
         if name not in self.found:
             self._find(name)
         return self.found[name]
+
+    def _value_at_one(self, name: str) -> Fraction:
+        """A function of z that is no recursion, where z is one: the same number whatever its indices are."""
+        d = next((d for d in self.statement["where"] if d[1] == name), None)
+        make: Callable[[Region], Terms] = lambda region: _AtPoint(self, region)
+        known = make(Region.of()).known
+        if d is None or d[0] != "let" or name in known.recursive:
+            raise Unknown(f"no value of {name} at a point")
+        case: Case = (_at_one(d[3]), {p: {f"@{p}": 1} for p in d[2]}, [], {INDEX: 1})
+        found = set[Fraction]()
+        for terms, x in _values(make, name, case, self.sizes, in_z=False):
+            if terms.field.factors or any(x.num):
+                raise Unknown("no number")
+            found.add(Fraction(x.num.get(0, 0), x.q))
+        if len(found) != 1:
+            raise Unknown("no number")
+        return found.pop()
 
     def _factor(self, tree: Any) -> str:
         """What a factor is at the point: a column of zeros, the identity, a matrix that has a value, or nothing that is known."""
@@ -280,6 +305,15 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
+
+
+def _at_one(tree: Any) -> Any:
+    """A term with one in place of z."""
+    if not isinstance(tree, list) or tree[:1] in (["coeff"], ["laurent"], ["subst"]):
+        return tree
+    if tree[:1] == ["z"] or tree[:1] == ["^"] and tree[1] == ["z"]:
+        return 1
+    return _at_one(tree[1]) if tree[:1] == ["recip"] else [_at_one(x) for x in tree]
 
 
 def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:

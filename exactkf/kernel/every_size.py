@@ -22,6 +22,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
 from exactkf.kernel.order import Leaf, leaves, register_inverses
@@ -125,10 +126,12 @@ def _text(term: Blocks) -> str:
 
 
 #: what the proof of a leaf may bring in beside its terms
-_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique")
+_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    if "away from zero" in evidence:
+        statement = away_from_zero(statement, evidence["away from zero"])
     todo = list(leaves(statement, evidence.get("lemmas", ()), evidence.get("inside", ())))
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")

@@ -68,6 +68,7 @@ class Terms(Indefinite, Chains):
         self.known = known(statement, self.definitions)
         self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
+        self.letters = self.known.spread({name for name in self.closed & set(self.definitions) if self.known.is_matrix_function(name)})
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
@@ -97,10 +98,22 @@ class Terms(Indefinite, Chains):
         value = Fraction(value)
         return Symbolic(self.field, {0: value.numerator} if value else {}, value.denominator, ())
 
+    def linear(self, form: Form) -> Symbolic:
+        """An index as a number: one atom for each parameter, about which nothing is known."""
+        out = self.number(form.get("", 0))
+        for name, c in form.items():
+            if name:
+                out = out + self.number(c) * self.atom(("number", "", ((name, 1),)))
+        return out
+
     @staticmethod
     def form_text(form: Form) -> str:
         """A form for people."""
         return _form_text(form_key(form))
+
+    def has_letters(self, tree: Any) -> bool:
+        """Whether a term contains a matrix that is not opened: a variable, or what is closed."""
+        return self.known.has_letters(tree) or bool(self.letters) and not self.letters.isdisjoint(names(tree))
 
     # ------------------------------------------------------------------ indices and conditions
     def index(self, tree: Any, env: Mapping[str, Form]) -> Form:
@@ -123,6 +136,8 @@ class Terms(Indefinite, Chains):
             return total
         if op == "neg":
             return plus({}, self._index(tree[1], env), -1)
+        if op == "*" and len(tree) == 3 and type(tree[1]) is int:
+            return plus({}, self._index(tree[2], env), tree[1])
         if op == "abs":
             form = self._index(tree[1], env)
             return form if self.region.holds(form) else plus({}, form, -1)
@@ -181,7 +196,7 @@ class Terms(Indefinite, Chains):
             return self.product(self.index(low, env), self.index(high, env), lambda inner, j: inner._reread(inner.value, body, {**env, name: j}))
         if op == "sym":
             if tree[1] in env or tree[1] in self.statement["sizes"]:
-                raise Unknown(f"index {tree[1]!r} as a number")
+                return self.linear(self.index(tree, env))
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
@@ -214,7 +229,7 @@ class Terms(Indefinite, Chains):
         if op == "^" and tree[1] == ["z"]:
             return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
         if op in ("*", "/"):
-            return self._product(tree, m, env)
+            return self._product([(tree, env, False, 1)], m)
         if op == "rev":
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
@@ -233,13 +248,11 @@ class Terms(Indefinite, Chains):
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
-    def _product(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product in which all factors but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for."""
-        parts = [(x, 1) for x in tree[1:]] if tree[0] == "*" else [(tree[1], 1), (tree[2], -1)]
-        return self._product_of([(x, env, False, e) for x, e in parts], m)
+    def _product(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """Coefficient of a product of terms, each with its indices, whether 1/z stands for z, and an exponent 1 or -1.
 
-    def _product_of(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
-        """The coefficient at m of a product of factors (a term, its indices, whether 1/z stands for z, exponent)."""
+        All but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for.
+        """
         factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
         while parts:
             x, env, flip, e = parts.pop(0)
@@ -269,7 +282,7 @@ class Terms(Indefinite, Chains):
         """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
         for place, (x, env, flip, e) in enumerate(rest):
             def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
-                return self._product_of([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
+                return self._product([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
 
             if x[0] in ("+", "-", "neg"):
                 out = self.number(0)
@@ -283,13 +296,15 @@ class Terms(Indefinite, Chains):
                 return self._sum(x, env, put)
             if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
                 args = tuple(self.index(a, env) for a in x[2:])
-                if x[1] not in self.recursive | self.inverting or x[1] not in self.inverting and self._opens(d, args[-1]):
+                if x[1] not in self.recursive or self._opens(d, args[-1]):
+                    if x[1] in self.inverting:
+                        self._meet(x[1], args)
                     return self.deeper(d, args, put)
         for k, (x, env, flip, _) in enumerate(rest):
             if (degree := self._degree(x, env)) is not None:
                 others = [*rest[:k], *rest[k + 1:]]
                 return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
-                    self.coefficient(x, j, env) * self._product_of(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
+                    self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
         raise Unknown("a product of polynomials at a generic index")
 
     def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
@@ -482,7 +497,7 @@ class Terms(Indefinite, Chains):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
+        if d is None or name not in self.recursive | self.closed or name in self.unused or not (args or name in self.letters):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
@@ -493,6 +508,11 @@ class Terms(Indefinite, Chains):
             m = places["z"]
             read: Callable = lambda body, inner: self.coefficient(body, m, inner)
             return self._call(name, args, read, m) - self._open(d, args, read)
+        if name in self.letters:
+            i, j = places["row"], places.get("column", {"": 1})
+            tree, env = ["at", name, *(["sym", f"@{k}"] for k in range(len(args)))] if args else ["sym", name], {f"@{k}": x for k, x in enumerate(args)}
+            self._need_entry(tree, i, j, env)
+            return self.entry(tree, i, j, env) - self._open(d, args, lambda body, inner: self.entry(body, i, j, inner))
         if d[0] == "rec" and self.is_matrix(d[4][0]):
             place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
             self._need_place(["sym", name], place[0], place[1] if len(place) > 1 else {"": 1}, {})
@@ -665,6 +685,10 @@ class Terms(Indefinite, Chains):
         """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
         if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
             return
+        self._need_entry(tree, i, j, env)
+
+    def _need_entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
+        """Beyond its rows and columns a matrix has no entry."""
         rows, cols = self.shape(tree, env)
         if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
             raise Undefined("no entry there")
@@ -672,7 +696,7 @@ class Terms(Indefinite, Chains):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
-        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
+        if op not in ("mat", "col", "block") and self.has_letters(tree):
             return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
@@ -757,7 +781,7 @@ class Terms(Indefinite, Chains):
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
         if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
-                any(self.known.has_letters(x) for x in parts)):
+                any(self.has_letters(x) for x in parts)):
             return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)

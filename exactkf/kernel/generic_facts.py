@@ -16,6 +16,8 @@ fact           follows from
                D_d x_k + .. + D_(d-k) x_0 = N_(d-k) for k = 0, .., K: these equations have one solution, as D_d = 1;
                the same for all k >= 0
 ``product``    A_i1 B_1j + .. + A_ip B_pj = (AB)_ij, if A has p columns and B as many rows, at places that AB has
+``cayley``     c_0 U V + c_1 U A V + .. + c_n U A^n V = 0 and c_n = 1 for c_k = coeff(charpoly(A), k) and A of size n: the theorem of Cayley
+               and Hamilton, and charpoly(A) is monic
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -175,7 +177,7 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
 
 
 def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    says = lemma["says"]
+    says, env, region = _for_all(proof, lemma["says"], env, region, name, 1)
     if not (says[0] == "always" or says[0] == "forall" and says[2] == 0) or says[-1][0] != "=" or len(says[-1]) != 3:
         raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K, or for all k")
     k, (_, left, x) = says[1], says[-1]
@@ -208,16 +210,25 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
     proof.close(region.and_({k: 1}, *least), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
 
 
-def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
-    says, bound = lemma["says"], dict(env)
-    while says[0] in ("forall", "always"):
+def _for_all(proof: Any, says: Any, env: dict[str, Form], region: Region, name: str, inner: int) -> tuple[Any, dict[str, Form], Region]:
+    """What is said for all indices between bounds, these indices and their region; so many of the inner quantifiers are left."""
+    bound, left = dict(env), says
+    depth = -inner
+    while left[0] in ("forall", "always"):
+        left, depth = left[-1], depth + 1
+    for _ in range(depth):
         if proof.is_bound(says[1], bound):
             raise Rejected(f"{name}: index {says[1]!r} bound twice")
         index: Form = {says[1]: 1}
         terms = Terms(proof.statement, region)
         ends = [plus(index, terms.index(says[2], bound), -1), plus(terms.index(says[3], bound), index, -1)] if says[0] == "forall" else [index]
         region, bound, says = region.and_(*ends), {**bound, says[1]: index}, says[-1]
+    return says, bound, region
+
+
+def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
+    says, bound, region = _for_all(proof, lemma["says"], env, region, name, 0)
     left, right = says[1], says[2]
     if says[0] != "=" or len(says) != 3 or left[0] != "sum" or right[0] != "entry" or len(right) != 4 or right[1][0] != "*" or len(right[1]) != 3:
         raise Rejected(f"{name}: the fact is sum(k, 1, p, A[i, k]*B[k, j]) == (A*B)[i, j]")
@@ -234,6 +245,35 @@ def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
             raise Rejected(f"{name}: perhaps AB has no entry there")
 
 
+def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """A theorem: what is looked at is that it says no more."""
+    fault = Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
+    says = lemma["says"]
+    if says[0] != "and" or len(says) != 3 or any(part[0] != "=" or len(part) != 3 for part in says[1:]):
+        raise fault
+    (_, total, zero), (_, leading, one) = says[1:]
+    if [_operation(x) for x in (total, zero, leading)] != ["sum", "O", "coeff"] or _operation(leading[1]) != "charpoly" or type(one) is not int or one != 1:
+        raise fault
+    _, k, low, high, body = total
+    charpoly, matrix, last, power = leading[1], leading[1][1], leading[2], ["^", leading[1][1], ["sym", k]]
+    if type(low) is not int or low or high != last or _operation(body) != "*" or body[1] != ["coeff", charpoly, ["sym", k]] or proof.is_bound(k, env):
+        raise fault
+    factors = body[2][1:] if len(body) == 3 and _operation(body[2]) == "*" else body[2:]
+    others = [x for x in factors if x != power]
+    if len(others) + 1 != len(factors) or k in _mentioned([matrix, last, others, zero]):
+        raise fault
+    rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
+    if region.reduce(plus(rows, terms.index(last, env), -1)) or terms.has_z(matrix) or any(terms.has_z(x) or not terms.is_matrix(x) for x in others):
+        raise fault
+    for x, y in zip(terms.shape(["*", *factors] if others else matrix, {**env, k: {}}), terms.shape(zero, env), strict=True):
+        if region.reduce(plus(x, y, -1)):
+            raise Rejected(f"{name}: the zero is of another size")
+
+
+def _operation(tree: Any) -> Any:
+    return tree[0] if isinstance(tree, list) else None
+
+
 def _mentioned(tree: Any) -> set[str]:
     if not isinstance(tree, list):
         return {tree} if isinstance(tree, str) else set()
@@ -242,5 +282,5 @@ def _mentioned(tree: Any) -> set[str]:
 
 #: name of a fact -> how it is shown for every index in the region
 FACTS: dict[str, Callable[[Any, Mapping[str, Any], dict[str, Form], Region, str], None]] = {
-    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product,
+    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product, "cayley": _cayley,
 }

@@ -45,6 +45,7 @@ class Indefinite:
     within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
+    linear: Callable[[Form], Symbolic]
     entry: Callable[..., Symbolic]
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
@@ -131,8 +132,8 @@ class Indefinite:
         return key == name or isinstance(key, tuple) and any(Indefinite._moves(x, name) for x in key)
 
     def _difference(self, moving: list, name: str, low: Form, high: Form) -> Symbolic:
-        if not moving:
-            raise Unknown("a sum of a term that does not depend on its index")
+        if not moving:  # as many times one as there are terms
+            return self.linear(self.region.reduce(plus(plus(high, low, -1), {"": 1})))
         ((made, _),), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
         factor, made = self._without_powers(made)
         return factor * (self._sum_to(made, high) - self._sum_to(made, plus(low, {"": 1}, -1)))
@@ -227,6 +228,8 @@ class Indefinite:
             return self.again(key)
         if key[0] == "power":
             return self.power_of_z(forms[0])
+        if key[0] == "number":
+            return self.linear(self.region.reduce(forms[0]))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})

@@ -42,7 +42,8 @@ from exactkf.kernel.wellformed import check_formula
 
 __all__ = ["generic_index"]
 
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power")  # atoms, as equations are solved for them
+#: atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power", "number")
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -362,7 +363,8 @@ class _Proof:
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
                     for x, _ in islice(self._granted(terms, use, names, current, granted), 1):
-                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
+                        times = (terms.at_z if terms.in_values else terms.value)(use["times"], dict(names))
+                        wanted = [y - times * x for y in wanted]
         known = _Equations(terms, (x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)))
         for x in wanted:
             if (rest := known.reduced(x)).num:

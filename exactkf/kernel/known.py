@@ -72,6 +72,15 @@ class Known:
             self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(names(tree))
         return self._with_letters[id(tree)][1]
 
+    def spread(self, letters: set[str]) -> set[str]:
+        """These names, and the definitions that mention one of them, or one that does."""
+        return letters and letters | _spread(self.definitions, lambda tree, found: not (letters | found).isdisjoint(names(tree)))
+
+    def is_matrix_function(self, name: str) -> bool:
+        """Whether a definition that does not lead back to itself stands for matrices, whatever its indices are."""
+        d = self.definitions[name]
+        return d[0] == "let" and name not in self.recursive and self.is_matrix(d[3])
+
     def is_matrix(self, tree: Any) -> bool:
         """Whether a term is a matrix, perhaps of one row and one column."""
         if isinstance(tree, int):

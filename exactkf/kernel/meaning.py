@@ -545,6 +545,19 @@ def _is_schur(x: Any) -> bool:
     return on == outside == 0
 
 
+def _is_observable(c: Any, a: Any) -> bool:
+    """No eigenvector of A is annihilated by C: the rows C, CA, CA^2, .. span everything, as what they annihilate is the largest subspace
+    that A keeps and C annihilates, which has an eigenvector unless it is zero."""
+    a, rows = _square(a), _matrix(c)
+    if rows.ncols != a.nrows:
+        raise Undefined("observability of matrices that do not fit")
+    every = rows
+    for _ in range(a.nrows - 1):
+        rows = rows * a
+        every = block([[every], [rows]])
+    return _rank(every) == a.nrows
+
+
 def _coprime(p: Any, q: Any) -> bool:
     return len(gcd_poly(_poly(p).dense(), _poly(q).dense())) == 1
 
@@ -611,12 +624,12 @@ _PLAIN: dict[str, Callable] = {
     "<": _ordered(lambda s: s < 0), "<=": _ordered(lambda s: s <= 0), ">": _ordered(lambda s: s > 0), ">=": _ordered(lambda s: s >= 0),
     "loewner": lambda a, b: is_psd(_matrix(a - b)), "psd": is_psd, "pd": is_pd, "symmetric": is_symmetric,
     "invertible": is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
-    "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur,
+    "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur, "observable": _is_observable,
     "pos_circle": lambda d: circle_sign(_poly(d)) == "+", "nonneg_circle": lambda d: circle_sign(_poly(d)) in ("+", "0+", "0"),
 }
 
 #: operations whose value for symbols does not carry over to every value of the symbols
 _NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
-                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "pos_circle", "nonneg_circle"}
+                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "observable", "pos_circle", "nonneg_circle"}
 _OF_INTEGERS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "=": operator.eq, "!=": operator.ne,
                 "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}  # what _PLAIN does to two integers, sooner

@@ -56,6 +56,7 @@ class LaTeX(Notation):
         "symmetric": Form(Bind.RELATION, r"#1\ \text{symmetric}", (Bind.SUM,)),
         "invertible": Form(Bind.RELATION, r"#1\ \text{invertible}", (Bind.SUM,)),
         "symplectic": Form(Bind.RELATION, r"#1\ \text{symplectic}", (Bind.SUM,)),
+        "observable": Form(Bind.RELATION, r"(#1, #2)\ \text{observable}"),
         "schur": Form(Bind.RELATION, r"#1\ \text{Schur stable}", (Bind.SUM,)),
         "defined": Form(Bind.RELATION, r"#1\ \text{defined}", (Bind.SUM,)),
         "similar": Form(Bind.RELATION, r"#1 \sim #2", (Bind.SUM,)),

@@ -64,7 +64,7 @@ def _key(tree: Any) -> str:
     return repr(tree)
 
 
-_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
+_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "observable", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
 _SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
 
 

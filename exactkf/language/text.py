@@ -51,6 +51,7 @@ class Text(Notation):
         "symmetric": Form(Bind.RELATION, "#1 symmetric", (Bind.SUM,)),
         "invertible": Form(Bind.RELATION, "#1 invertible", (Bind.SUM,)),
         "symplectic": Form(Bind.RELATION, "#1 symplectic", (Bind.SUM,)),
+        "observable": Form(Bind.RELATION, "(#1, #2) observable"),
         "schur": Form(Bind.RELATION, "#1 Schur stable", (Bind.SUM,)),
         "defined": Form(Bind.RELATION, "#1 defined", (Bind.SUM,)),
         "similar": Form(Bind.RELATION, "#1 similar to #2", (Bind.SUM,)),

@@ -32,7 +32,6 @@ from exactkf.language import (
     loewner,
     matrix,
     matrix_of,
-    nonneg,
     nonsingular,
     pd,
     positive_definite,
@@ -42,12 +41,12 @@ from exactkf.language import (
     rec,
     scalar,
     schur,
-    standing,
     sym,
     symbols,
     symmetric_matrix,
     when,
 )
+from proofs.d71.fading import Fading, eigenvalues
 from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
 
 q, S, A, B, C, D, K, L, U, U0, U1, W, X, t = symbols("q S A B C D K L U U0 U1 W X t")
@@ -66,27 +65,21 @@ POWERS = rec(Pi, t, I, K*Pi[t])
 
 # --- from above ---------------------------------------------------------------------------------------------------------
 
-r, Y = symbols("r Y")
-#: |eigenvalues of K| < sqrt(r): K Y K' <= rY with a positive definite Y, which is scaled to lie above U_0
-LYAPUNOV = given("K is inside the circle", loewner(r*Y, K*Y*T(K)))
-SHRINKING = sym("SHRINKING")
+INSIDE = given("the eigenvalues of K are inside the unit circle", schur(K))
+LINEAR = Fading(K, U0, W)
+CONTRACTING = eigenvalues(E, 1/(2 + a[i]**2), K, U0)
+#: too large a K, and wrong sums
+STRAYS = [{"K": [[2]], "Z": [["-1/3"]], "R": [["1/9"]]}, {"K": [["1/2"]], "Z": [[0]], "R": [[0]]}, {"K": [["1/2"]], "Z": [["4/3"]], "R": [[0]]}]
 
-claim("D71-E3.179", "the linear bound",
-      always(t, psd(W[t]) & loewner(SHRINKING[t], W[t])),
-      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), Y: positive_definite(n), r: nonneg()},
-      where=[rec(W, t, U0, K*W[t]*T(K)), rec(SHRINKING, t, Y, r*SHRINKING[t])],
-      given=[LYAPUNOV, given("U_0 <= Y", loewner(Y, U0)), standing("r < 1", r < 1)],
-      by=[restated("The eigenvalues of K are inside the unit circle exactly if KYK' <= rY for some Y > 0 and r < 1."),
-          induction(also=[loewner(r*SHRINKING[t], K*SHRINKING[t]*T(K))],
-                    base=order([r*Y - K*Y*T(K)], [U0], [Y - U0]),
-                    step=order([r*(r*SHRINKING[t] - K*SHRINKING[t]*T(K))], [K*W[t]*T(K)],
-                               [r*SHRINKING[t] - K*SHRINKING[t]*T(K), K*(SHRINKING[t] - W[t])*T(K)])),
-          example(n=1, K=[[2]], U0=[[1]], Y=[[2]], r="1/2"), example(n=1, K=[["1/2"]], U0=[[3]], Y=[[2]], r="1/2"),
-          instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), a: matrix(n, 1)},
-                    made_by={r: rational("1/4"), K: E*matrix_of(i, j, n, n, when(i == j, 1/(2 + a[i]**2), 0))*inv(E), Y: E*T(E),
-                             U0: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + a[i]**2), 0))*T(E)})],
-      note="That the eigenvalues of K are inside the unit circle is said by a positive definite Y with KYK' <= rY and r < 1, which exists exactly "
-           "then and may be scaled to lie above U_0. So 0 <= W_k <= r^k Y, and W_k tends to zero.")
+claim("D71-E3.179", "the linear bound tends to zero",
+      always(t, psd(W[t]) & LINEAR.bound),
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), **LINEAR.over}, where=[rec(W, t, U0, K*W[t]*T(K)), *LINEAR.where],
+      given=[INSIDE, *LINEAR.given],
+      by=[induction(before=LINEAR.before, also=LINEAR.also, base=order(*LINEAR.base, [], LINEAR.bound_base), step=order(*LINEAR.step, [], LINEAR.bound_step)),
+          *(example(n=1, U0=[[1]], **stray) for stray in STRAYS),
+          instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), a: matrix(n, 1)}, made_by=CONTRACTING)],
+      note="The hypothesis on K is that of the print; for such K the linear equations of Z and R have solutions. So 0 <= W_k <= R/(k + 1), with R the same "
+           "for all k: W_k tends to zero.")
 
 claim("D71-E3.180", "the difference of the bound and the deviation",
       K*W*T(K) - U1 == K*(X + U - U*inv(I + T(K)*D*U))*T(K),
@@ -114,19 +107,21 @@ claim("D71-E3.181", "what the deviation loses against the bound",
 
 SQUEEZE = K*(U[t]*inv(I + W*U[t]))*T(K)
 BOUND = sym("BOUND")
+EXCEEDED = Fading(K, U0, BOUND)
 PUSHED = inv(I + U[t]*W)
 
 claim("D71-E3.182", "the deviation lies between zero and the linear bound",
-      always(t, psd(U[t]) & loewner(BOUND[t], U[t])),
-      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n)},
-      where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K))],
-      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
-          induction(base=order([U0], [Zn]),
-                    step=order([K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
-                               [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)])),
-          instances(8, n=(1, 2), horizon=2)],
+      always(t, psd(U[t]) & loewner(BOUND[t], U[t]) & EXCEEDED.bound),
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n), **EXCEEDED.over},
+      where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K)), *EXCEEDED.where], given=[INSIDE, *EXCEEDED.given],
+      by=[induction(before=EXCEEDED.before, also=EXCEEDED.also, base=order(*EXCEEDED.base, [U0], [Zn], EXCEEDED.bound_base),
+                    step=order(*EXCEEDED.step, [K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
+                               [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)],
+                               EXCEEDED.bound_step)),
+          *(example(n=1, U0=[[1]], W=[[1]], **stray) for stray in STRAYS),
+          instances(8, n=(1, 2), horizon=2, using={E: nonsingular(n), a: matrix(n, 1)}, made_by=CONTRACTING)],
       note="W = K*D = M'(MPM' + V)^{-1}M >= 0 by D71-S53, which makes (3.178) the recursion of U. The bound is W_k of (3.179) and its excess is X_k. "
-           "Both tend to zero as the bound does.")
+           "By its last part, 0 <= U_k <= R/(k + 1), both tend to zero.")
 
 # --- from zero ----------------------------------------------------------------------------------------------------------
 

@@ -290,3 +290,29 @@ def test_terms_are_told_apart_by_their_indices():
 
 def _lists(tree):
     return [_lists(v) for v in tree] if isinstance(tree, tuple) else tree
+
+
+# ---------------------------------------------------------------------- the theorem of Cayley and Hamilton
+def test_a_matrix_is_a_zero_of_its_characteristic_polynomial():
+    """h'chi(F) g = 0 gives h'F^n g; nothing else of the same look is granted."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), M: matrix(n, n), h: vector(n), g: vector(n)}, "given": SOME}
+
+    def seen(A, last, power):
+        return sum_of(k, 0, last, coeff(charpoly(F), k) * (T(h) * A**power * g))
+
+    def said(total, zero, leading):
+        return fact(t, "cayley", (total == zero) & (leading == 1))
+
+    goal = (T(h) * F**n * g)[1, 1] == -sum_of(k, 0, n - 1, coeff(charpoly(F), k) * (T(h) * F**k * g)[1, 1])
+    one, leading, uses = Zero(1, 1), coeff(charpoly(F), n), [use(0, t=0, row=1, column=1)]
+    assert accepts(goal, generic_index(said(seen(F, n, k), one, leading), uses=uses), **made)
+    wrong = [said(seen(F, n + 1, k), one, coeff(charpoly(F), n + 1)), said(seen(M, n, k), one, leading), said(seen(F, n, k + 1), one, leading),
+             said(seen(F, n, k), Zero(1, n), leading), said(seen(F, n, k), one, coeff(charpoly(F), n - 1)), said(seen(F, n, k), one, coeff(charpoly(M), n)),
+             said(sum_of(k, 1, n, coeff(charpoly(F), k) * (T(h) * F**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (T(h) * F**k * M**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (T(h) * F**k * F**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (k * F**k)), Zero(n, n), leading), said(sum_of(k, 0, n, 1), one, leading),
+             fact(t, "cayley", (seen(F, n, k) == one) & (leading == 2)), fact(t, "cayley", seen(F, n, k) == one)]
+    for lemma_ in wrong:
+        assert not accepts(goal, generic_index(lemma_, uses=uses), **made), lemma_
+    assert not accepts(leading == 0, generic_index(said(seen(F, n, k), one, leading), uses=uses), **made)
