@@ -163,7 +163,8 @@ class Indefinite:
     def _renamed(body: list[tuple[tuple, int]], name: str, low: Form, high: Form) -> tuple[tuple, Form, Form]:
         """A body and its ends after the index is changed so that some place of an atom becomes the index itself."""
         best = None
-        for form in (form for monomial, _ in body for key, _ in monomial for form in _forms(key)):
+        keys = [key for monomial, _ in body for key, _ in monomial]
+        for form in (form for key in [key for key in keys if key[0] != "power"] or keys for form in _forms(key)):
             s = form.get(name, 0)
             if abs(s) != 1:
                 continue
