@@ -7,7 +7,8 @@ lemma says of it is empty, and two of them may say different things. So two prop
 
 *Well-founded.* Each value of a recursion, written out, is made of values at smaller indices, as far as those lead back to
 it. Then the recursions have a solution in the field of rational functions in the variables, whatever lies before their
-start. Of others the definition is not used.
+start. A value that is a polynomial is written out coefficient by coefficient, or as a function of z that is divided by nothing but z: then it is a
+polynomial in z and 1/z. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
 and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its

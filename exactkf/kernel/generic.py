@@ -11,6 +11,10 @@ an identity of rational functions in atoms
 in each of finitely many regions of the integer parameters (k < t, k = t, ..). Sequences may be
 thought of as continued to all integers in any way: what lies outside cancels.
 
+As functions of z, polynomials are elements of a field with the automorphism z -> 1/z; there z^(n - k) is z^n/z^k, powers of z to parameters being
+atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
+polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
+
 Main definitions
 ----------------
 `Terms`
@@ -83,6 +87,7 @@ class Terms(Indefinite, Chains):
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
         self.unused: set[str] = set()  # recursions that are not opened
+        self.not_zero: list[Symbolic] = []  # polynomials that a hypothesis says are not zero
         self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:

@@ -155,9 +155,10 @@ def test_matrices_do_not_commute_as_functions_of_z():
 def test_equations_are_read_as_they_are_numbered():
     """The first as functions of z, the second coefficient by coefficient; a number says nothing of another one."""
     says = (f[n] * recip(g[n]) == recip(g[n]) * f[n]) & (coeff(Z**n, n) == 1)
+    other = (f[n] * recip(g[n]) == recip(g[n]) * f[n]) & (coeff(Z**n, n) == 2)
     for in_values, true in (([0], True), (True, True), ([1], False), ([7], False)):
         assert accepts(says, generic_index(in_values=in_values), sizes=["n"], over=FREE, where=PAIR) is true
-        assert not accepts((f[n] * recip(g[n]) == recip(g[n]) * f[n]) & (coeff(Z**n, n) == 2), generic_index(in_values=in_values), sizes=["n"], over=FREE, where=PAIR)
+        assert not accepts(other, generic_index(in_values=in_values), sizes=["n"], over=FREE, where=PAIR)
     wrong = (coeff(Z**n, n) == 1) & (f[n] * recip(g[n]) == recip(f[n]) * g[n])
     assert not any(accepts(wrong, generic_index(in_values=numbers), sizes=["n"], over=FREE, where=PAIR) for numbers in ([], [0], [1], [0, 1], True))
 
@@ -192,7 +193,8 @@ def test_polynomials_that_are_variables(says, in_values, true):
 @pytest.mark.parametrize("says, true", [
     (coeff(f[t] * recip(f[t]), t + 1) == 0, True), (coeff(f[t] * recip(f[t]), t) == coeff(f[t], t) * coeff(f[t], 0), True),
     (coeff(f[t] * recip(f[t]), t) == coeff(f[t], t), False), (coeff(f[t] * g[t], 2 * t) == coeff(f[t], t) * coeff(g[t], t), True),
-    (coeff(f[t] * g[t], 2 * t) == 0, False), (coeff(f[t] * g[t], -1) == 0, True), (coeff((f[t] + 1) * (g[t] - Z), 0) == (coeff(f[t], 0) + 1) * coeff(g[t], 0), True),
+    (coeff(f[t] * g[t], 2 * t) == 0, False), (coeff(f[t] * g[t], -1) == 0, True),
+    (coeff((f[t] + 1) * (g[t] - Z), 0) == (coeff(f[t], 0) + 1) * coeff(g[t], 0), True),
     (coeff((f[t] + 1) * (g[t] - Z), 0) == coeff(f[t], 0) * coeff(g[t], 0), False),
     (coeff(f[t] * sum_of(i, 0, t, b[i] * Z**i), 0) == b[0] * coeff(f[t], 0), True), (coeff(f[2] * recip(g[2]), 2) == coeff(g[2], 0), True),
     (coeff(f[2] * recip(g[2]), 1) == coeff(g[2], 0), False),
@@ -217,3 +219,25 @@ def test_a_sum_of_products_that_end_before_its_index(last, right, true):
     says = sum_of(i, 1, m, (1 - b[i]) * prod(k, 1, last, b[k])) == 1 - right
     shown = generic_index(lemma(m, says, uses=[use(0, m=m, times=1)]), uses=[use(0, m=m, times=1)])
     assert accepts(forall(m, 0, n, says), shown, sizes=["n"], over={b: sequence(1, n)}) is true
+
+
+# ---------------------------------------------------------------------- what a hypothesis says is not zero
+@pytest.mark.parametrize("place, bound, kept, true", [
+    (m, n, "!=", True), (m + 1, n, "!=", False), (m, n + 1, "!=", False), (m - 1, n, "!=", False), (m, n, "=", False)])
+def test_a_hypothesis_about_all_grants_a_division(place, bound, kept, true):
+    """h_m is the inverse of b_0 ... b_(m-1) as long as m <= n, if none of b_0, .., b_(n-1) is zero; not one further, nor without the hypothesis."""
+    where = [function(f, [m], when(m == 0, 1, b[m - 1] * f(m - 1))), function(h, [m], when(m == 0, 1, h(m - 1) / b[m - 1]))]
+    says = f(m) * h(m) * a[0] == a[1]
+    label = given("not zero", forall(k, 0, n - 1, b[k] != 0 if kept == "!=" else b[k] == b[k]))
+    equal = given("equal", a[0] == a[1])
+    shown = generic_index(lemma(m, forall(s, m, bound, f(m) * h(m) == 1), uses=[use(0, m=m, s=s, times=1), use("not zero", k=place)]),
+                          uses=[use(0, m=m, s=n, times=a[0]), use("equal")])
+    assert accepts(forall(m, 0, n, says), shown, sizes=["n"], over=FREE, where=where, given=[label, equal]) is true
+
+
+def test_a_factor_of_what_is_not_zero_is_not_zero():
+    """b - 1 divides b^2 - 1, and b does not."""
+    squares, equal = given("squares", b[0] ** 2 != 1), given("equal", a[0] == a[1])
+    for divisor, true in ((b[0] - 1, True), (b[0] + 1, True), (b[0], False), (b[0] - 2, False), (b[1] - 1, False)):
+        shown = generic_index(uses=[use("squares"), use("equal")])
+        assert accepts(a[0] / divisor * divisor == a[1], shown, sizes=["n"], over=FREE, given=[squares, equal]) is true
