@@ -141,7 +141,7 @@ def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
 
 def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
-                  in_values: bool = False) -> Evidence:
+                  in_values: bool | Sequence[int] = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
 
     Parameters
@@ -161,29 +161,30 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         at the shift's distance before it stay as they are and later ones are opened.
     in_values : bool
         The polynomials of the conclusion are read as functions of z and 1/z, with those of ``closed`` as they are,
-        and not coefficient by coefficient: so they may be multiplied.
+        and not coefficient by coefficient: so they may be multiplied. A list: those of its equations of these numbers.
     triangular : matrix term L
         For a conclusion det(M) == prod(k, .., d): LM is upper triangular with diagonal d, and L is lower
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
                              **({"whole": [_name(x) for x in whole]} if whole else {}),
-                             "uses": list(uses), "shift": shift, "in values": in_values}
+                             "uses": list(uses), "shift": shift,
+                             "in values": in_values if isinstance(in_values, bool) else list(in_values)}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
     return Evidence("generic index", hints)
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          closed: Sequence[Expr] = (), uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
     (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
-    a ``direct`` one is shown at t for any t >= start, without induction.
+    a ``direct`` one is shown at t for any t >= start, without induction; in one with ``closed`` these names are closed too.
     """
     return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
-            **({"base": list(base)} if base else {})}
+            **({"closed": [_name(x) for x in closed]} if closed else {}), **({"base": list(base)} if base else {})}
 
 
 def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
@@ -212,7 +213,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
 def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
     """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
     ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column; or the hypothesis
-    of this label, in a proof that divides by nothing but what a hypothesis says is not zero.
+    of this label, in a proof that divides by nothing but what a hypothesis says is not zero; one that says so for all k says it at these places.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """

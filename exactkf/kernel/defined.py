@@ -7,7 +7,8 @@ lemma says of it is empty, and two of them may say different things. So two prop
 
 *Well-founded.* Each value of a recursion, written out, is made of values at smaller indices, as far as those lead back to
 it. Then the recursions have a solution in the field of rational functions in the variables, whatever lies before their
-start. Of others the definition is not used.
+start. A value that is a polynomial is written out coefficient by coefficient, or as a function of z that is divided by nothing but z: then it is a
+polynomial in z and 1/z. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
 and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its
@@ -59,8 +60,8 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
 
 
 def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0,
-            in_z: bool = True) -> Iterator[tuple[Terms, Symbolic]]:
-    """What a case, its coefficients (if ``in_z``) or its entries come to, in each part of the region."""
+            in_z: bool = True, at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients (if ``in_z``; or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
     tree, env, forms, within = case
     region = Region.of(*sizes, *forms)
     if region.empty:
@@ -72,15 +73,26 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
             terms.region = region.and_(*inside)
             found = terms.entry(tree, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
+        elif at_z:
+            found = _without_poles(terms, terms.at_z(tree, env))
         else:
             found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if in_z and name in terms.in_z else terms.value(tree, env)
     except Split as split:
         if splits > _MOST_SPLITS:
             raise Unknown("too many cases") from None
         for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
-            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, in_z)
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, in_z, at_z)
         return
     yield terms, found
+
+
+def _without_poles(terms: Terms, x: Symbolic) -> Symbolic:
+    """A function of z that is divided by no other than z: where those that it is made of have coefficients it has them too."""
+    for p in terms.field.factors:
+        kinds = {(key[0], key[1]) for monomial in p for place, e in enumerate(exponents(monomial)) if e for key in [terms.atoms[place]]}
+        if ("at", "z") in kinds and (len(p) > 1 or len(kinds) > 1) or any(kind in ("value", "value at 1/z") for kind, _ in kinds):
+            raise Unknown("a function of z with poles")
+    return x
 
 
 def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
@@ -91,13 +103,20 @@ def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
     found = set()
     for name in make(Region.of()).recursive:
         first, later = _cases(next(d for d in statement["where"] if d[1] == name))
-        try:
-            for case in first + later:
-                for _ in _values(make, name, case, sizes):
-                    pass
-        except (Unknown, Undefined, RecursionError, KeyError):
+        if not any(_ends(make, name, first + later, sizes, at_z) for at_z in (False, True)):
             found.add(name)
     return found
+
+
+def _ends(make: Callable[[Region], Terms], name: str, cases: list[Case], sizes: list[Form], at_z: bool) -> bool:
+    """Whether values are seen to be made of values at smaller indices: coefficient by coefficient, or as functions of z."""
+    try:
+        for case in cases:
+            for _ in _values(make, name, case, sizes, at_z=at_z):
+                pass
+    except (Unknown, Undefined, RecursionError, KeyError):
+        return False
+    return True
 
 
 class _AtPoint(Terms):
@@ -130,22 +149,26 @@ class Witness:
         self.at = {name: Fraction(1 if kind[0] in ("nonzero", "positive") else number) for name, kind in statement["over"]}
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
+        self.monic = {name for name, kind in statement["over"] if kind[0] == "monic"}
+        self.polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
         self.z = _Z
         self.at_one: dict[tuple[str, str], Fraction] = {}  # functions of z, for z = 1
         self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
 
     def is_not_zero(self, terms: Terms, p: Poly) -> bool:
-        """The polynomial has one atom, an entry of a variable, or is not zero at the point."""
+        """The polynomial has one atom, an entry of a variable, is a power of a monic one, or is not zero at the point."""
         atoms = {place for monomial in p for place, e in enumerate(exponents(monomial)) if e}
         if len(atoms) == 1:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
+            if key[0] in ("value", "value at 1/z") and len(p) == 1 and key[1] in self.monic:  # a power of a polynomial that is not zero
+                return True
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
-        self.z = Fraction(1) if any(terms.atoms[place][0] in _IN_Z for place in atoms) else _Z
+        self.z = Fraction(1) if any(terms.atoms[place][0] in (*_IN_Z, "power") for place in atoms) else _Z
         try:
             values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
@@ -166,15 +189,18 @@ class Witness:
         """The factor of a product at the point, where it is the same number at every index."""
         total = Fraction(0)
         for monomial, c in body:
-            term = Fraction(c)
+            term, all_known = Fraction(c), True
             for key, e in monomial:
                 try:
                     x = self.value(key)
                 except (Unknown, Undefined):
-                    x = None
-                if x is None:
                     return None
-                term *= x**e
+                if x is None:
+                    all_known = False
+                else:
+                    term *= x**e
+            if term and not all_known:
+                return None
             total += term
         return total
 
@@ -204,10 +230,12 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
+        if kind == "power":  # of z
+            return Fraction(1) if self.z == 1 else None
         if kind == "sum":  # of zeros: then F with F(0) = 0 is zero there, for any index; other sums have values if their atoms have
             found = [self.value(factor) for factor, _ in name]
             return Fraction(0) if Fraction(0) in found else None
-        if kind == "at" and name in self.entries:
+        if kind == "at" and name in self.entries or kind == "coeff" and name in self.polynomials:  # but for leading coefficients, which are no atoms
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
             return self.z if name == "z" else self.at[name]

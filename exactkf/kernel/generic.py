@@ -11,6 +11,10 @@ an identity of rational functions in atoms
 in each of finitely many regions of the integer parameters (k < t, k = t, ..). Sequences may be
 thought of as continued to all integers in any way: what lies outside cancels.
 
+As functions of z, polynomials are elements of a field with the automorphism z -> 1/z; there z^(n - k) is z^n/z^k, powers of z to parameters being
+atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
+polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
+
 Main definitions
 ----------------
 `Terms`
@@ -83,6 +87,7 @@ class Terms(Indefinite, Chains):
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
         self.unused: set[str] = set()  # recursions that are not opened
+        self.not_zero: list[Symbolic] = []  # polynomials that a hypothesis says are not zero
         self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
@@ -229,7 +234,7 @@ class Terms(Indefinite, Chains):
         if op == "^" and tree[1] == ["z"]:
             return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
         if op in ("*", "/"):
-            return self._product([(tree, env, 1)], m)
+            return self._product([(tree, env, False, 1)], m)
         if op == "rev":
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
@@ -240,60 +245,97 @@ class Terms(Indefinite, Chains):
             return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
         if op == "sum":
             return self._sum(tree, env, lambda body, inner: self.coefficient(body, m, inner))
+        if op == "sym" and self.known.kinds.get(tree[1], ("",))[0] in ("poly", "monic"):
+            return self._variable(tree[1], m)
         if op == "sym":
             return self._call(tree[1], (), lambda body, inner: self.coefficient(body, m, inner), m)
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
-    def _product(self, parts: list[tuple[Any, Mapping[str, Form], int]], m: Form) -> Symbolic:
-        """Coefficient of a product of terms, each with its indices and an exponent 1 or -1: all but one are free of z, powers of z, or sums that are
-        multiplied out, names of which are opened."""
-        factor, rest = self.number(1), list[tuple[Any, Mapping[str, Form]]]()
+    def _product(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """Coefficient of a product of terms, each with its indices, whether 1/z stands for z, and an exponent 1 or -1.
+
+        All but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for.
+        """
+        factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
         while parts:
-            (x, env, e), *parts = parts
+            x, env, flip, e = parts.pop(0)
             if not self.has_z(x):
                 value = self.value(x, env)
                 factor = factor * (value if e > 0 else value.inverse())
-            elif x[0] == "*":
-                parts = [*((y, env, e) for y in x[1:]), *parts]
-            elif x[0] == "/":
-                parts = [(x[1], env, e), (x[2], env, -e), *parts]
-            elif x[0] == "if":
-                parts = [(x[2] if self.condition(x[1], env) else x[3], env, e), *parts]
+            elif self.is_matrix(x) and self.shape(x, env) != ({"": 1}, {"": 1}):
+                raise Unknown("a matrix in a product of polynomials")
+            elif x[0] in ("*", "/"):
+                parts = [(y, env, flip, -e if k and x[0] == "/" else e) for k, y in enumerate(x[1:])] + parts
+            elif x[0] == "recip":
+                parts.insert(0, (x[1], env, not flip, e))
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
-                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
+                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, e if flip else -e))
             elif e > 0:
-                rest.append((x, env))
+                rest.append((x, env, flip, e))
             else:
                 raise Unknown("a quotient by a polynomial at a generic index")
-        if len(rest) < 2:
-            return factor * (self.coefficient(rest[0][0], m, rest[0][1]) if rest else self.number(int(self.region.zero(m))))
-        kept = self.recursive | self.closed | self.whole
-        at = next((k for k, (x, _) in enumerate(rest) if x[0] in ("+", "-", "neg", "sum") or (
-            x[0] in ("sym", "at") and x[1] in self.definitions and x[1] not in kept)), None)
-        if at is None:
-            raise Unknown("a product of polynomials at a generic index")
-        (several, env), others = rest.pop(at), [(x, env, 1) for x, env in rest]
-        return factor * self._multiplied_out(several, env, others, m)
+        if not rest:
+            return factor * self.number(int(self.region.zero(m)))
+        if len(rest) == 1:
+            x, env, flip, _ = rest[0]
+            return factor * self.coefficient(x, plus({}, m, -1) if flip else m, env)
+        return factor * self._several(rest, m)
 
-    def _multiplied_out(self, tree: Any, env: Mapping[str, Form], others: list[tuple[Any, Mapping[str, Form], int]], m: Form) -> Symbolic:
-        """Coefficient of a product with a sum, or with a name that stands for one."""
-        if tree[0] == "sum":
-            return self._sum(tree, env, lambda body, inner: self._product([(body, inner, 1), *others], m))
-        if tree[0] in ("sym", "at"):
-            args = tuple(self.index(a, env) for a in tree[2:])
-            return self.deeper(self.definitions[tree[1]], args, lambda body, inner: self._product([(body, inner, 1), *others], m))
-        out = self.number(0)
-        for k, x in enumerate(tree[1:]):
-            term = self._product([(x, env, 1), *others], m)
-            out = out - term if tree[0] == "neg" or (tree[0] == "-" and k) else out + term
-        return out
+    def _several(self, rest: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
+        for place, (x, env, flip, e) in enumerate(rest):
+            def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
+                return self._product([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
+
+            if x[0] in ("+", "-", "neg"):
+                out = self.number(0)
+                for k, y in enumerate(x[1:]):
+                    term = put(y, env)
+                    out = out - term if x[0] == "neg" or (x[0] == "-" and k) else out + term
+                return out
+            if x[0] == "if":
+                return put(x[2] if self.condition(x[1], env) else x[3], env)
+            if x[0] == "sum":
+                return self._sum(x, env, put)
+            if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
+                args = tuple(self.index(a, env) for a in x[2:])
+                if x[1] not in self.recursive or self._opens(d, args[-1]):
+                    if x[1] in self.inverting:
+                        self._meet(x[1], args)
+                    return self.deeper(d, args, put)
+        for k, (x, env, flip, _) in enumerate(rest):
+            if (degree := self._degree(x, env)) is not None:
+                others = [*rest[:k], *rest[k + 1:]]
+                return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
+                    self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
+        raise Unknown("a product of polynomials at a generic index")
+
+    def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
+        """A number d if a name stands for a polynomial with exponents 0 .. d."""
+        if tree[0] == "sym" and (kind := self.known.kinds.get(tree[1])) and kind[0] in ("poly", "monic"):
+            return self.index(kind[1], {})
+        if tree[0] == "at" and tree[1] in self.supported and not self.limited and self.region.holds(last := self.index(tree[-1], env)):
+            return last
+        return None
+
+    def _variable(self, name: str, m: Form) -> Symbolic:
+        """Coefficient of a variable that is a polynomial."""
+        kind, degree = self.known.kinds[name][0], self.index(self.known.kinds[name][1], {})
+        gap = plus(degree, m, -1)
+        if not self.region.holds(m) or not self.region.holds(gap):
+            return self.number(0)
+        if kind == "monic" and self.region.zero(gap):
+            return self.number(1)
+        return self.atom(("coeff", name, form_key(self.region.reduce(m))))
 
     def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""
         if not self.has_z(tree):
             return self.value(tree, env)
+        if self.is_matrix(tree) and self.shape(tree, env) != ({"": 1}, {"": 1}):
+            raise Unknown("a matrix as a function of z")
         op = tree[0]
         if op == "z":
             return self.atom(("at", "z")).inverse() if flip else self.atom(("at", "z"))
@@ -307,15 +349,47 @@ class Terms(Indefinite, Chains):
                 y = self.at_z(part, env, flip)
                 out = out + y if op == "+" else out - y if op == "-" else out * y if op == "*" else out / y
             return out
+        if op == "^" and isinstance(tree[2], int) and 0 <= tree[2] <= _LARGEST_POWER:
+            out, x = self.number(1), self.at_z(tree[1], env, flip)
+            for _ in range(tree[2]):
+                out = out * x
+            return out
+        if op == "^" and tree[1] == ["z"]:
+            form = self.index(tree[2], env)
+            return self.power_of_z(plus({}, form, -1) if flip else form)
+        if op == "if":
+            return self.at_z(tree[2] if self.condition(tree[1], env) else tree[3], env, flip)
+        if op == "sum":
+            return self._sum(tree, env, lambda body, inner: self.at_z(body, inner, flip))
         if op in ("sym", "at"):
-            args = tuple(self.index(a, env) for a in tree[2:])
-            if tree[1] in self.closed:
-                if tree[1] in self.inverting:
-                    self._meet(tree[1], args)
-                return self.atom(("value at 1/z" if flip else "value", tree[1], *map(form_key, args)))
-            if tree[1] not in self.recursive and tree[1] in self.definitions:
-                return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
+            return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
         raise Unknown(f"{op!r} as a function of z")
+
+    def power_of_z(self, form: Form) -> Symbolic:
+        """z to an index: a power of z itself for the constant, and for each parameter a power of z^parameter; z^(c j) as it is for the index j of a sum."""
+        form = self.region.reduce(form)
+        out, z = self.number(1), self.atom(("at", "z"))
+        for name, c in form.items():
+            if abs(c) > _LARGEST_POWER:
+                raise Unknown("too large a power")
+            if name.startswith("#"):
+                out = out * self.atom(("power", "z", ((name, c),)))
+                continue
+            x = self.atom(("power", "z", ((name, 1),))) if name else z
+            for _ in range(abs(c)):
+                out = out * x if c > 0 else out / x
+        return out
+
+    def named_at_z(self, name: str, args: tuple[Form, ...], flip: bool) -> Symbolic:
+        """What a name stands for as a function of z (of 1/z): a variable and what is closed as it is, a recursion where it is not opened."""
+        kind = "value at 1/z" if flip else "value"
+        if name in self.closed or self.known.kinds.get(name, ("",))[0] in ("poly", "monic"):
+            if name in self.inverting:
+                self._meet(name, args)
+            return self.atom((kind, name, *map(form_key, args)))
+        if name in self.definitions:
+            return self._call(name, args, lambda body, inner: self.at_z(body, inner, flip), kind=kind)
+        raise Unknown(f"{name!r} as a function of z")
 
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
@@ -339,16 +413,17 @@ class Terms(Indefinite, Chains):
             self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
-    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met and what is divided by then."""
+    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = (), kind: str = "at") -> Symbolic:
+        """The value of a name (of the kind of atoms that it is), its coefficient at m, or its entry at a place: once in each region, with the inverses
+        met and what is divided by then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
-        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        key = (self.region, kind, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
             before = self.met, self.sure, self.perhaps, self.field.used
             self.met, self.sure, self.perhaps, self.field.used = set(), set(), 0, set()
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure, self.field.used
+                self.called[key] = self._called(name, args, read, m, place, kind), self.met, self.sure, self.field.used
             finally:
                 before[0].update(self.met)
                 self.met, self.sure, self.perhaps, self.field.used = before
@@ -359,8 +434,8 @@ class Terms(Indefinite, Chains):
             self.sure |= sure
         return out
 
-    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...], value: str) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom of the kind of values (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -371,7 +446,7 @@ class Terms(Indefinite, Chains):
             self._meet(name, args)
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
-        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+        if name in self.closed and args and m is None and not place and name not in self.recursive | self.in_z:
             return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
@@ -381,7 +456,7 @@ class Terms(Indefinite, Chains):
             if not self._opens(d, last):
                 if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
-                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
+                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else (value, ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         return self.deeper(d, args, read)
 
@@ -431,6 +506,9 @@ class Terms(Indefinite, Chains):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
+        if name in self.in_z and self.in_values:
+            flip = "flip" in places
+            return self.named_at_z(name, args, flip) - self._open(d, args, lambda body, inner: self.at_z(body, inner, flip))
         if name in self.in_z:
             m = places["z"]
             read: Callable = lambda body, inner: self.coefficient(body, m, inner)
@@ -730,7 +808,10 @@ def _atom_text(key: tuple) -> str:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
         body = " + ".join("*".join([*([str(c)] if c != 1 or not m else []), *(_atom_text(k) for k, e in m for _ in range(e))]) for m, c in monomials)
         return f"{key[0]}({body}, {_form_text(key[2])})"
-    return f"{key[1]}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else key[1]
+    if key[0] == "power":
+        return f"z^({_form_text(key[2])})"
+    name = f"{key[1]}(1/z)" if key[0] == "value at 1/z" else key[1]
+    return f"{name}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else name
 
 
 def _form_text(form: tuple) -> str:
