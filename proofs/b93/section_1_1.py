@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, induction, instances, null_vector, order, restated, within
+from exactkf.evidence import example, first, identity, induction, instances, null_vector, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -47,6 +47,7 @@ from exactkf.language import (
     let,
     matrix,
     matrix_of,
+    nonneg,
     nonsingular,
     outside_roots,
     pd,
@@ -56,6 +57,7 @@ from exactkf.language import (
     rec,
     sequence_of,
     standing,
+    sym,
     symbols,
     symmetric_matrix,
     symplectic,
@@ -497,13 +499,24 @@ claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
       note="Going down from t = n it is the second equivalence; the first is S23 for M_1 and the product of the others, which is in H by "
            "Proposition 1.1.")
 
+Xs = sym("Xi")
+FROM_END = standing("the recursions, counted from the end",
+                    forall(k, 0, n - 1, (O[k + 1] == O[k] + T(alpha[k]) * Xs[k + 1] * alpha[k]) & (alpha[k + 1] == As[k + 1] * alpha[k])))
+#: the two summands of the last sum, and of the one before it
+LAST_TWO, ONE_BEFORE = ([O[s], T(alpha[s]) * Xs[s + 1] * alpha[s]] for s in (n - t, n - t - 1))
+NEXT_TERM = T(alpha[t]) * Xs[t + 1] * alpha[t]
+y = sym("y")
+AT_END = given("x is a null vector of the sum", O[n] * x == Zero(d, 1))
+FROM_Y = T(inv(alpha[k - 1])) * (Identity(d) - y * T(y) / (T(y) * y)[1, 1]) * inv(alpha[k - 1]) * (r + k)
 claim("B93-S27", "one symmetric matrix for all the conditions",
-      psd(O) & iff(O * x == Zero(d, 1), (S * x == Zero(d, 1)) & (P * A * x == Zero(d, 1))), sizes=["d"],
-      over={A: matrix(d, d), P: positive_semidefinite(d), S: positive_semidefinite(d), x: vector(d)},
-      where=[let(O, S + T(A) * P * A)],
-      by=[order([S, T(A) * P * A], [S, T(A) * P * A], [S, T(A) * P * A]),
-          instances(d=(1, 2, 3), made_by={x: _null_at(S + T(A) * P * A)}), instances(8, d=(1, 2, 3), made_by={x: _null_at(S)}),
-          instances(8, d=(1, 2, 3)),
-          restated("induction on the number of factors")],
-      note="S is the sum of the first terms, P is xi(M_k) and A the product of the earlier alpha. By induction every partial sum is nonnegative "
-           "and has as null vectors those x that satisfy all the conditions.")
+      forall(t, 0, n, psd(O[t])) & forall(t, 1, n, Xs[n - t + 1] * alpha[n - t] * x == Zero(d, 1)) & (O[n] * y == Zero(d, 1)), sizes=["d", "n"],
+      over={As: sequence_of(nonsingular(d), 1, n), Xs: sequence_of(positive_semidefinite(d), 1, n), x: vector(d), y: vector(d)},
+      where=[ALPHA, rec(O, t, ZERO, O[t] + NEXT_TERM)],
+      given=[FROM_END, AT_END, given("y satisfies all the conditions", forall(k, 1, n, Xs[k] * alpha[k - 1] * y == Zero(d, 1)))],
+      by=[induction(before=[first(forall(t, 0, n, O[t] * y == Zero(d, 1)))], also=[[], [O[n - t] * x == Zero(d, 1)], []],
+                    base=[order(), order(LAST_TWO, LAST_TWO), order()], step=[order([O[t], NEXT_TERM]), order(ONE_BEFORE, ONE_BEFORE)]),
+          example(d=1, n=1, A=[[[1]]], Xi=[[[1]]], x=[1], y=[0]), example(d=1, n=1, A=[[[1]]], Xi=[[[1]]], x=[0], y=[1]),
+          instances(12, d=(1, 2, 3), n=(1, 2, 3), using={r: nonneg()}, made_by={x: r * y, Xs: (k, FROM_Y)}),
+          instances(4, d=(2, 3), n=(1,), made_by={x: _null_at(O[n]), y: x})],
+      note="Xi_k is xi(M_k) and alpha_k the product alpha(M_k) ... alpha(M_1); O_n is the matrix in braces. Any x that it takes to zero satisfies all the "
+           "conditions, here for k = n - t + 1, and it takes to zero any y that satisfies them.")
