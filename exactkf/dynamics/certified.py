@@ -111,12 +111,15 @@ def _speed_hints(found: Structure, rate: Any) -> dict[str, Any]:
         hints: Iterator[dict[str, Any]] = ({"bits": 256 << k} for k in range(8))
     else:
         norms = [[str(c) for c in p.coeffs()] for p in norms_of(D)]
-        hints = ({"bits": 8 * bits, "ends": _ends(rate, bits), "norms": norms} for bits in (96 << k for k in range(7)))
+        hints = ({"bits": 4 * bits, "ends": _ends(rate, bits), "norms": norms} for bits in (96 << k for k in range(7)))
     return {"speed": _tried(hints, lambda hint: check_rate(mine, rate, hint), "interval of the rate")}
 
 
 def _ends(rate: Any, bits: int) -> list[str]:
-    """A narrow interval around a rate between 0 and 1."""
+    """A narrow interval around a rate between 0 and 1; at first the middle of that in which it is given."""
+    if bits < 100:
+        lo, hi = map(Fraction, rate["interval"]) if isinstance(rate, dict) else (Fraction(rate) - Fraction(1, 1 << 64), Fraction(rate) + Fraction(1, 1 << 64))
+        return [str((3 * lo + hi) / 4), str((lo + 3 * hi) / 4)]
     middle = rate_ball(rate, [], bits // 3).mid().fmpq() * 2**bits
     near, width = int(middle.floor()), 1 << bits // 8
     return [str(Fraction(max(near - width, 0), 1 << bits)), str(Fraction(near + width, 1 << bits))]

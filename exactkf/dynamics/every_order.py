@@ -236,8 +236,10 @@ def _structure(answer: Answer) -> dict[str, Any]:
 def _speed(answer: Answer) -> Speed:
     """The speed, kept for the other half of it; of an equilibrium there is none."""
     if "_speed" not in answer.__dict__:
-        D = _case(*answer.__dict__["_start"][:2]).D
-        answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle_points(D) if len(D) > 1 else [])
+        behind = answer.__dict__.get("_behind")  # the structure, if it has been asked for
+        D = _case(*answer.__dict__["_start"][:2]).D if behind is None else [*behind.d[:0:-1], *behind.d]
+        circle = [] if len(D) == 1 else circle_points(D) if behind is None else behind.circle_zeros
+        answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle)
     return answer.__dict__["_speed"]
 
 

@@ -34,6 +34,7 @@ BLZ94 (5.4), (6.25), (7.1).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import combinations, product
 from math import comb
 from typing import Any, NamedTuple
@@ -116,6 +117,12 @@ def spectral_factor(D: Sequence[Any]) -> Factor:
     >>> spectral_factor([2, 5, 2]).coefficients
     (1/2, 1)
     """
+    return _of(tuple(D))
+
+
+@lru_cache(maxsize=16)
+def _of(D: tuple[Any, ...]) -> Factor:
+    """The same, kept: a limit and a structure want it one after the other."""
     factors = fmpq_poly(list(D)).numer().factor()[1]
     plain: list[tuple[fmpz_poly, int]] = []
     mixed: list[tuple[fmpz_poly, int]] = []
