@@ -15,6 +15,7 @@ A hint is found by trying: the checker's own functions are called with more bits
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from decimal import Decimal
 from fractions import Fraction
 from math import lcm
@@ -48,17 +49,13 @@ def parts(answer: Answer, a: Sequence[Any], g: Sequence[Any]) -> tuple[dict[str,
     """Return the entries of the answer that come last, and the evidence for them; those of them that cannot be found are missing."""
     said: dict[str, Any] = {"rate": None}
     evidence: dict[str, Any] = {}
-    try:
+    with suppress(Unsupported):
         said["structure"], evidence["structure"] = structure_of(answer, a, g), _structure_hints(_behind(answer, a, g))
-    except Unsupported:
-        pass
-    try:
+    with suppress(Unsupported):
         rate = answer.rate
         if not answer.region:  # the checker decides order one by itself
             evidence.update(_speed_hints(_behind(answer, a, g), rate))
         said.update(rate=rate, slow=answer.slow)
-    except Unsupported:
-        pass
     return said, evidence
 
 

@@ -89,8 +89,8 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
         except Unsupported as error:
             tell(("missing", str(error)))
         else:
-            lines = [*ahead_lines(ahead, request.digits), *([] if start is None else ["(of the filter; the certificate speaks of the Riccati equation only)"])]
-            tell(("lines", ["", *(f"  {line}" for line in lines)]))
+            said = [*ahead_lines(ahead, request.digits), *([] if start is None else ["(of the filter; the certificate speaks of the Riccati equation only)"])]
+            tell(("lines", ["", *(f"  {line}" for line in said)]))
     for name in request.files:
         tell(("stage", f"writing the {name}"))
         try:

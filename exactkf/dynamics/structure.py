@@ -151,7 +151,7 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
                      inside, S, jordan, dominant, codominant, factor)
 
 
-def _subspaces(D: Sequence[Any], q: Sequence[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...], dict[str, Any]]:
+def _subspaces(D: list[Any], q: list[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...], dict[str, Any]]:
     """The vectors u of the dominant and the codominant subspace, exact or in balls, and the spectral factor for the checker."""
     if not isinstance(D[-1], RealNumber) and number_of_choices(D) <= _MOST_CHOICES:
         factor = spectral_factor(D)
@@ -159,7 +159,7 @@ def _subspaces(D: Sequence[Any], q: Sequence[Any]) -> tuple[tuple[Any, ...], tup
         return tuple(subspace(w, q, True)), tuple(subspace(w, q, False)), factor_json(factor)
     enclosed = EnclosedLimit.of(D, [D[-1] / D[-1]])
     found, bits, *_ = enclosed.shown
-    (near,) = for_checker([list(q)])
+    (near,) = for_checker([q])
     w = [*reversed(found), (1 << bits, 1 << bits)]
     u, v = (tuple(ball_between(lo, hi, bits) for lo, hi in subspace_within(w, near, bits, dominant)) for dominant in (True, False))
     return u, v, enclosed.evidence

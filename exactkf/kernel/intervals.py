@@ -88,7 +88,7 @@ def inverse(x: Interval, bits: int) -> Interval:
 
 
 def solved(rows: list[list[Interval]], right: list[list[Interval]], bits: int) -> list[list[Interval]]:
-    """Intervals around A^-1 B for all A and B within the intervals: Gauss and Jordan's elimination, each of whose pivots excludes zero, so that A is regular."""
+    """Intervals around A^-1 B for all A and B within intervals: Gauss and Jordan's elimination, whose pivots exclude zero, so that A is regular."""
     n = len(rows)
     work = [[*row, *more] for row, more in zip(rows, right, strict=True)]
     for k in range(n):

@@ -58,8 +58,8 @@ from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "minors", "reading", "step_matrix",
-           "symplectic", "zeros_modulo"]
+__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "minors", "reading",
+           "step_matrix", "symplectic", "zeros_modulo"]
 
 _MOST = 10**5  # times that several primes leave
 

@@ -242,3 +242,22 @@ def test_words_json_and_latex_say_the_same(data):
         assert "z + 1/z = " in words and "$z + 1/z = " in latex or zero["two_cos"] in ("2", "-2")
     assert "The certificate vouches for" in words and "The certificate vouches for" in latex
     assert found["beside"] == ["facts"]
+
+
+def test_zeros_next_to_each_other_and_to_one_are_told_apart():
+    """Double zeros of D at 2 cos(angle) = 2 - 10^-30, 1 and 1 + 10^-30: three numbers in three intervals in [-2, 2], and a certificate that replays."""
+    near = fmpq(1, 10**30)
+    quadratic = [[fmpq(1), -x, fmpq(1)] for x in (2 - near, fmpq(1), 1 + near)]
+    D = quadratic[0]
+    for f in (quadratic[0], quadratic[1], quadratic[1], quadratic[2], quadratic[2]):
+        D = times(D, f)
+    assert circle_points(D) == [("1", 2), (str(1 + near), 2), (str(2 - near), 2)]
+    irrational = [fmpq(1), fmpq(0), -4 + near, fmpq(0), fmpq(1)]  # z + 1/z with the squares 6 - 10^-30 - ..., so two beyond 2
+    (found,) = [circle_points(times(irrational, [fmpq(1), fmpq(-1), fmpq(1)]))]
+    assert found == [("1", 1)]
+    close = times([fmpq(1), fmpq(0), near - 2, fmpq(0), fmpq(1)], [fmpq(1), fmpq(1), fmpq(1)])  # x^2 = 4 - 10^-30
+    found = circle_points(close)
+    assert len(found) == 3 and found[1] == ("-1", 1)
+    for point in (found[0], found[2]):
+        lo, hi = (fmpq(*map(int, x.split("/"))) for x in point.two_cos["interval"])
+        assert -2 <= lo < hi <= 2
