@@ -215,7 +215,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
 def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
     """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
     ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column; or the hypothesis
-    of this label, in a proof that divides by nothing but what a hypothesis says is not zero.
+    of this label, in a proof that divides by nothing but what a hypothesis says is not zero; one that says so for all k says it at these places.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """

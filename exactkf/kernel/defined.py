@@ -7,7 +7,8 @@ lemma says of it is empty, and two of them may say different things. So two prop
 
 *Well-founded.* Each value of a recursion, written out, is made of values at smaller indices, as far as those lead back to
 it. Then the recursions have a solution in the field of rational functions in the variables, whatever lies before their
-start. Of others the definition is not used.
+start. A value that is a polynomial is written out coefficient by coefficient, or as a function of z that is divided by nothing but z: then it is a
+polynomial in z and 1/z. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
 and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its
@@ -59,8 +60,8 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
 
 
 def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0,
-            how: str = "coefficients") -> Iterator[tuple[Terms, Symbolic]]:
-    """What a case, its coefficients (or its value as a function of z, or without z) or its entries come to, in each part of the region."""
+            in_z: bool = True, at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients (if ``in_z``; or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
     tree, env, forms, within = case
     region = Region.of(*sizes, *forms)
     if region.empty:
@@ -72,15 +73,15 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
             terms.region = region.and_(*inside)
             found = terms.entry(tree, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
-        elif how == "function":
+        elif at_z:
             found = _without_poles(terms, terms.at_z(tree, env))
         else:
-            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if how != "number" and name in terms.in_z else terms.value(tree, env)
+            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if in_z and name in terms.in_z else terms.value(tree, env)
     except Split as split:
         if splits > _MOST_SPLITS:
             raise Unknown("too many cases") from None
         for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
-            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, how)
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, in_z, at_z)
         return
     yield terms, found
 
@@ -102,16 +103,16 @@ def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
     found = set()
     for name in make(Region.of()).recursive:
         first, later = _cases(next(d for d in statement["where"] if d[1] == name))
-        if not any(_ends(make, name, first + later, sizes, how) for how in ("coefficients", "function")):
+        if not any(_ends(make, name, first + later, sizes, at_z) for at_z in (False, True)):
             found.add(name)
     return found
 
 
-def _ends(make: Callable[[Region], Terms], name: str, cases: list[Case], sizes: list[Form], how: str) -> bool:
+def _ends(make: Callable[[Region], Terms], name: str, cases: list[Case], sizes: list[Form], at_z: bool) -> bool:
     """Whether values are seen to be made of values at smaller indices: coefficient by coefficient, or as functions of z."""
     try:
         for case in cases:
-            for _ in _values(make, name, case, sizes, how=how):
+            for _ in _values(make, name, case, sizes, at_z=at_z):
                 pass
     except (Unknown, Undefined, RecursionError, KeyError):
         return False
@@ -167,24 +168,22 @@ class Witness:
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
-        powers = {place for place in atoms if terms.atoms[place][0] == "power"}  # of the place z, whatever their exponents are: not zero
         self.z = Fraction(1) if any(_has_functions(terms.atoms[place]) for place in atoms) else _Z
         try:
-            values = {place: self.value(terms.atoms[place]) for place in atoms - powers}
+            values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
             return False
         finally:
             self.z = _Z
-        totals: dict[tuple, Fraction] = {}
+        total = Fraction(0)
         for monomial, c in p.items():
-            found = [(values.get(place), place, e) for place, e in enumerate(exponents(monomial)) if e]
-            if any(x == 0 for x, _, _ in found):  # whatever the others are: they have values
+            powers = [(values[place], e) for place, e in enumerate(exponents(monomial)) if e]
+            if any(x == 0 for x, _ in powers):  # whatever the others are: they have values
                 continue
-            if any(x is None and place not in powers for x, place, _ in found):
+            if any(x is None for x, _ in powers):
                 return False
-            key = tuple((place, e) for _, place, e in found if place in powers)
-            totals[key] = totals.get(key, Fraction(0)) + c * prod(x**e for x, _, e in found if x is not None)
-        return sum(x != 0 for x in totals.values()) == 1
+            total += c * prod(x**e for x, e in powers if x is not None)
+        return total != 0
 
     def _number(self, body: tuple) -> Fraction | None:
         """The factor of a product at the point, where it is the same number at every index."""
@@ -231,10 +230,11 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
-        if kind == "power":
-            return None
-        if kind == "sum":  # of atoms that have been looked at; of zeros it may be taken as zero
-            return Fraction(0) if self._number(((name, 1),)) == 0 else None
+        if kind == "power":  # of z
+            return Fraction(1) if self.z == 1 else None
+        if kind == "sum":  # of zeros: then F with F(0) = 0 is zero there, for any index; other sums have values if their atoms have
+            found = [self.value(factor) for factor, _ in name]
+            return Fraction(0) if Fraction(0) in found else None
         if kind == "at" and name in self.entries or kind == "coeff" and name in self.polynomials:  # but for leading coefficients, which are no atoms
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
@@ -258,7 +258,7 @@ class Witness:
             raise Unknown(f"no value of {name} at a point")
         case: Case = (_at_one(d[3]), {p: {f"@{p}": 1} for p in d[2]}, [], {INDEX: 1})
         found = set[Fraction]()
-        for terms, x in _values(make, name, case, self.sizes, how="number"):
+        for terms, x in _values(make, name, case, self.sizes, in_z=False):
             if terms.field.factors or any(x.num):
                 raise Unknown("no number")
             found.add(Fraction(x.num.get(0, 0), x.q))
@@ -309,8 +309,8 @@ class Witness:
 
 
 def _has_functions(key: Any) -> bool:
-    """Whether an atom is a function of z as it is, or a sum or a product of such."""
-    return key in _IN_Z if not isinstance(key, tuple) else any(_has_functions(x) for x in key)
+    """Whether an atom is a function of z as it is or a power of z, or a sum or a product of such."""
+    return key in (*_IN_Z, "power") if not isinstance(key, tuple) else any(_has_functions(x) for x in key)
 
 
 def _at_one(tree: Any) -> Any:

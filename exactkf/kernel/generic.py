@@ -11,6 +11,10 @@ an identity of rational functions in atoms
 in each of finitely many regions of the integer parameters (k < t, k = t, ..). Sequences may be
 thought of as continued to all integers in any way: what lies outside cancels.
 
+As functions of z, polynomials are elements of a field with the automorphism z -> 1/z; there z^(n - k) is z^n/z^k, powers of z to parameters being
+atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
+polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
+
 Main definitions
 ----------------
 `Terms`
@@ -83,6 +87,7 @@ class Terms(Indefinite, Chains):
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
         self.unused: set[str] = set()  # recursions that are not opened
+        self.not_zero: list[Symbolic] = []  # polynomials that a hypothesis says are not zero
         self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
@@ -229,7 +234,7 @@ class Terms(Indefinite, Chains):
         if op == "^" and tree[1] == ["z"]:
             return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
         if op in ("*", "/"):
-            return self._product(tree, m, env)
+            return self._product([(tree, env, False, 1)], m)
         if op == "rev":
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
@@ -248,13 +253,11 @@ class Terms(Indefinite, Chains):
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
-    def _product(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product in which all factors but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for."""
-        parts = [(x, 1) for x in tree[1:]] if tree[0] == "*" else [(tree[1], 1), (tree[2], -1)]
-        return self._product_of([(x, env, False, e) for x, e in parts], m)
+    def _product(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """Coefficient of a product of terms, each with its indices, whether 1/z stands for z, and an exponent 1 or -1.
 
-    def _product_of(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
-        """The coefficient at m of a product of factors (a term, its indices, whether 1/z stands for z, exponent)."""
+        All but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for.
+        """
         factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
         while parts:
             x, env, flip, e = parts.pop(0)
@@ -284,7 +287,7 @@ class Terms(Indefinite, Chains):
         """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
         for place, (x, env, flip, e) in enumerate(rest):
             def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
-                return self._product_of([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
+                return self._product([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
 
             if x[0] in ("+", "-", "neg"):
                 out = self.number(0)
@@ -298,13 +301,15 @@ class Terms(Indefinite, Chains):
                 return self._sum(x, env, put)
             if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
                 args = tuple(self.index(a, env) for a in x[2:])
-                if x[1] not in self.recursive | self.inverting or x[1] not in self.inverting and self._opens(d, args[-1]):
+                if x[1] not in self.recursive or self._opens(d, args[-1]):
+                    if x[1] in self.inverting:
+                        self._meet(x[1], args)
                     return self.deeper(d, args, put)
         for k, (x, env, flip, _) in enumerate(rest):
             if (degree := self._degree(x, env)) is not None:
                 others = [*rest[:k], *rest[k + 1:]]
                 return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
-                    self.coefficient(x, j, env) * self._product_of(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
+                    self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
         raise Unknown("a product of polynomials at a generic index")
 
     def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:

@@ -163,7 +163,8 @@ class Indefinite:
     def _renamed(body: list[tuple[tuple, int]], name: str, low: Form, high: Form) -> tuple[tuple, Form, Form]:
         """A body and its ends after the index is changed so that some place of an atom becomes the index itself."""
         best = None
-        for form in (form for monomial, _ in body for key, _ in monomial for form in _forms(key)):
+        keys = [key for monomial, _ in body for key, _ in monomial]
+        for form in (form for key in [key for key in keys if key[0] != "power"] or keys for form in _forms(key)):
             s = form.get(name, 0)
             if abs(s) != 1:
                 continue
@@ -226,10 +227,10 @@ class Indefinite:
             return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
         if key[0] == "word":
             return self.again(key)
-        if key[0] == "number":
-            return self.linear(self.region.reduce(forms[0]))
         if key[0] == "power":
             return self.power_of_z(forms[0])
+        if key[0] == "number":
+            return self.linear(self.region.reduce(forms[0]))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})

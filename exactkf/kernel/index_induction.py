@@ -14,7 +14,11 @@ neither: `exactkf.kernel.defined` sees to that.
 
 A use may be of a hypothesis that says equations. Then everything is said of the numbers of an instance: recursions have values there,
 as they are well-founded and nothing is divided by; what is divided by all the same, in any lemma, must be
-a difference that a hypothesis says is not zero, or a variable of a type that says so.
+a difference that a hypothesis says is not zero, or a variable of a type that says so, or a factor of what a hypothesis says is not
+zero at the places of a use, within its bounds. A power of z is no number of an instance, and may be divided by.
+
+Polynomials may be multiplied if they are read as functions of z and 1/z: an equation of polynomials in z, 1/z is one of these functions, and the
+other way round, so that a lemma that is shown in one way may be used in the other. The functions of recursions are atoms, X_t(z) and X_t(1/z).
 
 Main definitions
 ----------------
@@ -43,7 +47,7 @@ from exactkf.kernel.wellformed import check_formula
 __all__ = ["generic_index"]
 
 #: atoms, in the order in which equations are solved for them
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "number", "power")
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power", "number")
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -53,8 +57,16 @@ Goal = Callable[[Terms], list[Symbolic]]
 _Row = tuple[Symbolic, frozenset[int]]  # what is zero, and the numbers of what it divides by
 
 
+def _has_solutions(tree: Any) -> bool:
+    if isinstance(tree, Mapping):
+        return _has_solutions(list(tree.values()))
+    return isinstance(tree, (list, tuple)) and (tree[:1] in (["stein"], ("stein",)) or any(map(_has_solutions, tree)))
+
+
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
+    if _has_solutions([statement["says"], [d[2:] for d in statement["where"]], [g[1] for g in statement["given"]], evidence]):
+        raise Unknown("solutions X = MXM' + Q, which are for words")
     try:
         proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
         proof.supported.extend(evidence.get("supported") or [])
@@ -360,6 +372,7 @@ class _Proof:
     def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> None:
         """Each wanted term is zero by the uses, and nothing divided by on the way is."""
         granted = set(terms.sure)
+        terms.not_zero = [x for use in uses if "given" in use for x in self._granted_not_zero(terms, use, names)]
         if any(x.num for x in wanted):
             for use in uses:
                 if "times" in use:  # a multiple of the first of its equations is taken off
@@ -387,8 +400,29 @@ class _Proof:
             if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
 
+    def _granted_not_zero(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
+        """What a hypothesis at the places given says is not zero; places of another part, or beyond its bounds, say nothing."""
+        formula, env = next((formula for label, formula, _ in self.statement["given"] if label == use["given"]), [""]), dict[str, Form]()
+        with suppress(Unknown, Undefined):
+            places = {name: terms.index(tree, names) for name, tree in use["at"].items()}
+            while formula[0] == "forall" and formula[1] in places:
+                _, name, low, high, formula = formula
+                k = env[name] = places[name]
+                if not all(terms.region.decide(x) is True for x in (plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))):
+                    return
+            if formula[0] == "!=" and not any(terms.is_matrix(x) or terms.has_z(x) for x in formula[1:]):
+                x = terms.value(formula[1], env) - terms.value(formula[2], env)
+                if not x.den:
+                    yield x
+
     def _needs_no_equation(self, terms: Terms, f: dict[int, int]) -> bool:
         """Something divided by is not zero at a point, or by a hypothesis; what is known of it is kept."""
+        if len(f) == 1 and all(key[0] == "power" or key == ("at", "z") for key in (terms.atoms[place] for place in _places(f))):
+            return True  # a power of z, which is no number of an instance
+        index = terms.field.factors.index(f)
+        if any(terms.field.cancel(x.num, index, 1)[1] for x in terms.not_zero):  # it divides what is not zero
+            self.assumes = True
+            return True
         key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
         if key in self.not_zero:
             return True

@@ -18,9 +18,8 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, fact, generic_index, instances, lemma, use
+from exactkf.evidence import example, fact, generic_index, instances, lemma, use
 from exactkf.language import (
-    T,
     Z,
     Zero,
     always,
@@ -59,6 +58,7 @@ from proofs.blz94.lemmas_orbit import (
     row,
 )
 from proofs.blz94.lemmas_sigma import COLUMN, ENDS, FORMS, OPENED_FOR_SIGMA, SIGMA
+from proofs.blz94.lemmas_vanishing import EACH, HIGHER, INVERSE, NORM, TOGETHER, VANISHING
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -342,14 +342,11 @@ claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and 
       note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first "
            "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2. tau, chi, w and v serve the proof alone.")
 
-_WEIGHT = matrix_of(i, k, n, n, when(k < i, 0, prod(s, 0, n - k - 1, 1 - gamma[s] ** 2)
-                                     * sum_of(j, 1, k, x[k - j] * coeff(pi(n - k, j), i))))
-_HIGHER = given("d_1 = ... = d_n = 0", column(i, n, coeff(D, i)) == Zero(n, 1))
+_HIGHER = given(HIGHER, column(i, n, coeff(D, i)) == Zero(n, 1))
 claim("BLZ94-SA8", "if d_1, ..., d_n vanish, alpha is zero and d_0 = r_n",
-      (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)), **_SIGMA,
-      given=[_HIGHER, given("gamma_k^2 != 1", forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
-      by=[combination([[(inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)],
-                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]],
-                       n=range(1, 7)),
+      (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)),
+      **{**_SIGMA, "where": [*SHIFTED[:6], INVERSE[0], SHIFTED[-1], *SHIFTED_FACTORS, *FORMS, *ABOVE, *INVERSE[1:]]},
+      given=[_HIGHER, given(NORM, forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
+      by=[generic_index(*VANISHING, **OPENED_FOR_SUMS, uses=[*EACH, *TOGETHER]),
           instances(n=(1, 2, 3), made_by={alpha: column(i, n, 0)})],
       note="d_0 = r_n is a product of the 1 - gamma_k^2, none of which is zero.")

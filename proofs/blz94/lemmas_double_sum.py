@@ -18,19 +18,19 @@ from exactkf.language import Expr, Z, always, coeff, forall, function, recip, su
 from proofs.blz94.lemmas_sigma import COLUMN, EXPONENTS, OPENED_FOR_SIGMA, SIGMA, chi, tau
 from proofs.blz94.notation import D, gamma, i, j, k, n, phi, pi, psi, r, rhos, s, sigma, symmetric_part, t, u, x
 
-__all__ = ["ABOVE", "ABOVE_NEXT", "CONSTANT", "DOUBLE_SUM", "OPENED_FOR_RECURSION", "OPENED_FOR_SUMS", "OTHERS", "RECURSION", "SHIFT", "d", "v", "w"]
+__all__ = ["ABOVE", "ABOVE_NEXT", "CONSTANT", "DOUBLE_SUM", "OPENED_FOR_RECURSION", "OPENED_FOR_SUMS", "OTHERS", "RECURSION", "SHIFT", "d", "of_column", "v", "w"]
 
 w, v, d, l = symbols("w v d l")
 
 
-def _column(high: Expr, at: Expr, start: int = 0) -> Expr:
+def of_column(high: Expr, at: Expr, start: int = 0) -> Expr:
     """Sum of x_i sigma_{n-i,n-at}, i = 0 .. high; or of the same in dimension n - 1, for the parameters gamma_1, gamma_2, .."""
     return sum_of(i, 0, high, x[i] * sigma(start, n - start - i, n - start - at))
 
 
 #: the terms above the diagonal
-ABOVE = (function(w, [k], when(k == 0, 0, w(k - 1) + x[k] * _column(k - 1, k))),)
-ABOVE_NEXT = (*ABOVE, function(v, [k], when(k == 0, 0, v(k - 1) + x[k] * _column(k - 1, k, 1))))
+ABOVE = (function(w, [k], when(k == 0, 0, w(k - 1) + x[k] * of_column(k - 1, k))),)
+ABOVE_NEXT = (*ABOVE, function(v, [k], when(k == 0, 0, v(k - 1) + x[k] * of_column(k - 1, k, 1))))
 
 
 def _part(p: Expr) -> Expr:
@@ -48,7 +48,7 @@ def _split(high: Expr) -> Expr:
 _PARTS = lemma(k, _up_to(symmetric_part(_part(phi), _part(psi)) == _split(k)), in_values=True,
                uses=[use(4, k=k, u=u, times=1), use(2, j=n - k - 1, s=0, times=x[k + 1] ** 2)], base=[use(2, j=n, s=0, times=1)])
 _WHOLE = lemma(k, D == _split(n), direct=True, in_values=True, uses=[use(4, k=n, u=n, times=1)])
-_OF_COLUMN = lemma(j, forall(k, 0, n, forall(u, j, k, always(l, (coeff(_column(j - 1, k), -l) == 0) & (coeff(_column(j - 1, k), k + 1 + l) == 0)))),
+_OF_COLUMN = lemma(j, forall(k, 0, n, forall(u, j, k, always(l, (coeff(of_column(j - 1, k), -l) == 0) & (coeff(of_column(j - 1, k), k + 1 + l) == 0)))),
                    uses=[use(6, j=j, k=k, u=u, l=l), *(use(3, m=k - j, s=0, j=n - k, l=x) for x in (l, j + l))])
 _OF_ABOVE = lemma(k, _up_to(always(l, (coeff(w(k), -l) == 0) & (coeff(w(k), k + 1 + l) == 0))),
                   uses=[*(use(7, k=k, u=u, l=x) for x in (l, l + 1)), use(6, j=k + 1, k=k + 1, u=k + 1, l=l)])
@@ -69,7 +69,7 @@ CONSTANT, OTHERS = [use(5, k=0, z=0), use(7, k=n, u=n, l=0)], [use(5, k=0, z=i),
 OPENED_FOR_SUMS = {"supported": OPENED_FOR_SIGMA["supported"], "closed": [r], "whole": [sigma, tau, chi, D]}
 
 _TOP = lemma(t, always(s, coeff(pi(s, t), t) == 1), uses=[use(9, t=t, s=s)])
-_BY_PI = lemma(j, forall(k, 1, n, forall(u, j, k, _column(j - 1, k) == r(0, n - k) * sum_of(i, 0, j - 1, x[i] * pi(n - k, k - i)))), in_values=True,
+_BY_PI = lemma(j, forall(k, 1, n, forall(u, j, k, of_column(j - 1, k) == r(0, n - k) * sum_of(i, 0, j - 1, x[i] * pi(n - k, k - i)))), in_values=True,
                closed=[sigma], uses=[use(10, j=j, k=k, u=u), use(8, m=k - j, s=0, j=n - k)])
 _BY_RECURSION = lemma(k, _up_to(forall(i, 1, k, r(0, n - k) * d(n - k, i, k) == coeff(w(k), i))),
                       uses=[use(11, k=k, u=u, i=i), use(r, 0, n - k), use(r, 0, n - k - 1), use(10, j=k + 1, k=k + 1, u=k + 1, z=i), use(7, k=k, u=u, l=0),
@@ -80,7 +80,7 @@ OPENED_FOR_RECURSION = {**OPENED_FOR_SUMS, "supported": [*OPENED_FOR_SUMS["suppo
 
 _ONCE = 1 - gamma[0] ** 2
 _NEXT_NORM = lemma(j, r(0, j + 1) == _ONCE * r(1, j), uses=[use(6, j=j)])
-_NEXT_COLUMN = lemma(j, forall(k, 0, n - 1, forall(u, j, k, _column(j - 1, k) == _ONCE * _column(j - 1, k, 1))), in_values=True, closed=[sigma],
+_NEXT_COLUMN = lemma(j, forall(k, 0, n - 1, forall(u, j, k, of_column(j - 1, k) == _ONCE * of_column(j - 1, k, 1))), in_values=True, closed=[sigma],
                      uses=[use(7, j=j, k=k, u=u), *(use(3, m=k - j, s=y, j=n - k - y) for y in (0, 1)), use(6, j=n - k - 1)])
 _NEXT = lemma(k, forall(u, k, n - 1, w(k) == _ONCE * v(k)), in_values=True, closed=[sigma], uses=[use(8, k=k, u=u), use(7, j=k + 1, k=k + 1, u=k + 1)])
 #: the double sum without alpha_n, and that for gamma_1, gamma_2, ..

@@ -80,6 +80,7 @@ from proofs.blz94.lemmas import (
     row,
 )
 from proofs.blz94.lemmas import column as col
+from proofs.blz94.lemmas_match import CONCLUDED, MATCH, OPENED_FOR_MATCH, PARTS
 from proofs.blz94.notation import (
     CORRELATIONS,
     HALF,
@@ -352,7 +353,7 @@ claim("BLZ94-S20", "the step of the induction",
 # ---------------------------------------------------------------------- Theorem 3.2
 #: lower triangular Toeplitz matrix of the coefficients of a, 1, a_1, ..., a_{n-1}
 A_MATRIX = (let(A, matrix_of(i, j, n, n, coeff(a, n - i + j))),)
-_MATCH = given("(3.11)", column(k, n, laurent(b / (2 * a), k)) == column(k, n, c[k]))
+_MATCH = given("(3.11)", column(k, n, laurent(HALF * b / a, k)) == column(k, n, c[k]))
 _VECTOR = column(i, n + 1, when(i == 1, 1, alpha[i - 1]))
 _BETA = column(i, n + 1, when(i == 1, 1, beta[i - 1]))
 
@@ -360,15 +361,15 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
       (b == psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])) & (a == phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i]))
         & (det(Phi) == 1),
       sizes=["n"], over={gamma: sequence(0, n - 1), a: monic(n), b: monic(n)},
-      where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *A_MATRIX,
+      where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PARTS,
              function(alpha, [k], coeff(a, n - k) - co(phi, n, k)
                       - sum_of(j, 1, k - 1, alpha[j] * coeff(phi[n - j], n - k)))],
       given=[_MATCH, standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 7)),
+      by=[generic_index(*MATCH, **OPENED_FOR_MATCH, uses=[*CONCLUDED, use(1, t=n + 1 - col)]),
           instances(n=(1, 2, 3), made_by={b: Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(a, n - k) + 2 * sum_of(
               j, 1, k, c[j] * coeff(a, n - k + j))))})],
       note="alpha is solved from a; det Phi = 1 says that it is the only one. The polynomials are needed for k = 0, "
-           "..., n, one more than the theorem lists.")
+           "..., n, one more than the theorem lists. The parts of a and b and the coefficients at infinity, here first, serve the proof alone.")
 
 claim("BLZ94-S21", "(3.11) as a relation of matrices, hence beta = alpha",
       (Psi * _BETA == C * Phi * _VECTOR) & (column(i, n, beta[i]) == column(i, n, alpha[i])), sizes=["n"],

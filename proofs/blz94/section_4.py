@@ -65,6 +65,9 @@ from proofs.blz94.lemmas_double_sum import ABOVE, CONSTANT, DOUBLE_SUM, OPENED_F
 from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_schur import CONCLUDED as AGAIN_CONCLUDED
+from proofs.blz94.lemmas_schur import FIRST as FIRST_COEFFICIENTS
+from proofs.blz94.lemmas_schur import again_lemmas, first
 from proofs.blz94.lemmas_shift import OPENED_FOR_SHIFT, SHIFT_LEMMAS
 from proofs.blz94.lemmas_sigma import FORMS
 from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
@@ -113,6 +116,7 @@ from proofs.blz94.notation import (
     monic_of,
     n,
     phi,
+    phis,
     pi,
     psi,
     r,
@@ -167,10 +171,12 @@ def _correlations(parameters, f, f_star, norm, name):
 
 claim("BLZ94-X.10", "every point of V_c is given by u and Schur parameters",
       (v == _from_coefficients(u, y)) & forall(k, 1, n, _again[k] == c[k]), sizes=["n"], over={u: monic(n), v: monic(n), c: sequence(1, n)},
-      where=[let(y, column(k, n, laurent(v / (2 * u), k))), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
-             *_correlations(gamma, _f, _fs, _q, _again)],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
-      note="v comes from u and the first n coefficients c_k of v/(2u), and these come by (3.10) from the Schur parameters (3.6), which exist where T_1, ..., T_{n-1} are nonsingular.")
+      where=[function(y, [k], laurent(HALF * v / u, k)), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
+             *_correlations(gamma, _f, _fs, _q, _again), *FIRST_COEFFICIENTS(u, v)],
+      by=[generic_index(*again_lemmas(u, v, c, _again, (_f, _fs, _q), y), supported=[phi, phis], closed=[gamma, _again, y, first], uses=[
+          *AGAIN_CONCLUDED, use(_again, k)]), instances(n=(1, 2, 3))],
+      note="v comes from u and the first n coefficients c_k of v/(2u), and these come by (3.10) from the Schur parameters (3.6), which exist where T_1, ..., T_{n-1} are nonsingular. "
+           "The coefficients called first serve the proof alone.")
 
 #: gamma and alpha recovered from polynomials p, q
 f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o betabar")
