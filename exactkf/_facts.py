@@ -81,6 +81,8 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
     if op == "=" and len(terms) == 4 and not vector and isinstance(formula[1], list) and formula[1][0] == "rank":
         yield "rank"
     leaf = Leaf(case, formula, terms, **{key: proof[key] for key in _HELP if key in proof})
+    if leaf.reader.steins:
+        yield "Stein equation"
     for term in (x for tree in terms for x in _inverted(tree)):
         if leaf.reader.read(term) not in (x for x, _ in leaf.known):  # brought in: it exists by its form
             yield "nonsingular"

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from itertools import combinations, product
 from typing import Any
 
@@ -60,11 +61,17 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     ways = [_by_membership, _by_order]
     if any(asked.get(key) for key in ("sums", "lemmas", "inside", "factors")):  # hints are for an order
         ways.reverse()
+    led = hints.get("induction", {})
+    if "order" not in hints and (led.get("base") or led.get("before")):  # hints are for an induction
+        ways.insert(0, partial(_by_induction, led=led))
+    else:
+        ways.append(partial(_by_induction, led=led))
     for way in ways:
         yield from way(id, statement, asked, seconds, degree)
-    if not _has_index(statement["says"]) and not hints.get("induction", {}).get("before"):
-        return
-    if (found := find_induction(statement, hints.get("induction"), seconds=seconds)) is not None:
+
+
+def _by_induction(id: str, statement: dict, _asked: Mapping[str, Any], seconds: float, _degree: int, led: Mapping[str, Any]) -> Iterator[dict]:
+    if (_has_index(statement["says"]) or led.get("before")) and (found := find_induction(statement, led, seconds=seconds)) is not None:
         yield seal(id, "word induction", statement, found)
 
 

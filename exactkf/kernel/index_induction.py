@@ -57,8 +57,16 @@ Goal = Callable[[Terms], list[Symbolic]]
 _Row = tuple[Symbolic, frozenset[int]]  # what is zero, and the numbers of what it divides by
 
 
+def _has_solutions(tree: Any) -> bool:
+    if isinstance(tree, Mapping):
+        return _has_solutions(list(tree.values()))
+    return isinstance(tree, (list, tuple)) and (tree[:1] in (["stein"], ("stein",)) or any(map(_has_solutions, tree)))
+
+
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
+    if _has_solutions([statement["says"], [d[2:] for d in statement["where"]], [g[1] for g in statement["given"]], evidence]):
+        raise Unknown("solutions X = MXM' + Q, which are for words")
     try:
         proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
         proof.supported.extend(evidence.get("supported") or [])

@@ -40,7 +40,7 @@ ARGUMENTS: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sum", "prod", "forall", "exists"), (4, 4)),
     **dict.fromkeys(("+", "*", "=", "<", "<=", ">", ">="), (2, _MANY)),
     **dict.fromkeys(("block", "rows", "diag", "and", "or"), (1, _MANY)),
-    **dict.fromkeys(("-", "/", "^", "cospi", "O", "coeff", "rev", "subst", "laurent", "!=", "loewner", "similar", "cospectral", "coprime",
+    **dict.fromkeys(("-", "/", "^", "cospi", "O", "coeff", "rev", "subst", "laurent", "stein", "!=", "loewner", "similar", "cospectral", "coprime",
                      "prints", "observable", "=>", "<=>", "always"), (2, 2)),
     **dict.fromkeys(("neg", "sqrt", "abs", "I", "T", "inv", "det", "tr", "rank", "charpoly", "kernel", "nrows", "ncols", "deg", "recip",
                      "roots_in", "roots_on", "roots_out", "psd", "pd", "symmetric", "invertible", "symplectic", "schur", "pos_circle",

@@ -40,6 +40,7 @@ class LaTeX(Notation):
         "tr": Form(Bind.ATOM, r"\operatorname{tr}\left(#1\right)"),
         "rank": Form(Bind.ATOM, r"\operatorname{rank}\left(#1\right)"),
         "charpoly": Form(Bind.ATOM, r"\det\left(zI - #1\right)", (Bind.BIG,)),
+        "stein": Form(Bind.ATOM, r"\operatorname{stein}\left(#1, #2\right)"),
         "kernel": Form(Bind.ATOM, r"\operatorname{null}\left(#1\right)"),
         "nrows": Form(Bind.ATOM, r"\operatorname{rows}\left(#1\right)"),
         "ncols": Form(Bind.ATOM, r"\operatorname{cols}\left(#1\right)"),

@@ -30,6 +30,7 @@ class Text(Notation):
         "tr": Form(Bind.ATOM, "trace(#1)"),
         "rank": Form(Bind.ATOM, "rank(#1)"),
         "charpoly": Form(Bind.ATOM, "det(z*I - #1)", (Bind.BIG,)),
+        "stein": Form(Bind.ATOM, "stein(#1, #2)"),
         "kernel": Form(Bind.ATOM, "null(#1)"),
         "nrows": Form(Bind.ATOM, "rows(#1)"),
         "ncols": Form(Bind.ATOM, "cols(#1)"),

@@ -11,6 +11,7 @@ Main definitions
 ``state_after``            the exact state :math:`(a(T), g(T))`
 ``power_modulo``           :math:`z^T` modulo an integer polynomial, without fractions
 ``symplectic_matrix_of``   the matrix `S` of a state
+``symplectic_rows``        its rows, over any field
 
 Main statements
 ---------------
@@ -44,6 +45,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from math import isqrt
+from typing import Any
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
@@ -56,7 +58,7 @@ from exactkf.theory.orbits import exact_orbit, first_escape
 _PRIME = (1 << 61) - 1
 _MANY, _FEW = 1000, 4  # steps from which, and the order up to which, minors are quicker than stepping modulo a prime
 
-__all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of"]
+__all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of", "symplectic_rows"]
 
 
 @dataclass(frozen=True)
@@ -94,15 +96,18 @@ def symplectic_matrix_of(a: Sequence[Scalar], g: Sequence[Scalar]) -> fmpq_mat:
     n = len(a)
     if a[-1] + g[-1] == 0:
         raise refused(f"a[{n - 1}] + g[{n - 1}]", fmpq(0), "S does not exist", "use state_after, which reduces n")
-    A = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
-    for i in range(n):
-        A[i][0] -= a[i] + g[i]
-    A_mat, g_mat = fmpq_mat(A), fmpq_mat([[x] for x in g])
-    hh = fmpq_mat([[int(i == j == 0) for j in range(n)] for i in range(n)])
-    inverse = A_mat.transpose().inv()
-    low = g_mat * g_mat.transpose() * inverse
-    top = [r + s for r, s in zip(inverse.tolist(), (-1 * inverse * hh).tolist(), strict=True)]
-    return fmpq_mat(top + [r + s for r, s in zip(low.tolist(), (A_mat - low * hh).tolist(), strict=True)])
+    return fmpq_mat(symplectic_rows([x + y for x, y in zip(a, g, strict=True)], g))
+
+
+def symplectic_rows(q: Sequence[Any], g: Sequence[Any]) -> list[list[Any]]:
+    """Return the rows of `S` for entries of any one field; the last of `q` is not zero."""
+    n, zero = len(q), 0 * q[-1]
+    # A = J - q h', so A' e_i = e_{i+1} - q_i e_1 and A' e_n = -q_n e_1
+    inverse = [[zero + int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [[-x / q[-1] for x in (1 + zero, *q[:-1])]]
+    along = [sum((g[k] * inverse[k][j] for k in range(n)), zero) for j in range(n)]
+    low = [[x * y for y in along] for x in g]
+    top = [[*row, -row[0], *[zero] * (n - 1)] for row in inverse]
+    return top + [[*row, *((zero + int(j == i + 1)) - (q[i] + row[0] if j == 0 else zero) for j in range(n))] for i, row in enumerate(low)]
 
 
 def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:

@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, identity, induction, instances, null_vector, order, restated, within
+from exactkf.evidence import example, first, identity, induction, instances, null_vector, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -47,6 +47,7 @@ from exactkf.language import (
     let,
     matrix,
     matrix_of,
+    nonneg,
     nonsingular,
     outside_roots,
     pd,
@@ -56,6 +57,7 @@ from exactkf.language import (
     rec,
     sequence_of,
     standing,
+    sym,
     symbols,
     symmetric_matrix,
     symplectic,
@@ -483,27 +485,82 @@ claim("B93-P1.3.2", "a product is in H, and in H2 if and only if the sum is inve
           _many(*BOTH_UPPER)],
       note=SERVING)
 
-claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
-      forall(t, 1, n, iff(Xi(t) * x == Zero(d, 1), Both(t) * x == Zero(2 * d, 1))),
-      sizes=["d", "n"], over={**MEMBERS, N_: COMPLEMENTS[N_], Z_: COMPLEMENTS[Z_], x: vector(d)},
-      where=[*PRODUCTS, ALPHA, function(Xi, [k], _lower(k)), function(Both, [k], vstack(_lower(k - 1), T(As[k]) * Cs[k] * alpha[k - 1]))],
-      given=[ALL_IN_H, _complement("null vectors", *BOTH_LOWER[0])],
-      by=[induction(also=[*IN_H_t, c[t] * N_[t] == ZERO, (alpha[t] - a[t]) * N_[t] == ZERO],
-                    base=order([], [inv(As[1])], [Bs[1] * T(As[1])], [T(As[1]) * Cs[1]]),
-                    step=order([], NEXT.inverse, NEXT.upper, NEXT.lower, NEXT.lower, NEXT.lower, NEXT.lower, roots=NEXT.roots)),
-          _many(BOTH_LOWER[0], **{"x": _null_at(_lower(n))}), _many(BOTH_LOWER[0], **{"x": _null_at(_lower(1))}),
-          _many(BOTH_LOWER[0], **{"x": _null_at(T(As[n]) * Cs[n] * alpha[n - 1])}), _many(BOTH_LOWER[0]),
-          restated("every matrix has a generalized inverse", "induction on the number of factors")],
-      note="Going down from t = n it is the second equivalence; the first is S23 for M_1 and the product of the others, which is in H by "
-           "Proposition 1.1.")
+def _tail(left, right) -> tuple:
+    """A row of blocks of M_n ... M_(n-t), from the same row with t factors."""
+    return left * As[n - t] + right * Cs[n - t], left * Bs[n - t] + right * Ds[n - t]
 
+
+#: the product of the last t matrices is [[a, b], [c, e]] here
+TAIL_STEPS = {name: value for row in ((a, b), (c, e)) for name, value in zip(row, _tail(row[0][t], row[1][t]), strict=True)}
+TAILS = (function(Mk, [k], block([[As[k], Bs[k]], [Cs[k], Ds[k]]])), function(Pi, [k], block([[a[k], b[k]], [c[k], e[k]]])),
+         *(rec(name, t, start, TAIL_STEPS[name]) for name, start in ((a, Identity(d)), (b, ZERO), (c, ZERO), (e, Identity(d)))))
+y, z = symbols("y z")
+FROM_END = standing("the recursions, counted from the end", forall(t, 0, n - 1, (alpha[t + 1] == As[t + 1] * alpha[t]) & (
+    a[t + 1] == TAIL_STEPS[a]) & (b[t + 1] == TAIL_STEPS[b]) & (c[t + 1] == TAIL_STEPS[c]) & (e[t + 1] == TAIL_STEPS[e])))
+
+
+def _xi(s): return T(As[s]) * Cs[s]
+
+
+def _peeled(s, count, root=H) -> Product:
+    """The product of the last ``count`` matrices, times M_s."""
+    return Product(Factor(a[count], b[count], c[count]), Factor(As[s], Bs[s], Cs[s]), a[count] * As[s] + b[count] * Cs[s], root)
+
+
+def _forms(s, count) -> list:
+    """The summands of xi of that product as quadratic forms at alpha_(s-1) x."""
+    new, v = inv(a[count]) * (a[count] * As[s] + b[count] * Cs[s]), alpha[s - 1] * x
+    behind = T(inv(a[count]))
+    return [T(v) * T(new) * _lower(count) * new * v, T(v) * _xi(s) * v, T(v) * T(Cs[s]) * (inv(a[count]) * _upper(count) * behind) * Cs[s] * v]
+
+
+NEXT_TAIL = _peeled(n - t, t)
+FIRST_PEELED, THEN_PEELED = _forms(t, n - t), _forms(t + 1, n - t - 1)
+IN_H_BY = {"base": order([], [], [NULL_SQUARE], [NULL_SQUARE]),
+           "step": order([], NEXT_TAIL.inverse, NEXT_TAIL.upper, NEXT_TAIL.lower, roots=NEXT_TAIL.roots)}
+W_Y = alpha[k] * y
+Q_Y = (Identity(d) - W_Y * T(W_Y) / (T(W_Y) * W_Y)[1, 1]) * (r + k)
+SINGLE = {"d": 1, "n": 1, "A": [[[1]]], "B": [[[0]]], "C": [[[1]]], "D": [[[1]]], "x": [0], "y": [0], "z": [[[0]]]}
+claim("B93-S26", "the null vectors of A*C of a product, one factor at a time",
+      forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t]))
+      & forall(t, 1, n, vstack(_xi(t) * alpha[t - 1], _lower(n - t) * alpha[t]) * x == Zero(2 * d, 1))
+      & forall(t, 1, n, _lower(t) * z[t] == Zero(d, 1)) & (_lower(n) * y == Zero(d, 1)),
+      sizes=["d", "n"], over={**MEMBERS, x: vector(d), y: vector(d), z: sequence_of(matrix(d, 1), 1, n)},
+      where=[*TAILS, ALPHA],
+      given=[ALL_IN_H, FROM_END, given("xi(M_n ... M_1) x = 0", _lower(n) * x == Zero(d, 1)),
+             given("the last factor and the product of those before it at z", forall(k, 1, n, (_xi(n - k + 1) * z[k] == Zero(d, 1)) & (
+                 _lower(k - 1) * As[n - k + 1] * z[k] == Zero(d, 1)))),
+             given("y satisfies all the conditions", forall(k, 1, n, _xi(k) * alpha[k - 1] * y == Zero(d, 1)))],
+      by=[induction(before=[first(forall(t, 0, n, in_h(Pi(t), a[t], b[t], c[t])), **IN_H_BY), first(forall(t, 0, n, _lower(t) * alpha[n - t] * y == Zero(d, 1)))],
+                    also=[[], [_lower(n - t) * alpha[t] * x == Zero(d, 1)], [], []],
+                    base=[IN_H_BY["base"], order(FIRST_PEELED, FIRST_PEELED), order(), order()],
+                    step=[IN_H_BY["step"], order(THEN_PEELED, THEN_PEELED), order()]),
+          example({**SINGLE, "x": [1]}), example({**SINGLE, "y": [1]}), example({**SINGLE, "z": [[[1]]]}),
+          example({**SINGLE, "n": 2, "A": [[[1]], [[1]]], "B": [[[0]], [[0]]], "C": [[[1]], [[-1]]], "D": [[[1]], [[1]]], "x": [1], "z": [[[0]], [[0]]]}),
+          instances(12, d=(1, 2), n=(1, 2, 3), using={**RANK_ONE, r: nonneg()},
+                    made_by={Qs: (k, Q_Y), **_made(), x: r * y, z: (k, alpha[n - k] * y)})],
+      note="The product of the last t matrices is M_n ... M_(n-t+1) here, and in H, by Proposition 1.1. From the left to the right: an x with "
+           "xi(M_n ... M_1)x = 0 has xi(M_t) alpha x = 0 and xi(M_n ... M_(t+1)) alpha(M_t) alpha x = 0 for every t, with alpha the product of the alpha of "
+           "the earlier factors: for t = 1 that is the first line, and the first parts together are the last. Back: the two conditions for z, for k = n "
+           "those of the first line, give xi(M_n ... M_1)z = 0; and so do all the conditions together, for y.")
+
+Xs = sym("Xi")
+SUMS_FROM_END = standing("the recursions, counted from the end",
+                         forall(k, 0, n - 1, (O[k + 1] == O[k] + T(alpha[k]) * Xs[k + 1] * alpha[k]) & (alpha[k + 1] == As[k + 1] * alpha[k])))
+#: the two summands of the last sum, and of the one before it
+LAST_TWO, ONE_BEFORE = ([O[s], T(alpha[s]) * Xs[s + 1] * alpha[s]] for s in (n - t, n - t - 1))
+NEXT_TERM = T(alpha[t]) * Xs[t + 1] * alpha[t]
+AT_END = given("x is a null vector of the sum", O[n] * x == Zero(d, 1))
+FROM_Y = T(inv(alpha[k - 1])) * (Identity(d) - y * T(y) / (T(y) * y)[1, 1]) * inv(alpha[k - 1]) * (r + k)
 claim("B93-S27", "one symmetric matrix for all the conditions",
-      psd(O) & iff(O * x == Zero(d, 1), (S * x == Zero(d, 1)) & (P * A * x == Zero(d, 1))), sizes=["d"],
-      over={A: matrix(d, d), P: positive_semidefinite(d), S: positive_semidefinite(d), x: vector(d)},
-      where=[let(O, S + T(A) * P * A)],
-      by=[order([S, T(A) * P * A], [S, T(A) * P * A], [S, T(A) * P * A]),
-          instances(d=(1, 2, 3), made_by={x: _null_at(S + T(A) * P * A)}), instances(8, d=(1, 2, 3), made_by={x: _null_at(S)}),
-          instances(8, d=(1, 2, 3)),
-          restated("induction on the number of factors")],
-      note="S is the sum of the first terms, P is xi(M_k) and A the product of the earlier alpha. By induction every partial sum is nonnegative "
-           "and has as null vectors those x that satisfy all the conditions.")
+      forall(t, 0, n, psd(O[t])) & forall(t, 1, n, Xs[n - t + 1] * alpha[n - t] * x == Zero(d, 1)) & (O[n] * y == Zero(d, 1)), sizes=["d", "n"],
+      over={As: sequence_of(nonsingular(d), 1, n), Xs: sequence_of(positive_semidefinite(d), 1, n), x: vector(d), y: vector(d)},
+      where=[ALPHA, rec(O, t, ZERO, O[t] + NEXT_TERM)],
+      given=[SUMS_FROM_END, AT_END, given("y satisfies all the conditions", forall(k, 1, n, Xs[k] * alpha[k - 1] * y == Zero(d, 1)))],
+      by=[induction(before=[first(forall(t, 0, n, O[t] * y == Zero(d, 1)))], also=[[], [O[n - t] * x == Zero(d, 1)], []],
+                    base=[order(), order(LAST_TWO, LAST_TWO), order()], step=[order([O[t], NEXT_TERM]), order(ONE_BEFORE, ONE_BEFORE)]),
+          example(d=1, n=1, A=[[[1]]], Xi=[[[1]]], x=[1], y=[0]), example(d=1, n=1, A=[[[1]]], Xi=[[[1]]], x=[0], y=[1]),
+          instances(12, d=(1, 2, 3), n=(1, 2, 3), using={r: nonneg()}, made_by={x: r * y, Xs: (k, FROM_Y)}),
+          instances(4, d=(2, 3), n=(1,), made_by={x: _null_at(O[n]), y: x})],
+      note="Xi_k is xi(M_k) and alpha_k the product alpha(M_k) ... alpha(M_1); O_n is the matrix in braces. Any x that it takes to zero satisfies all the "
+           "conditions, here for k = n - t + 1, and it takes to zero any y that satisfies them.")

@@ -18,7 +18,7 @@ congruence leaves them alone and inversion inverts them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, instances, order, restated
+from exactkf.evidence import example, identity, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -32,13 +32,19 @@ from exactkf.language import (
     invertible,
     let,
     matrix,
+    matrix_of,
     nonsingular,
     pd,
     positive_definite,
     positive_semidefinite,
     psd,
+    rank,
+    sequence,
+    sequence_of,
+    sum_of,
     symbols,
     symplectic,
+    when,
 )
 from proofs.b93.introduction import (
     DEPENDENT,
@@ -58,7 +64,7 @@ from proofs.b93.introduction import (
     STEP_SIZES,
 )
 from proofs.b93.introduction import SYSTEM as EVOLUTION
-from proofs.b93.notation import Factor, d, hamiltonian, k, member, member_of_h, n, numbers, p, part, q
+from proofs.b93.notation import Factor, d, hamiltonian, i, j, k, member, member_of_h, n, numbers, p, part, q
 
 A, B, C, D, M, N, P, Q, R, S, F, W, H, X, Y, Phi, Den = symbols("A B C D M N P Q R S F W H X Y Phi Den")
 TT, T0, S0, Q0, W0, L0, R0 = symbols("T T0 S0 Q0 W0 L R0")
@@ -127,14 +133,15 @@ claim("B93-E14", "the discrete Riccati equation",
           where=[*STEP, *ACTION], given=STEP_GIVEN, by=[order(), LOUD, STEP_MADE]),
       note="Stated like (5).")
 
+E0, Lam = symbols("E Lam")
 claim("B93-S31", "the distance is invariant under congruence and under inversion",
-      (A * P * T(A) * inv(A * Q * T(A)) == A * (P * inv(Q)) * inv(A)) & (inv(P) * inv(inv(Q)) == inv(P) * inv(P * inv(Q)) * P),
-      sizes=["d"], over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d)},
-      by=[order(), instances(d=UP_TO_6),
-          restated("similar matrices have the same eigenvalues", "those of the inverse are the reciprocals")],
-      note="The distance is a function of the squared logarithms of the eigenvalues of P inv(Q): the first relation "
-           "says that congruence leaves these eigenvalues alone, the second that inversion replaces them by their "
-           "reciprocals. The similarities are those by A and by inv(P), written out.")
+      (A * P * T(A) * inv(A * Q * T(A)) * (A * E0) == A * E0 * Lam) & (inv(P) * inv(inv(Q)) * (inv(Q) * E0) == inv(Q) * E0 * inv(Lam)), sizes=["d"],
+      over={A: nonsingular(d), P: positive_definite(d), Q: positive_definite(d), E0: nonsingular(d), Lam: nonsingular(d)},
+      given=[given("eigenvalues and eigenvectors of P inv(Q)", P * inv(Q) * E0 == E0 * Lam)],
+      by=[instances(d=(1, 2, 3), made_by={Lam: inv(E0) * P * inv(Q) * E0})],
+      note="Lam is the diagonal matrix of the eigenvalues lambda_i of P inv(Q), or any matrix that is similar to it, by E. Shown: by AE the matrix of the "
+           "distance of APA* and AQA* is similar to Lam, and by inv(Q)E that of inv(P) and inv(Q) to inv(Lam). So the spectra are the same, with "
+           "multiplicities, but for reciprocals in the second; and the distance, the root of the sum of the squared logarithms, is by its definition the same.")
 
 claim("B93-P1.5.1", "members of H act on P and on P0",
       invertible(Den(M, TT)) & psd(Phi(M, TT)) & pd(Phi(M, T0)), sizes=["d"],
@@ -168,18 +175,39 @@ claim("B93-S33", "the action in terms of W and Q",
       by=[order(), MADE],
       note="W stands for the S of the text, and W0 is a second one, which has an inverse.")
 
-claim("B93-S37", "exchanging the two matrices inverts the eigenvalues",
-      eq((TT + P) * inv(S0 + P), inv((S0 + P) * inv(TT + P)), L0 * (inv(L0) * (TT + P) * inv(T(L0))) * inv(L0))
-      & pd(inv(L0) * (TT + P) * inv(T(L0))), sizes=["d"],
-      over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d), L0: nonsingular(d)},
-      given=[given("S + P = LL*", S0 + P == L0 * T(L0))],
-      by=[order([], [], [inv(L0) * (TT + P) * inv(T(L0))]),
-          instances(d=(1, 2, 3), using={R0: positive_definite(d)}, made_by={S0: L0 * T(L0), P: Zero(d, d)}),
-          instances(d=(1, 2, 3), made_by={P: L0 * T(L0) - S0}),
-          restated("similar matrices have the same eigenvalues", "those of the inverse are the reciprocals", "a positive matrix is LL*")],
-      note="The first line says that the eigenvalues of the one matrix are the reciprocals of those of the other, the second that they are those of a "
-           "positive symmetric matrix. Taking reciprocals of positive numbers reverses their order. S0 stands for the S of the text; L is any "
-           "factor of the positive matrix S + P, such as its Cholesky factor.")
+l, e, m, ascends, E_, c = symbols("l e m ascends E c")
+
+
+def _swapped(at, two) -> list:
+    """The eigenvalue as a quotient of positive forms; the difference of two reciprocals."""
+    form = T(e[at]) * inv(S0 + P)
+    low, high = l[d - two + 1], l[d - two + 2]
+    return [order([], [form * (TT + P) * inv(S0 + P) * e[at] / (form * e[at])], [],
+                  inside=[within(0, (TT + P) * inv(S0 + P) * e[at] == l[at] * e[at])]), order([1 * ((high - low) / (low * high))])]
+
+
+def _spectrum(gap: int) -> dict:
+    """T + P = E G E* and S + P = EE* with the diagonal matrix G of the l_k, from one on; e_k is the k-th column of E."""
+    at = sum_of(j, 1, i, when(j == 1, 1, gap) + c[j] ** 2)
+    half = E_ * T(E_) / 2
+    return {l: (i, at), e: (k, matrix_of(i, j, d, 1, E_[i, k])), S0: half, P: half, TT: E_ * matrix_of(i, j, d, d, when(i == j, at, 0)) * T(E_) - half}
+
+
+claim("B93-S37", "exchanging the two matrices inverts the eigenvalues and their order",
+      forall(k, 1, d, (l[k] > 0) & ((S0 + P) * inv(TT + P) * e[d - k + 1] == m(k) * e[d - k + 1])) & forall(k, 2, d, ascends(k)), sizes=["d"],
+      over={TT: positive_definite(d), S0: positive_definite(d), P: positive_semidefinite(d), l: sequence(1, d), e: sequence_of(matrix(d, 1), 1, d)},
+      where=[function(m, [k], 1 / l[d - k + 1]), function(ascends, [k], m(k - 1) <= m(k))],
+      given=[given("eigenvalues", forall(k, 1, d, (TT + P) * inv(S0 + P) * e[k] == l[k] * e[k])),
+             given("eigenvectors", forall(k, 1, d, rank(e[k]) == 1)), given("ascending order", forall(k, 1, d - 1, l[k] <= l[k + 1]))],
+      by=[induction(base=_swapped(1, 2), step=_swapped(k + 1, k + 1)),
+          example(d=1, T=[[1]], S0=[[1]], P=[[0]], l=[2], e=[[[1]]]), example(d=1, T=[[1]], S0=[[1]], P=[[0]], l=[-1], e=[[[0]]]),
+          example(d=2, T=[[1, 0], [0, 2]], S0=[[1, 0], [0, 1]], P=[[0, 0], [0, 0]], l=[2, 1], e=[[[0], [1]], [[1], [0]]]),
+          example(d=2, T=[[1, 0], [0, 2]], S0=[[1, 0], [0, 1]], P=[[1, 0], [0, 1]], l=[1, "3/2"], e=[[[1], [0]], [[0], [1]]]),
+          instances(8, d=(2, 3), using={E_: nonsingular(d), c: sequence(1, d)}, made_by=_spectrum(1)),
+          instances(8, d=(2, 3), using={E_: nonsingular(d), c: sequence(1, d)}, made_by=_spectrum(0))],
+      note="l_1 <= ... <= l_d are the eigenvalues of (T + P) inv(S + P), with eigenvectors e_k; S0 stands for the S of the text. Shown: their "
+           "reciprocals m_1 = 1/l_d, ..., m_d = 1/l_1 are the eigenvalues of (S + P) inv(T + P), with the same eigenvectors, and ascend, so that the k-th "
+           "of them is m_k. That the eigenvalues are real, with a basis of eigenvectors, is B93-S35; a basis stays one in another order.")
 
 claim("B93-S38", "every member of H is a product of three simple ones",
       psd(P) & psd(Q)

@@ -167,13 +167,13 @@ claim("BLZ94-X.21", "the derivative of D in (alpha, gamma) and in (a, b)", 2 * K
       by=[identity(n=range(1, 5)), instances(8, n=(1, 2))], note="J_a and J_b have the derivatives of the coefficients of z^0, ..., z^(n-1) of a and b.")
 
 claim("BLZ94-L5.6", "the tangent space has the dimension of that of the level set of phi",
-      DIMENSION(rank(M)) == 2 * n + 1 - rank(hstack(operator(b_, n), operator(a_, n), column(i, n + 1, 2 * coeff(d(0, i - 1), 0)))), sizes=["n"],
+      DIMENSION(rank(M)) == 2 * n + 1 - rank(hstack(operator(b_, n), operator(a_, n), column(i, n + 1, coeff(d(0, i - 1), 0)))), sizes=["n"],
       over=_POINT, where=TANGENT,
       given=[standing("gamma_k^2 != 1", forall(k, 1, n, gamma0[k] ** 2 != 1)), _ON_LEVEL],
       by=[steps("BLZ94-X.21", "BLZ94-P4.1", prose="The Jacobian of (alpha, gamma) to (a, b) is invertible, and D is a column of both matrices."),
           instances(10, n=(1, 2, 3)), instances(4, n=(1, 2), made_by={gamma0: 0 * alpha0}), example({alpha0: [1], gamma0: [0]}, n=1),
           example({alpha0: [-3, 1], gamma0: [0, 0]}, n=2)],
-      note="phi(a, b, r) = rS(a)b has the derivative S(b)u + S(a)v + e S(a)b at (a, b, 1) in the direction (u, v, e); S(a)b = 2D.")
+      note="phi(a, b, r) = rS(a)b has the derivative S(b)u + S(a)v + e S(a)b at (a, b, 1) in the direction (u, v, e); S(a)b = 2D, a column of which the rank sees the direction only.")
 
 _DIRECTION = {"sizes": ["n"], "over": {a: monic(n), b: monic(n), u: polynomial(n - 1), v: polynomial(n - 1), s: scalar()},
     "given": [standing("n >= 1", n >= 1)]}

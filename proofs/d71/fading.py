@@ -12,7 +12,9 @@ and R_k = K^k R (K^k)', for which Z_k - Z_{k+1} = W_k and R_k - R_{k+1} = Z_k; t
 k Z_k + R_k decreases, from R, by (k + 1) W_k at each step.
 """
 
-from exactkf.evidence import Evidence, first, order, within
+from collections.abc import Sequence
+
+from exactkf.evidence import Evidence, order, within
 from exactkf.language import Expr, Identity, T, Zero, given, inv, loewner, matrix_of, psd, rec, symbols, symmetric_matrix, when
 from proofs.d71.notation import i, j, n
 
@@ -22,30 +24,41 @@ Z, R, N, Pi, t = symbols("Z R N Pi t")
 
 
 class Fading:
-    """What a claim needs to bound W_t, a recursion with the values K^t U_0 (K^t)'.
+    """What a claim needs to bound W_t = K^t U_0 (K^t)', for a stable K and a nonnegative definite U_0.
 
-    ``over``, ``given`` and ``where`` are Z, R with their equations, and K^t with the count t + 1; ``bound`` is the formula; ``before`` and
-    ``also`` are shown first and along with it, with the terms ``base`` and ``step``; ``bound_base`` and ``bound_step`` are those of the bound.
+    ``over``, ``given`` and ``where`` are Z, R with their equations, and K^t with the count t + 1; ``bound`` is the formula. ``also`` is carried
+    along by an `induction`, with the orders that `begins` and `goes_on` make; ``first`` and ``then`` are the terms for the bound;
+    ``now`` is what it bounds, and ``later`` that at t + 1.
     """
 
-    def __init__(self, K: Expr, U0: Expr, W: Expr) -> None:
-        zero = Zero(n, n)
+    def __init__(self, K: Expr, U0: Expr, W: Expr | None = None) -> None:
+        at = Pi[t]*U0*T(Pi[t]) if W is None else W[t]
         self.over = {Z: symmetric_matrix(n), R: symmetric_matrix(n)}
         self.given = [given("Z, the sum of the W_k", Z - K*Z*T(K) == U0), given("R, the sum of the (k + 1)W_k", R - K*R*T(K) == Z)]
         self.where = [rec(Pi, t, Identity(n), K*Pi[t]), rec(N, t, 1, N[t] + 1)]
-        self.before = [first(psd(Z), base=_from(U0, K)), first(psd(R), base=_from(Z, K))]
         spent, spent_next = ((N[s] - 1)*(Pi[s]*Z*T(Pi[s])) + Pi[s]*R*T(Pi[s]) for s in (t, t + 1))
-        self.also = [K*Pi[t] == Pi[t]*K, W[t] == Pi[t]*U0*T(Pi[t]), psd(W[t]), N[t] >= 0, N[t] - 1 >= 0, loewner(R, spent)]
-        self.base = [[], [], [U0], [1], [0], [zero]]
-        self.step = [[], [], [K*W[t]*T(K)], [1*N[t], 1], [1*N[t]], [R - spent, N[t]*W[t]]]
-        self.bound = loewner(R, N[t]*W[t])
-        self.bound_base = [K*Z*T(K), K*R*T(K)]
-        left = [(N[t], K*Z*T(K)), (1, K*R*T(K)), (1, K*Z*T(K))]
-        self.bound_step = [R - spent_next, *(x*Pi[t + 1]*y*T(Pi[t + 1]) for x, y in left)]
+        self.now = N[t]*at
+        self.bound = loewner(R, self.now)
+        self.later = N[t + 1]*(Pi[t + 1]*U0*T(Pi[t + 1])) if W is None else N[t + 1]*W[t + 1]
+        self.also = [K*Pi[t] == Pi[t]*K, at == Pi[t]*U0*T(Pi[t]), psd(at), N[t] >= 0, N[t] - 1 >= 0, loewner(R, spent)]
+        self.first = [K*Z*T(K), K*R*T(K)]
+        self.then = [R - spent_next, *(x*Pi[t + 1]*y*T(Pi[t + 1]) for x, y in ((N[t], K*Z*T(K)), (1, K*R*T(K)), (1, K*Z*T(K))))]
+        self._sums = [[U0], [Z]]
+        self._base, self._step = [[], [], [U0], [1], [0], [Zero(n, n)]], [[], [], [K*at*T(K)], [1*N[t], 1], [1*N[t]], [R - spent, N[t]*at]]
+        self._stable = K
 
+    def begins(self, *terms: list, before: Sequence[tuple] = ()) -> Evidence:
+        """The order at t = 0: terms for what comes after ``also``; lemmas with their terms and `within` that come before all."""
+        return self._order(before, [*self._base, *terms])
 
-def _from(known: Expr, K: Expr) -> Evidence:
-    return order([known], inside=[within(0, stein=K)])
+    def goes_on(self, *terms: list, before: Sequence[tuple] = ()) -> Evidence:
+        """The order from t to t + 1."""
+        return self._order(before, [*self._step, *terms])
+
+    def _order(self, before: Sequence[tuple], terms: list) -> Evidence:
+        k = len(before)
+        return order(*(t for _, t in before), *self._sums, *terms, lemmas=[*(formula for formula, _ in before), psd(Z), psd(R)],
+                     inside=[within(m, stein=self._stable) for m in range(k + 2)])
 
 
 def eigenvalues(E: Expr, ratio: Expr, K: Expr, U0: Expr) -> dict:

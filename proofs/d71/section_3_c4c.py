@@ -10,35 +10,41 @@ no unstable or random walk mode is undriven. With the right H and V the limit is
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order, restated, within
+from exactkf.evidence import example, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
     block,
+    function,
     given,
     hstack,
     inv,
     let,
+    loewner,
     matrix,
     matrix_of,
     nonsingular,
     positive_definite,
     positive_semidefinite,
+    psd,
+    rational,
     rec,
     rows,
     scalar,
     schur,
-    standing,
+    sym,
     symbols,
     symmetric_matrix,
     vector,
+    vstack,
     when,
 )
+from proofs.d71.fading import Fading, N, Pi, R, Z
 from proofs.d71.notation import H, K, M, P, Phi, V, gain, gram, i, j, n, p, step, update
 
-S, B, D, Ha, Va, Pa, Pa0, Pae, t, Pi, E, e, a, P1, Acl = symbols("S B D Ha Va Pa Pa0 Pae t Pi E e a P1 Acl")
+S, B, D, Ha, Va, Pa, Pa0, Pae, t, E, e, a, P1, Acl = symbols("S B D Ha Va Pa Pa0 Pae t E e a P1 Acl")
 x, xh, dy, h, y, x1, xh1 = symbols("x xh dy h y x1 xh1")
 Rd, Nd, Lamd = symbols("Rd Nd Lamd")
 I, Zn = Identity(n), Zero(n, n)
@@ -95,55 +101,84 @@ claim("D71-S64", "with the right covariances the limit is P",
                              M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, Pae: P})],
       note="(3.246) for H_a = H and V_a = V has the solution P, and no other if B - PD is inside the unit circle.")
 
-al, be, g1, g2, y1, y2 = symbols("alpha beta g1 g2 y1 y2")
+al, be, g1, g2 = symbols("alpha beta g1 g2")
 NOISE = Phi*K*Va*T(K)*T(Phi) + Ha
 PAIR = rows([[al, be], [-be, al]])
-#: eigenvectors g of DP - C = inv(Phi')(SP + I), and the terms of (1 - |psi|^2) g*Pg + g*Rg = 0
 ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "Ha": [[0]], "Va": [[0]], "Pa0": [[1]], "Pae": [[0]],
-       "alpha": 1, "beta": 0, "g1": [1], "g2": [0], "y1": [1], "y2": [0]}
+       "Z": [[0]], "R": [[0]], "Acl": [[1]], "alpha": 1, "beta": 0, "g1": [1], "g2": [0]}
+#: the eigenvector g = g1 + i g2 of (B - PD)' or of Phi' for a + ib
+TURNED_1, TURNED_2 = al*g1 - be*g2, be*g1 + al*g2
+OUTSIDE = [given("eigenvector of (B - PD)'", (T(Acl)*g1 == TURNED_1) & (T(Acl)*g2 == TURNED_2)), given("|psi| >= 1", al**2 + be**2 >= 1)]
+REST = al**2 + be**2 - 1
+#: the terms of (|psi|^2 - 1) g*Pg + |psi|^2 g*PSPg + g*Hg = 0
+SEEN = T(M)*inv(V)*M
+SPREAD = [term for g in (g1, g2) for term in (REST*(T(g)*P*g), REST*(T(g)*P*SEEN*P*g), T(g)*P*T(M)*inv(V)*M*P*g, T(g)*H*g)]
+TOTAL = SPREAD[0] + SPREAD[1] + SPREAD[2] + SPREAD[3] + SPREAD[4] + SPREAD[5] + SPREAD[6] + SPREAD[7]
 CLOSED = D*P + PhiT
-PSI_G = {y1: al*g1 - be*g2, y2: be*g1 + al*g2}
-REST = 1 - (al**2 + be**2)
-SPREAD = [term for g, y_ in ((g1, y1), (g2, y2)) for term in (REST*T(g)*P*g, T(g)*P*T(M)*inv(V)*M*P*g, T(y_)*H*y_)]
-TOTAL = SPREAD[0] + SPREAD[1] + SPREAD[2] + SPREAD[3] + SPREAD[4] + SPREAD[5]
+#: a stable filter: B - PD = 1/2
+SPENT = {"Z": [["4/3"]], "R": [["16/9"]]}
+DRIVEN = {"Acl": [["1/2"]], "H": [["1/2"]], "P": [[1]], "alpha": "1/2", **SPENT}
+RATIO = 1/(2 + a[i]**2)
+
+
+def _in_basis(entry):
+    """E G for the diagonal matrix G of these entries."""
+    return E*matrix_of(i, j, n, n, when(i == j, entry, 0))
+
+
 #: what is shown first, and the terms that vanish with their sum
 TOWARDS = [
-    (P*CLOSED == Phi*P + H*CLOSED, []),
-    ((P*y1 == Phi*P*g1 + H*y1) & (P*y2 == Phi*P*g2 + H*y2), []),
-    ((T(Phi)*y1 == S*P*g1 + g1) & (T(Phi)*y2 == S*P*g2 + g2), []),
-    *((T(y_)*P*y_ == T(g)*P*g + T(g)*P*S*P*g + T(y_)*H*y_, []) for g, y_ in ((g1, y1), (g2, y2))),
-    (T(y1)*P*y1 + T(y2)*P*y2 == (al**2 + be**2)*(T(g1)*P*g1 + T(g2)*P*g2), []), (TOTAL*Identity(1) == Zero(1, 1), []),
-    *((S*P*g == Zero(n, 1), SPREAD) for g in (g1, g2)), *((H*y_ == Zero(n, 1), SPREAD) for y_ in (y1, y2))]
+    (T(B - P*D)*CLOSED == I, []), (T(Acl)*CLOSED == I, []), (CLOSED*T(Acl) == I, []), (T(Phi) == (I + S*P)*T(Acl), []),
+    (P == Phi*P*T(Acl) + H, []), (P == Acl*(P + P*S*P)*T(Acl) + H, []),
+    *((P*g == Acl*(P + P*S*P)*turned + H*g, []) for g, turned in ((g1, TURNED_1), (g2, TURNED_2))),
+    *((T(g)*P*g == T(turned)*(P + P*S*P)*turned + T(g)*H*g, []) for g, turned in ((g1, TURNED_1), (g2, TURNED_2))),
+    (TOTAL*Identity(1) == Zero(1, 1), []),
+    *((S*P*g == Zero(n, 1), SPREAD) for g in (g1, g2)), *((H*g == Zero(n, 1), SPREAD) for g in (g1, g2))]
+#: that g*P is psi g* times the rest is enough for the two forms
+NEAREST = [within(0, P == step()), within(3, CLOSED*T(Acl) == I), within(4, P == step(), T(Phi) == (I + S*P)*T(Acl)),
+           within(5, P == Phi*P*T(Acl) + H, T(Phi) == (I + S*P)*T(Acl)), *(within(8 + m, T(g)*Acl == T(turned), P*g == Acl*(P + P*S*P)*turned + H*g) for m, (g, turned) in enumerate(((g1, TURNED_1), (g2, TURNED_2))))]
+BETWEEN = Fading(Acl, Pa0 + Pae)
+gap, DISTANCE = sym("gap"), Pa[t] - Pae
+APART = [2*N[t + 1]*(Pi[t + 1]*x*T(Pi[t + 1])) for x in (Pae, Pa0)]
+#: the distance is at most R/(t + 1), and at least -R/(t + 1)
+BELOW = [loewner(R, N[t]*gap(t)), loewner(R, -(N[t]*gap(t)))]
+
+
+def _between(s):
+    """The two as one block matrix."""
+    return [rational("1/2")*vstack(I, -I)*(R - N[s]*gap(s))*hstack(I, -I), rational("1/2")*vstack(I, I)*(R - (-(N[s]*gap(s))))*hstack(I, I)]
+
+
+ACTUAL_SUM = [(psd(Pae), [Phi*K*Va*T(K)*T(Phi), Ha])]
 
 claim("D71-E3.246", "the actual error covariance has a limit",
-      (T(Phi)*y1 == g1) & (T(Phi)*y2 == g2) & (H*y1 == Zero(n, 1)) & (H*y2 == Zero(n, 1)) & always(t, Pa[t] - Pae == Pi[t]*(Pa0 - Pae)*T(Pi[t])),
+      (vstack(T(Phi), H)*hstack(g1, g2) == block([[TURNED_1, TURNED_2], [Zero(n, 1), Zero(n, 1)]]))
+      & (schur(Acl) >> always(t, psd(block([[R, N[t]*gap(t)], [N[t]*gap(t), R]])))),
       sizes=["n", "p"],
       over={**SYSTEM, **ACTUAL, H: positive_semidefinite(n), P: positive_semidefinite(n), Pa0: positive_semidefinite(n), Pae: symmetric_matrix(n),
-            al: scalar(), be: scalar(), g1: vector(n), g2: vector(n), y1: vector(n), y2: vector(n)},
-      where=[*AT_EQUILIBRIUM, let(Acl, B - P*D), rec(Pi, t, I, Acl*Pi[t]), rec(Pa, t, Pa0, Acl*Pa[t]*T(Acl) + NOISE)],
-      given=[EQUILIBRIUM, standing("psi g", (y1 == al*g1 - be*g2) & (y2 == be*g1 + al*g2)), given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE),
-             given("eigenvector of DP - C", (CLOSED*g1 == y1) & (CLOSED*g2 == y2)),
-             given("|psi| <= 1", al**2 + be**2 <= 1)],
-      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero."),
-          induction(before=[first(lemma, base=order(terms)) for lemma, terms in TOWARDS]),
-          # a driven mode, and one that is stable
-          example({**ONE, "H": [["1/2"]], "P": [[1]], "alpha": 2, "y1": [2]}),
-          example({**ONE, "Phi": [["1/2"]], "alpha": 2, "y1": [2], "Ha": [["3/4"]], "Pae": [[1]]}),
-          example({**ONE, "alpha": "1/2", "y1": ["1/2"]}), example({**ONE, "H": [["1/2"]]}),
-          example({**ONE, "Phi": [[2]], "Pae": [[1]], "alpha": "1/2", "y1": ["1/2"]}),
+            al: scalar(), be: scalar(), g1: vector(n), g2: vector(n), Acl: matrix(n, n), **BETWEEN.over},
+      where=[*AT_EQUILIBRIUM, rec(Pa, t, Pa0, Acl*Pa[t]*T(Acl) + NOISE), function(gap, [t], DISTANCE), *BETWEEN.where],
+      given=[EQUILIBRIUM, given("K = B - PD", Acl == B - P*D), *OUTSIDE, given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE), *BETWEEN.given],
+      by=[induction(also=[[], [*BETWEEN.also, DISTANCE == Pi[t]*(Pa0 - Pae)*T(Pi[t]), BETWEEN.bound, *BELOW]],
+                    base=[order(*[[]]*20, *(terms for _, terms in TOWARDS[10:]), lemmas=[lemma for lemma, _ in TOWARDS], inside=NEAREST),
+                          BETWEEN.begins([], BETWEEN.first, [R - BETWEEN.now, 2*Pae], [R - BETWEEN.now, 2*Pa0], _between(t), before=ACTUAL_SUM)],
+                    step=[order(), BETWEEN.goes_on([], BETWEEN.then, [R - BETWEEN.later, APART[0]], [R - BETWEEN.later, APART[1]], _between(t + 1), before=ACTUAL_SUM)]),
+          # P is no equilibrium; a driven mode, and one that is stable; wrong P_ae, Z and R
+          example({**ONE, "H": [["1/2"]], "alpha": "3/2", "Acl": [["3/2"]]}), example({**ONE, "alpha": 2, "Acl": [[2]]}), example({**ONE, **DRIVEN}), example({**ONE, **DRIVEN, "Pae": [[1]]}),
+          example({**ONE, **DRIVEN, "Z": [[0]], "R": [[0]]}), example({**ONE, **DRIVEN, "R": [[0]]}), example({**ONE, "Phi": [["1/2"]], "Acl": [["1/2"]], **SPENT}),
+          example({**ONE, "Phi": [[2]], "Acl": [[2]], "g1": [0], "Z": [["-1/3"]], "R": [["1/9"]]}),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={e: vector(2), E: nonsingular(2)},
-                    made_by={al: e[1]/(1 + T(e)*e), be: e[2]/(1 + T(e)*e), Phi: inv(T(E*PAIR*inv(E))), P: Zn, H: Zn, Ha: Zn, Pae: Zn,
-                             g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]]), **PSI_G}),
-          instances(8, n=(2,), p=(1, 2), horizon=2, using={e: vector(2), a: vector(2)},
-                    made_by={al: e[1]/(1 + T(e)*e), be: e[2]/(1 + T(e)*e), Phi: inv(T(PAIR)), P: Zn, H: Zn, Pae: -a[1]**2*I, Ha: a[1]**2*(Phi*T(Phi) - I),
-                             g1: rows([[a[1]], [-a[2]]]), g2: rows([[a[2]], [a[1]]]), **PSI_G}),
-          instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n)},
-                    made_by={al: 0, be: 0, g1: Zero(n, 1), g2: Zero(n, 1), **PSI_G,
-                             Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + a[i]**2), 0))*inv(E), P: E*matrix_of(i, j, n, n, when(i == j, e[i]**2, 0))*T(E),
-                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED,
-                             Ha: E*matrix_of(i, j, n, n, when(i == j, 1 + e[i]**2, 0))*T(E), Va: Zero(p, p),
-                             Pae: E*matrix_of(i, j, n, n, when(i == j, (1 + e[i]**2)/(1 - 1/((1 + a[i]**2)*(1 + when(i <= p, e[i]**2, 0)))**2), 0))*T(E)})],
-      note="psi = a + ib and g = g1 + i g2. If B - PD, the conjugate inverse of DP - C, had an eigenvalue on or outside the circle, DP - C would have one "
-           "with |psi| <= 1, and then y = psi g would be an eigenvector of Phi' at 1/psi and a null vector of H: an undriven random walk or unstable mode. "
+                    made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, Ha: Zn, Pae: Zn, Pa0: Zn, Acl: B - P*D, Z: Zn, R: Zn,
+                             g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]])}),
+          instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n), x: vector(n)},
+                    made_by={al: 1, be: 0, g1: Zero(n, 1), g2: Zero(n, 1),
+                             Phi: _in_basis(RATIO*(1 + when(i <= p, e[i]**2, 0)))*inv(E), P: _in_basis(e[i]**2)*T(E),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, Acl: B - P*D, Va: Zero(p, p),
+                             Ha: _in_basis((1 - RATIO**2)**3)*T(E), Pae: _in_basis((1 - RATIO**2)**2)*T(E), Pa0: _in_basis(x[i]**2*(1 - RATIO**2)**2)*T(E),
+                             R: _in_basis(1 + x[i]**2)*T(E), Z: _in_basis((1 + x[i]**2)*(1 - RATIO**2))*T(E)})],
+      note="The first part: an eigenvector g1 + i g2 of (B - PD)' for a + ib on or outside the unit circle is an eigenvector of Phi' for the same number and a "
+           "null vector of H, so that an unstable or random walk mode is undriven. Where there is no such mode, B - PD is inside the circle; g = 0 is allowed, "
+           "so that nothing is assumed by this for the second part. "
            "P is a computed covariance and so nonnegative definite; at an equilibrium that is not, such as P = -1/2 for Phi = M = V = 1 and H = 1/2, B - PD "
-           "may be outside the circle. The last part is the distance from the limit P_ae, of (3.246); with the powers of B - PD it tends to zero.")
+           "may be outside the circle. The second part: for such a B - PD, (3.246) and the equations of Z and R have solutions, "
+           "and the distance of P_a(t_k) from P_ae is between -R/(k + 1) and R/(k + 1), which the block matrix says, with R the same for all k: it tends to zero.")
