@@ -12,10 +12,12 @@ Main definitions
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from exactkf.kernel.index_induction import Goal, Proof
-from exactkf.kernel.numbers import Rejected, Undefined, Unknown
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown, rationals
+from exactkf.kernel.rational import quotient
 from exactkf.kernel.region import Region, Split
 from exactkf.kernel.replay import replay, seal
 
@@ -25,7 +27,9 @@ __all__ = ["with_cases"]
 class _Noted(Proof):
     """A proof that notes its cases."""
 
-    cases: list[Any]
+    def __init__(self, statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+        self.cases: list[Any] = []
+        super().__init__(statement, evidence)
 
     def part(self, region: Region, goal: Goal, uses: Any, *where: Any) -> set[int]:
         """What is needed of the uses, or the cut."""
@@ -46,15 +50,14 @@ class _Noted(Proof):
         return needed
 
 
-def with_cases(certificate: dict[str, Any]) -> dict[str, Any]:
-    """A certificate that replays, with its cases if it replays with them too."""
+def with_cases(certificate: dict[str, Any]) -> tuple[dict[str, Any], list[str] | None]:
+    """A certificate with its cases, and the denominators of its replay; as it was, and None, where that does not replay."""
     statement, evidence = certificate["statement"], {key: value for key, value in certificate["evidence"].items() if key != "cases"}
-    proof = _Noted(statement, evidence)
-    proof.cases = []
-    proof.replay()
-    made = seal(certificate["id"], certificate["kind"], statement, {**evidence, "cases": proof.cases})
     try:
-        replay(made)
-    except Rejected:
-        return certificate
-    return made
+        with rationals(quotient):
+            proof = _Noted(statement, evidence)
+            proof.replay()
+        made = seal(certificate["id"], certificate["kind"], statement, {**evidence, "cases": proof.cases})
+        return made, replay(made)
+    except (Rejected, Undefined, Unknown, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError):
+        return certificate, None  # what is wrong with it the checker says

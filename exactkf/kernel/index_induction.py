@@ -593,6 +593,8 @@ def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | No
     found = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
     for place in sorted(present):
+        if not row.den and 1 << (BITS * place) not in row.num:
+            continue
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
             lead, left = parts[1], 0
