@@ -81,12 +81,14 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
     sizes: dict[tuple[Word, Size], Size] = {}
 
     def after(word: Word, start: Size) -> Size:
-        if (word, start) not in sizes:
-            sizes[word, start] = word_sizes(reader, word, start)
-        return sizes[word, start]
+        found = sizes.get((word, start))
+        if found is None:
+            found = sizes[word, start] = word_sizes(reader, word, start)
+        return found
 
     for c, left, name, right, *more in terms:
-        before, behind = (tuple([letters[a] if type(a) is int else a for a in word]) if letters else tuple(word) for word in (left, right))
+        before = tuple([letters[a] if type(a) is int else a for a in left]) if letters else tuple(left)
+        behind = tuple([letters[a] if type(a) is int else a for a in right]) if letters else tuple(right)
         scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
         if scalars:
             _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
@@ -116,7 +118,7 @@ def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any)
     if isinstance(name, list):
         return reader.as_scalar(tuple(name))
     one = (("", 1),)
-    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(fraction(c)) for c, s in name["numbers"]}
+    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): c if type(c) is int else _factor(c) for c, s in name["numbers"]}
     _need(all(type(e) is int for s, _ in poly for _, e in s), "an exponent is no integer")
     _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
     return Relation(poly, None, None)
