@@ -9,6 +9,8 @@
     base and step, each by an ``order``
 ``generic index``
     recursions of growing degree: lemmas by induction, then the conclusion
+``arithmetic``
+    integers: the denied statement contradicts itself in every case
 
 Main definitions
 ----------------
@@ -22,6 +24,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from exactkf.kernel.arithmetic import arithmetic
 from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
 from exactkf.kernel.order import Leaf, leaves, register_inverses
@@ -168,4 +171,5 @@ def _by_cases(name: str, made: Induction, proofs: list, denominators: list[str])
             raise Rejected(f"{name}, {which}: {error}") from error
 
 
-KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}
+KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index,
+         "arithmetic": arithmetic}
