@@ -251,6 +251,16 @@ def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (),
     return ("induct", _name(name), to_expr(start).tree, to_expr(formula).tree, (tuple(base), tuple(step), ()))
 
 
+def unfolded(name: Expr, at: Any) -> tuple:
+    """The value of a recursion at a term, by its definition."""
+    return ("unfold", _name(name), to_expr(at).tree)
+
+
+def angles(kind: str, *terms: Any) -> tuple:
+    """About cos(pi a/n): ``product``, 2 cos cos as a sum, ``cosines``, when two are equal, both of a, b, n; ``right``, of n, cos(pi/2) = 0; ``quotient``, (x/y)y = x, of x, y."""
+    return (kind, *(to_expr(x).tree for x in terms))
+
+
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
     """For a conclusion lhs >= rhs (or >): lhs - rhs = sum of c * q^2 * product of hypotheses.
 

@@ -13,6 +13,8 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from fractions import Fraction
 from itertools import combinations_with_replacement
 from typing import Any
 
@@ -36,8 +38,9 @@ class StuckAt(Exception):
 def find_arithmetic(statement: Mapping[str, Any], hints: Sequence[Hint], seconds: float) -> Proof | None:
     """A refutation of the denied statement, by the hints in their order.
 
-    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula]`` or
-    ``["induct", name, from, formula]``.
+    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``,
+    ``["induct", name, from, formula, hints for base, step and afterwards]``, ``["unfold", name, term]``, ``["quotient", x, y]``,
+    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``.
     """
     try:
         return _Search(clock() + seconds).start(statement, hints)
@@ -53,6 +56,7 @@ class _Search:
 
     def start(self, statement: Mapping[str, Any], hints: Sequence[Hint]) -> Proof:
         denied = Facts(statement)
+        self.hypotheses = len(denied.facts)
         denied.add(denied.read(statement["says"], False))
         return self.prove(denied, list(hints))
 
@@ -68,6 +72,9 @@ class _Search:
             return self.after(facts, step, [hints] * len(facts.step(step)))
         if (made := _hinted(facts, hints)) is not None:
             step, rests = made
+            if step["step"] == "induct":
+                return {**step, "then": [*(self.prove_lemma(case, len(facts.facts), rest) for case, rest in zip(facts.step(step), rests[:2], strict=False)),
+                                         self.prove(facts.step(step)[2], rests[2])]}
             return self.after(facts, step, rests)
         if (found := closed(facts, 2, self.deadline)) is not None:
             return found
@@ -75,6 +82,12 @@ class _Search:
         if parts:
             return self.after(facts, {"step": "split", "fact": min(parts)[1]}, [hints] * min(parts)[0])
         raise StuckAt("; ".join(f"{n}: {_shown(f)}" for n, f in enumerate(facts.facts) if f is not None))
+
+    def prove_lemma(self, facts: Facts, denied: int, hints: list[Hint]) -> Proof:
+        """Base or step of an induction: what else is denied does not matter."""
+        idle = [n for n in range(self.hypotheses, denied) if (f := facts.facts[n]) is not None and f[0] in ("or", "some")]
+        step = {"step": "forget", "facts": idle}
+        return {**step, "then": [self.prove(facts.step(step)[0], hints)]}
 
     def after(self, facts: Facts, step: Proof, rests: list[list[Hint]]) -> Proof:
         return {**step, "then": [self.prove(case, rest) for case, rest in zip(facts.step(step), rests, strict=True)]}
@@ -94,12 +107,20 @@ def _forced(facts: Facts) -> Proof | None:
     """An equation that can be solved, or something that exists."""
     for n, fact in enumerate(facts.facts):
         if fact is not None and fact[0] == "=":
-            for m, v in fact[1].items():
-                if len(m) == 1 and abs(v) == 1 and isinstance(m[0], str) and sum(m[0] in other for other in fact[1]) == 1:
-                    return {"step": "solve", "fact": n, "variable": m[0]}
+            able = [m[0] for m, v in fact[1].items() if len(m) == 1 and (abs(v) == 1 or not isinstance(m[0], str) or m[0] not in facts.whole)]
+            for x in sorted(able, key=lambda x: (not isinstance(x, str), -_place(x), repr(x))):
+                step = {"step": "solve", "fact": n, "variable": x if isinstance(x, str) else repr(x)}
+                with suppress(Rejected):
+                    facts.step(step)
+                    return step
         if fact is not None and fact[0] == "some":
             return {"step": "name", "fact": n, "name": _free(facts, fact[1])}
     return None
+
+
+def _place(x: Any) -> Any:
+    """Of values of recursions the latest is solved for."""
+    return sum(v for m, v in x[2] if not m) if isinstance(x, tuple) and x[0] == "at" else 0
 
 
 def _free(facts: Facts, name: str) -> str:
@@ -116,11 +137,12 @@ def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]]] |
                 if (steps := [{"step": "at", "fact": n, "term": args[1]} for n, f in enumerate(facts.facts) if f is not None and f[:2] == ("all", args[0])]):
                     return _taken(facts, steps, rest)
                 continue
-            step, own = _step(facts, kind, args)
+            step, own = _step(kind, args)
             cases = len(facts.step(step))
         except (Rejected, Unknown):
             continue
-        return step, [[*(own[k] if own else []), *rest] for k in range(cases)]
+        lemma = kind == "induct"  # what comes after a lemma is no part of its proof
+        return step, [[*(own[k] if own else []), *([] if lemma and k < 2 else rest)] for k in range(cases)]
     return None
 
 
@@ -130,14 +152,15 @@ def _taken(facts: Facts, steps: list[Proof], rest: list[Hint]) -> tuple[Proof, l
     return steps[0], [[*(["place", s] for s in steps[1:]), *rest]]
 
 
-def _step(facts: Facts, kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | None]:
+_PARTS = {"divide": ("term", "by", "name"), "cut": ("formula",), "induct": ("name", "from", "formula"), "unfold": ("name", "term"),
+          "quotient": ("x", "y"), "product": ("a", "b", "n"), "cosines": ("a", "b", "n"), "right": ("term",)}
+
+
+def _step(kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | None]:
     if kind == "place":
         return args[0], None
-    if kind == "divide":
-        return {"step": "divide", "term": args[0], "by": args[1], "name": args[2]}, args[3] if len(args) > 3 else None
-    if kind == "cut":
-        return {"step": "cut", "formula": args[0]}, args[1] if len(args) > 1 else None
-    return {"step": "induct", "name": args[0], "from": args[1], "formula": args[2]}, args[3] if len(args) > 3 else None
+    names = _PARTS[kind]
+    return {"step": kind, **dict(zip(names, args, strict=False))}, args[len(names)] if len(args) > len(names) else None
 
 
 # ---------------------------------------------------------------------- leaves
@@ -157,7 +180,10 @@ def closed(facts: Facts, degree: int, deadline: float) -> Proof | None:
                     terms.append([[n], ["neg", tree] if c < 0 else tree])
     found = combination(columns, {(): -1}, deadline=deadline)
     if found is None:
-        return None
+        strict = {k for k, t in enumerate(terms) if t[0] and all(facts.facts[n][0] == ">" for n in t[0])}  # type: ignore[index]
+        found = combination(columns, {}, strict, deadline) if strict else None
+        if not found or not strict & set(found):
+            return None
     return {"step": "close", "terms": [[str(c), *terms[k]] for k, c in found.items()]}
 
 
@@ -170,9 +196,32 @@ def _products(facts: Facts, degree: int) -> Iterator[tuple[tuple[int, ...], Poly
 
 
 def _multipliers(facts: Facts) -> list[tuple[Any, Poly]]:
-    """Terms by which an equation is multiplied: variables of the facts, that is names whose value they are, and one."""
+    """Terms by which an equation is multiplied: one, and atoms of the facts."""
     used = {a for f in facts.facts if f is not None and f[0] in ("=", ">=", ">") for m in f[1] for a in m}
-    return [(1, ONE), *((["sym", n], p) for n, p in facts.names.items() if len(p) == 1 and p.get((n,)) == 1 and n in used)]
+    return [(1, ONE), *((tree_of({(a,): 1}), {(a,): 1}) for a in sorted(used, key=repr))]
+
+
+def tree_of(p: Poly) -> Any:
+    """A polynomial as a term."""
+    return _sum([["*", c if type(c) is int else ["rat", Fraction(c).numerator, Fraction(c).denominator], *map(_atom_tree, m)] if m else _constant(c)
+                 for m, c in p.items()])
+
+
+def _constant(c: Any) -> Any:
+    c = Fraction(c)
+    return int(c) if c.denominator == 1 else ["rat", c.numerator, c.denominator]
+
+
+def _sum(terms: list[Any]) -> Any:
+    return 0 if not terms else terms[0] if len(terms) == 1 else ["+", *terms]
+
+
+def _atom_tree(a: Any) -> Any:
+    if isinstance(a, str):
+        return ["sym", a]
+    if a[0] == "at":
+        return ["at", a[1], tree_of(dict(a[2]))]
+    return ["cospi" if a[0] == "cos" else "/", *(tree_of(dict(part)) for part in a[1:])]
 
 
 def _shown(fact: Any) -> str:

@@ -11,19 +11,26 @@ step            what it does
 ``close``       sum of c * (product of facts) * (square) + sum of (any term) * (an equation) < 0: there is no such instance
 ``split``       one case for each part of a disjunction
 ``cut``         a formula, and its negation
+``forget``      facts that are of no use
 ``divide``      x = m j + r with a new integer j, one case for each r = 0, .., m - 1
 ``at``          a fact for all k, at a term that is an integer
 ``name``        a fact for some k gives a new integer k
 ``solve``       of an equation x + p = 0, x not in p: -p takes the place of x in all facts
 ``induct``      a formula in k for all k >= a: false at a, or false at k + 1 where it is true at k, or known
+``unfold``      a value of a recursion: initial, made by the step, or before the start
+``quotient``    (x/y) y = x, or y = 0
+``product``     2 cos(a/n) cos(b/n) = cos((a + b)/n) + cos((a - b)/n), angles in multiples of pi
+``cosines``     cos(a/n) = cos(b/n) if and only if a - b or a + b is 2 n j for an integer j; or n <= 0
+``right``       cos(n/(2n)) = 0; or n <= 0
 ==============  =====================================================================================================
 
 Integers are the sizes, variables of type integer, indices, and polynomials in them with integer coefficients; for those
-p > 0 says p - 1 >= 0. Other variables are real numbers.
+p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quotients, cosines and values of recursions.
 
-Soundness. Terms are sums and products, so that each has a value on every instance, and a fact is true or false there. The
-conclusion has the truth value that classical logic gives it, and it is denied here on an instance if it is false on
-it. A definition takes the place of its name; one that leads back to itself is refused. Each step goes from facts that are
+Soundness. Let a quotient by zero and a value before the start of a recursion be any number, and cos(a/n) be 1 for n = 0. Then each term has a value on
+every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same: all that decides it has a value. So the conclusion, denied on an
+instance on which it is false, is among the facts. A definition takes the place of its name; one that leads back to itself is refused,
+unless it is a recursion that calls itself at earlier indices. Each step goes from facts that are
 true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
 Main definitions
@@ -45,7 +52,7 @@ from math import gcd, lcm
 from typing import Any
 
 from exactkf.kernel.numbers import Rejected, Unknown, fraction
-from exactkf.kernel.wellformed import check_formula
+from exactkf.kernel.wellformed import BINDERS, check_formula
 
 __all__ = ["Facts", "Poly", "arithmetic", "plus", "times"]
 
@@ -75,7 +82,7 @@ def times(x: Poly, y: Poly) -> Poly:
     """x y."""
     out: Poly = {}
     for (m, v), (n, w) in product(x.items(), y.items()):
-        key = tuple(sorted(m + n))
+        key = tuple(sorted(m + n, key=repr))
         out[key] = out.get(key, 0) + v * w
     return {m: v for m, v in out.items() if v}
 
@@ -85,15 +92,9 @@ def number(c: Any) -> Poly:
     return {(): c} if c else {}
 
 
-def _put(p: Poly, name: str, by: Poly) -> Poly:
-    """The polynomial with another in place of a variable."""
-    out: Poly = {}
-    for m, v in p.items():
-        term = {tuple(a for a in m if a != name): v}
-        for _ in range(m.count(name)):
-            term = times(term, by)
-        out = plus(out, term)
-    return out
+def frozen(p: Poly) -> tuple:
+    """As an argument of an atom."""
+    return tuple(sorted(p.items(), key=repr))
 
 
 # ---------------------------------------------------------------------- what is known
@@ -105,6 +106,7 @@ class Facts:
         self.definitions = {d[1]: d for d in statement["where"]}
         self.circular = _circular(self.definitions)
         self.whole: set[str] = set()  # variables that are integers
+        self.solved: dict[Any, Poly] = {}  # atoms that a step has solved for
         self.names: Names = {}  # of the statement, and those that steps have brought in
         self.facts: list[Fact | None] = []
         for size in statement["sizes"]:
@@ -139,7 +141,7 @@ class Facts:
         """The same, to go on from."""
         new = object.__new__(Facts)
         new.__dict__.update(self.__dict__)
-        new.whole, new.names, new.facts = set(self.whole), dict(self.names), list(self.facts)
+        new.whole, new.names, new.facts, new.solved = set(self.whole), dict(self.names), list(self.facts), dict(self.solved)
         return new
 
     def add(self, fact: Fact) -> None:
@@ -250,8 +252,14 @@ class Facts:
         if op == "sym" and tree[1] in names:
             return [((), names[tree[1]])]
         if op in ("sym", "at"):
+            if self.definitions.get(tree[1], ("",))[0] == "rec" and len(tree) == 3 and tree[1] not in names:
+                return [(c, self.value_of(tree[1], p)) for c, p in self.cases(tree[2], names)]
             body, inner = self._opened(tree, names)
             return self.cases(body, inner)
+        if op == "cospi":
+            return [(c + d, self.cosine(p, q)) for (c, p), (d, q) in product(self.cases(tree[1], names), self.cases(tree[2], names))]
+        if op == "/":
+            return [(c + d, self.quotient(p, q)) for (c, p), (d, q) in product(self.cases(tree[1], names), self.cases(tree[2], names))]
         if op == "if":
             return [((self.read(tree[1], x, names), *c), p) for x in (True, False) for c, p in self.cases(tree[2 if x else 3], names)]
         if op == "^" and type(tree[2]) is int and 0 <= tree[2] <= 8:
@@ -264,6 +272,50 @@ class Facts:
             value = reduce(plus if op == "+" else times, values) if op in "+*" else plus({} if op == "neg" else values[0], values[-1], -1)
             out.append((tuple(f for c, _ in parts for f in c), value))
         return out
+
+    # ------------------------------------------------------------------ atoms
+    def atom(self, *atom: Any) -> Poly:
+        return self.solved.get(atom, {(atom,): 1})
+
+    def value_of(self, name: str, at: Poly) -> Poly:
+        """A value of a recursion."""
+        if name in self.circular or not self.is_whole(at):
+            raise Unknown(f"a value of {name!r}, which leads back to itself, or not at an integer")
+        return self.atom("at", name, frozen(at))
+
+    def quotient(self, x: Poly, y: Poly) -> Poly:
+        """x / y."""
+        if set(y) == {()}:
+            return plus({}, x, Fraction(1) / y[()])
+        return self.atom("/", frozen(x), frozen(y))
+
+    def cosine(self, a: Poly, n: Poly) -> Poly:
+        """cos(pi a/n): the same for c a, c n with c > 0, and for -a, n."""
+        if not (self.is_whole(a) and self.is_whole(n)):
+            raise Unknown("the cosine of an angle that need not be a rational multiple of pi")
+        if not a:
+            return ONE
+        common = gcd(*a.values(), *n.values()) * (1 if min(a.items(), key=repr)[1] > 0 else -1)
+        return self.atom("cos", frozen({m: v // common for m, v in a.items()}), frozen({m: v // abs(common) for m, v in n.items()}))
+
+    def put(self, p: Poly, name: Any, by: Poly) -> Poly:
+        """A polynomial with another in place of a variable or an atom."""
+        out: Poly = {}
+        for m, v in p.items():
+            kept = tuple(a for a in m if a != name and isinstance(a, str))
+            term: Poly = {kept: v}
+            for a in m:
+                if a == name or not isinstance(a, str):
+                    term = times(term, by if a == name else self._inside(a, name, by))
+            out = plus(out, term)
+        return out
+
+    def _inside(self, atom: tuple, name: Any, by: Poly) -> Poly:
+        kind, *parts = atom
+        if kind == "at":
+            return self.value_of(parts[0], self.put(dict(parts[1]), name, by))
+        x, y = (self.put(dict(part), name, by) for part in parts)
+        return self.cosine(x, y) if kind == "cos" else self.quotient(x, y)
 
     # ------------------------------------------------------------------ steps
     def step(self, step: Mapping[str, Any]) -> list[Facts]:
@@ -328,6 +380,12 @@ class Facts:
         formula = self.shown(step["formula"])
         return [self.and_(self.read(formula, x)) for x in (True, False)]
 
+    def _forget(self, step: Mapping[str, Any]) -> list[Facts]:
+        new = self.copy()
+        for number in step["facts"]:
+            new = new.without(number)
+        return [new]
+
     def _divide(self, step: Mapping[str, Any]) -> list[Facts]:
         x, m = self.value(step["term"]), step["by"]
         if not self.is_whole(x) or type(m) is not int or not 1 <= m <= _LARGEST_MODULUS:
@@ -341,38 +399,56 @@ class Facts:
         x = self.value(step["term"])
         if not self.is_whole(x):
             raise Rejected("an index is an integer")
-        outside = [self._relation("<", plus(x, low, -1))] + ([] if high is None else [self._relation(">", plus(x, high, -1))])
-        return [self.and_(("or", [*outside, self.read(body, affirmed, {**names, name: x})]))]
+        return [self.and_(("or", [*(("and", [f]) for f in self._outside(x, low, high)), self.read(body, affirmed, {**names, name: x})]))]
+
+    def _outside(self, x: Poly, low: Poly | None, high: Poly | None) -> list[Fact]:
+        return [self._relation(op, plus(x, bound, -1)) for op, bound in (("<", low), (">", high)) if bound is not None]
 
     def _name(self, step: Mapping[str, Any]) -> list[Facts]:
         _, name, low, high, body, names, affirmed = self.fact(step["fact"], "some")
         new = self.without(step["fact"])
         k = new.fresh(step["name"])
-        new.add(("and", [new._relation(">=", plus(k, low, -1)), new._relation("<=", plus(k, high, -1))]))
+        for op, bound in ((">=", low), ("<=", high)):
+            if bound is not None:
+                new.add(new._relation(op, plus(k, bound, -1)))
         new.add(new.read(body, affirmed, {**names, name: k}))
         return [new]
 
     def _solve(self, step: Mapping[str, Any]) -> list[Facts]:
         _, p = self.fact(step["fact"], "=")
-        x = step["variable"]
-        c = p.get((x,), 0)
-        by = plus({(x,): 1}, p, Fraction(-1) / c) if c else {}
-        if not c or any(x in m for m in by) or x in self.whole and not self.is_whole(by):
-            raise Rejected(f"fact {step['fact']} cannot be solved for {x!r}")
+        found = [a for m in p if len(m) == 1 for a in m if a == step["variable"] or repr(a) == step["variable"]]
+        if len(found) != 1:
+            raise Rejected(f"fact {step['fact']} cannot be solved for {step['variable']!r}")
+        x = found[0]
+        by = plus({(x,): 1}, p, Fraction(-1) / p[x,])
+        if any(_within(x, a) for m in by for a in m) or x in self.whole and not self.is_whole(by):
+            raise Rejected(f"fact {step['fact']} cannot be solved for {step['variable']!r}")
         new = self.without(step["fact"])
+        new.solved = {} if isinstance(x, str) else {x: by}
+        for a, q in self.solved.items():  # each is an equation that holds, and so is each with the term in its place
+            left = self._renamed(a, x, by)
+            if left is not None:
+                new.solved.setdefault(left, new.put(q, x, by))
         new.facts = [None if f is None else new._put(f, x, by) for f in new.facts]
-        new.names = {n: _put(q, x, by) for n, q in new.names.items()}
+        new.names = {n: new.put(q, x, by) for n, q in new.names.items()}
         return [new]
 
-    def _put(self, fact: Fact, name: str, by: Poly) -> Fact:
-        """The same fact with a term in place of a variable."""
+    def _renamed(self, atom: tuple, x: Any, by: Poly) -> tuple | None:
+        """An atom with a term in place of a variable, if that is an atom."""
+        plain = self.copy()
+        plain.solved = {}
+        value = plain._inside(atom, x, by)
+        return next(iter(value))[0] if len(value) == 1 and [*value.values()] == [1] and len(next(iter(value))) == 1 and not isinstance(next(iter(value))[0], str) else None
+
+    def _put(self, fact: Fact, name: Any, by: Poly) -> Fact:
+        """The same fact with a term in place of a variable or an atom."""
         op = fact[0]
         if op in ("and", "or"):
             return (op, [self._put(f, name, by) for f in fact[1]])
         if op in ("all", "some"):
-            low, high = (None if p is None else _put(p, name, by) for p in fact[2:4])
-            return (op, fact[1], low, high, fact[4], {k: _put(p, name, by) for k, p in fact[5].items()}, fact[6])
-        return self._relation(op, _put(fact[1], name, by))
+            low, high = (None if p is None else self.put(p, name, by) for p in fact[2:4])
+            return (op, fact[1], low, high, fact[4], {k: self.put(p, name, by) for k, p in fact[5].items()}, fact[6])
+        return self._relation(op, self.put(fact[1], name, by))
 
     def _induct(self, step: Mapping[str, Any]) -> list[Facts]:
         name, low, formula = step["name"], self.value(step["from"]), step["formula"]
@@ -387,10 +463,48 @@ class Facts:
         inner.add(inner.read(formula, False, {**inner.names, name: plus(k, ONE)}))
         return [base, inner, self.and_(("all", name, low, None, formula, dict(self.names), True))]
 
+    # ------------------------------------------------------------------ what atoms are
+    def _unfold(self, step: Mapping[str, Any]) -> list[Facts]:
+        d, at = self.definitions.get(step["name"], ("",)), self.value(step["term"])
+        if d[0] != "rec":
+            raise Rejected(f"{step['name']!r} is no recursion")
+        _, name, index, start, initial, body = d
+        x = self.value_of(name, at)
+        ends = plus(at, number(start + len(initial)), -1)
+        cases = [("and", [self._relation("=", plus(at, number(start + k), -1)), self._equals(x, tree, self.own())]) for k, tree in enumerate(initial)]
+        later = ("and", [self._relation(">=", ends), self._equals(x, body, {**self.own(), index: plus(at, ONE, -1)})])
+        return [self.and_(("or", [("and", [self._relation("<", plus(at, number(start), -1))]), *cases, later]))]
+
+    def _equals(self, x: Poly, tree: Any, names: Names) -> Fact:
+        return _either([(c, self._relation("=", plus(x, p, -1))) for c, p in self.cases(tree, names)])
+
+    def _quotient(self, step: Mapping[str, Any]) -> list[Facts]:
+        x, y = self.value(step["x"]), self.value(step["y"])
+        return [self.and_(("or", [self._relation("=", y), self._relation("=", plus(times(self.quotient(x, y), y), x, -1))]))]
+
+    def _product(self, step: Mapping[str, Any]) -> list[Facts]:
+        a, b, n = (self.value(step[key]) for key in "abn")
+        left = times(self.cosine(a, n), self.cosine(b, n))
+        return [self.and_(self._relation("=", plus(plus(self.cosine(plus(a, b), n), self.cosine(plus(a, b, -1), n)), left, -2)))]
+
+    def _cosines(self, step: Mapping[str, Any]) -> list[Facts]:
+        a, b, n = (self.value(step[key]) for key in "abn")
+        gap = plus(self.cosine(a, n), self.cosine(b, n), -1)
+        turns = ["=", ["sym", "x"], ["*", ["sym", "m"], ["sym", "j"]]]
+        angles = [{"x": plus(a, b, c), "m": times(n, number(2))} for c in (-1, 1)]
+        same = ("and", [self._relation("=", gap), ("or", [("some", "j", None, None, turns, x, True) for x in angles])])
+        other = ("and", [self._relation("!=", gap), *(("all", "j", None, None, turns, x, False) for x in angles)])
+        return [self.and_(("or", [self._relation("<=", n), same, other]))]
+
+    def _right(self, step: Mapping[str, Any]) -> list[Facts]:
+        n = self.value(step["term"])
+        return [self.and_(("or", [self._relation("<=", n), self._relation("=", self.cosine(n, times(n, number(2))))]))]
+
 
 _DENIED = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
-_STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "divide": Facts._divide, "at": Facts._at, "name": Facts._name,
-          "solve": Facts._solve, "induct": Facts._induct}
+_STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "forget": Facts._forget, "divide": Facts._divide, "at": Facts._at, "name": Facts._name,
+          "solve": Facts._solve, "induct": Facts._induct, "unfold": Facts._unfold, "quotient": Facts._quotient, "product": Facts._product,
+          "cosines": Facts._cosines, "right": Facts._right}
 
 
 def _either(cases: list[tuple[tuple[Fact, ...], Fact]]) -> Fact:
@@ -406,14 +520,31 @@ def _cleared(p: Poly) -> Poly:
     return {m: int(v * common) for m, v in p.items()}
 
 
+def _within(x: Any, atom: Any) -> bool:
+    """An atom is x, or has it in an argument."""
+    return atom == x or isinstance(atom, tuple) and any(_within(x, part) for part in atom)
+
+
 def _circular(definitions: Mapping[str, Any]) -> set[str]:
-    """Definitions that lead back to themselves."""
-    calls = {name: set(_called(d[4:] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
+    """Definitions that lead back to themselves; a recursion may call itself at its index and before."""
+    calls = {name: {x for tree in ([*d[4], _without_own(d[5], name, d[2])] if d[0] == "rec" else [d[3]]) for x in _called(tree)} & set(definitions)
+             for name, d in definitions.items()}
     reached = {name: set(below) for name, below in calls.items()}
     for _ in definitions:
         for name in reached:
             reached[name] |= {y for x in reached[name] for y in reached[x]}
     return {name for name, below in reached.items() if name in below}
+
+
+def _without_own(tree: Any, name: str, index: str) -> Any:
+    """A step without the values of its recursion at the index and before it."""
+    if not isinstance(tree, (list, tuple)) or tree and tree[0] in BINDERS and index in tree[1:1 + BINDERS[tree[0]]]:
+        return tree
+    if len(tree) == 3 and tree[0] == "at" and tree[1] == name:
+        at = tree[2]
+        if at == ["sym", index] or at[:2] == ["-", ["sym", index]] and type(at[2]) is int and at[2] > 0:
+            return 0
+    return [_without_own(x, name, index) for x in tree]
 
 
 def _called(tree: Any) -> Iterator[str]:
