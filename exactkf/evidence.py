@@ -246,6 +246,11 @@ def by_cases(formula: Any, holds: Sequence[Any] = (), fails: Sequence[Any] = ())
     return ("cut", to_expr(formula).tree, (tuple(holds), tuple(fails)))
 
 
+def shown_first(formula: Any, hints: Sequence[Any] = ()) -> tuple:
+    """A lemma, with the hints for its proof."""
+    return ("lemma", to_expr(formula).tree, ((), tuple(hints)))
+
+
 def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (), step: Sequence[Any] = ()) -> tuple:
     """The formula is shown for all ``name`` >= start, with hints for base and step."""
     return ("induct", _name(name), to_expr(start).tree, to_expr(formula).tree, (tuple(base), tuple(step), ()))

@@ -20,13 +20,13 @@ from typing import Any
 
 from exactkf.finders.effort import clock
 from exactkf.finders.simplex import combination
-from exactkf.kernel.arithmetic import ONE, Facts, Poly, times
+from exactkf.kernel.arithmetic import ONE, Facts, Poly, plus, times
 from exactkf.kernel.numbers import Rejected, Unknown
 
 __all__ = ["StuckAt", "find_arithmetic"]
 
 _MOST_PRODUCTS = 600
-_MOST_CASES = 400
+_MOST_CASES = 5000
 Proof = dict[str, Any]
 Hint = list[Any]
 
@@ -38,13 +38,13 @@ class StuckAt(Exception):
 def find_arithmetic(statement: Mapping[str, Any], hints: Sequence[Hint], seconds: float) -> Proof | None:
     """A refutation of the denied statement, by the hints in their order.
 
-    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``,
+    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``, ``["lemma", formula, [], hints]``,
     ``["induct", name, from, formula, hints for base, step and afterwards]``, ``["unfold", name, term]``, ``["quotient", x, y]``,
     ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``.
     """
     try:
         return _Search(clock() + seconds).start(statement, hints)
-    except (StuckAt, Rejected, Unknown):
+    except (StuckAt, Rejected, Unknown, RecursionError):
         return None
 
 
@@ -58,6 +58,7 @@ class _Search:
         denied = Facts(statement)
         self.hypotheses = len(denied.facts)
         denied.add(denied.read(statement["says"], False))
+        self.denied = len(denied.facts)
         return self.prove(denied, list(hints))
 
     def prove(self, facts: Facts, hints: list[Hint]) -> Proof:
@@ -68,14 +69,12 @@ class _Search:
             return found
         if (step := _forced(facts)) is not None:
             return self.after(facts, step, [hints])
-        if (step := self.propagated(facts)) is not None:
+        if (step := self.propagated(facts) or _pinned(facts)) is not None:
             return self.after(facts, step, [hints] * len(facts.step(step)))
         if (made := _hinted(facts, hints)) is not None:
-            step, rests = made
-            if step["step"] == "induct":
-                return {**step, "then": [*(self.prove_lemma(case, len(facts.facts), rest) for case, rest in zip(facts.step(step), rests[:2], strict=False)),
-                                         self.prove(facts.step(step)[2], rests[2])]}
-            return self.after(facts, step, rests)
+            step, rests, lemmas = made
+            return {**step, "then": [self.prove_lemma(case, len(facts.facts), rest) if k in lemmas else self.prove(case, rest)
+                                     for k, (case, rest) in enumerate(zip(facts.step(step), rests, strict=True))]}
         if (found := closed(facts, 2, self.deadline)) is not None:
             return found
         parts = [(len(f[1]), n) for n, f in enumerate(facts.facts) if f is not None and f[0] == "or"]
@@ -84,8 +83,8 @@ class _Search:
         raise StuckAt("; ".join(f"{n}: {_shown(f)}" for n, f in enumerate(facts.facts) if f is not None))
 
     def prove_lemma(self, facts: Facts, denied: int, hints: list[Hint]) -> Proof:
-        """Base or step of an induction: what else is denied does not matter."""
-        idle = [n for n in range(self.hypotheses, denied) if (f := facts.facts[n]) is not None and f[0] in ("or", "some")]
+        """A lemma is denied, or base or step of an induction: what else is denied does not matter."""
+        idle = [n for n in range(self.hypotheses, denied) if (f := facts.facts[n]) is not None and (n < self.denied or f[0] in ("or", "some"))]
         step = {"step": "forget", "facts": idle}
         return {**step, "then": [self.prove(facts.step(step)[0], hints)]}
 
@@ -118,6 +117,14 @@ def _forced(facts: Facts) -> Proof | None:
     return None
 
 
+def _pinned(facts: Facts) -> Proof | None:
+    """What is neither more nor less than zero is zero."""
+    known = [f[1] for f in facts.facts if f is not None and f[0] == ">=" and set(f[1]) - {()}]
+    equations = [f[1] for f in facts.facts if f is not None and f[0] == "="]
+    equal = next((p for p in known if plus({}, p, -1) in known and p not in equations and plus({}, p, -1) not in equations), None)
+    return None if equal is None else {"step": "cut", "formula": ["=", tree_of(equal), 0]}
+
+
 def _place(x: Any) -> Any:
     """Of values of recursions the latest is solved for."""
     return sum(v for m, v in x[2] if not m) if isinstance(x, tuple) and x[0] == "at" else 0
@@ -128,39 +135,35 @@ def _free(facts: Facts, name: str) -> str:
     return next(n for n in (name, *(f"{name}{k}" for k in range(1, 1000))) if n not in taken)
 
 
-def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]]] | None:
-    """The step of the first hint that can be taken, and the hints for the cases after it."""
+def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]], tuple[int, ...]] | None:
+    """The step of the first hint that can be taken, the hints for the cases after it, and which of these are proofs of a lemma."""
     for place, (kind, *args) in enumerate(hints):
         rest = [*hints[:place], *hints[place + 1:]]
         try:
-            if kind == "at":
-                if (steps := [{"step": "at", "fact": n, "term": args[1]} for n, f in enumerate(facts.facts) if f is not None and f[:2] == ("all", args[0])]):
-                    return _taken(facts, steps, rest)
+            if kind == "at":  # at every fact for all indices of that name, also those that come later
+                name, term, *used = args
+                places = [n for n, f in enumerate(facts.facts) if f is not None and f[:2] == ("all", name) and n not in used]
+                if places:
+                    step = {"step": "at", "fact": places[0], "term": term}
+                    facts.step(step)
+                    return step, [[*hints[:place], [kind, name, term, *used, places[0]], *hints[place + 1:]]], ()
                 continue
             step, own = _step(kind, args)
             cases = len(facts.step(step))
         except (Rejected, Unknown):
             continue
-        lemma = kind == "induct"  # what comes after a lemma is no part of its proof
-        return step, [[*(own[k] if own else []), *([] if lemma and k < 2 else rest)] for k in range(cases)]
+        lemmas = {"induct": (0, 1), "lemma": (1,)}.get(kind, ())
+        return step, [[*(own[k] if own else []), *([] if k in lemmas else rest)] for k in range(cases)], lemmas
     return None
 
 
-def _taken(facts: Facts, steps: list[Proof], rest: list[Hint]) -> tuple[Proof, list[list[Hint]]]:
-    """The first of several places of one term; the others stay as hints."""
-    facts.step(steps[0])
-    return steps[0], [[*(["place", s] for s in steps[1:]), *rest]]
-
-
-_PARTS = {"divide": ("term", "by", "name"), "cut": ("formula",), "induct": ("name", "from", "formula"), "unfold": ("name", "term"),
+_PARTS = {"divide": ("term", "by", "name"), "cut": ("formula",), "lemma": ("formula",), "induct": ("name", "from", "formula"), "unfold": ("name", "term"),
           "quotient": ("x", "y"), "product": ("a", "b", "n"), "cosines": ("a", "b", "n"), "right": ("term",)}
 
 
 def _step(kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | None]:
-    if kind == "place":
-        return args[0], None
     names = _PARTS[kind]
-    return {"step": kind, **dict(zip(names, args, strict=False))}, args[len(names)] if len(args) > len(names) else None
+    return {"step": "cut" if kind == "lemma" else kind, **dict(zip(names, args, strict=False))}, args[len(names)] if len(args) > len(names) else None
 
 
 # ---------------------------------------------------------------------- leaves

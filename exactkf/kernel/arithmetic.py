@@ -167,16 +167,16 @@ class Facts:
         if op == "not":
             return self.read(tree[1], not affirmed, names)
         if op in ("and", "or"):
-            return (op if affirmed else _OPPOSITE[op], [self.read(x, affirmed, names) for x in tree[1:]])
+            return _joined(op if affirmed else _OPPOSITE[op], [self.read(x, affirmed, names) for x in tree[1:]])
         if op == "=>":
             return self.read(["or", ["not", tree[1]], tree[2]], affirmed, names)
         if op == "<=>":
-            return ("or", [("and", [self.read(tree[1], x, names), self.read(tree[2], x == affirmed, names)]) for x in (True, False)])
+            return _joined("or", [_joined("and", [self.read(tree[1], x, names), self.read(tree[2], x == affirmed, names)]) for x in (True, False)])
         if op == "if":
-            return ("or", [("and", [self.read(tree[1], x, names), self.read(tree[2 if x else 3], affirmed, names)]) for x in (True, False)])
+            return _joined("or", [_joined("and", [self.read(tree[1], x, names), self.read(tree[2 if x else 3], affirmed, names)]) for x in (True, False)])
         if op in _RELATIONS:
             pairs = list(zip(tree[1:], tree[2:], strict=False))
-            return ("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
+            return _joined("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
         if op in ("forall", "exists"):
             return self._quantified(tree, affirmed, names)
         if op in ("sym", "at"):
@@ -295,6 +295,7 @@ class Facts:
             raise Unknown("the cosine of an angle that need not be a rational multiple of pi")
         if not a:
             return ONE
+        a, n = ({m: int(v) for m, v in p.items()} for p in (a, n))
         common = gcd(*a.values(), *n.values()) * (1 if min(a.items(), key=repr)[1] > 0 else -1)
         return self.atom("cos", frozen({m: v // common for m, v in a.items()}), frozen({m: v // abs(common) for m, v in n.items()}))
 
@@ -399,7 +400,7 @@ class Facts:
         x = self.value(step["term"])
         if not self.is_whole(x):
             raise Rejected("an index is an integer")
-        return [self.and_(("or", [*(("and", [f]) for f in self._outside(x, low, high)), self.read(body, affirmed, {**names, name: x})]))]
+        return [self.and_(_joined("or", [*self._outside(x, low, high), self.read(body, affirmed, {**names, name: x})]))]
 
     def _outside(self, x: Poly, low: Poly | None, high: Poly | None) -> list[Fact]:
         return [self._relation(op, plus(x, bound, -1)) for op, bound in (("<", low), (">", high)) if bound is not None]
@@ -425,11 +426,13 @@ class Facts:
             raise Rejected(f"fact {step['fact']} cannot be solved for {step['variable']!r}")
         new = self.without(step["fact"])
         new.solved = {} if isinstance(x, str) else {x: by}
+        doubled: list[Poly] = []
         for a, q in self.solved.items():  # each is an equation that holds, and so is each with the term in its place
-            left = self._renamed(a, x, by)
-            if left is not None:
-                new.solved.setdefault(left, new.put(q, x, by))
+            left, q = self._renamed(a, x, by), new.put(q, x, by)
+            if left is not None and new.solved.setdefault(left, q) != q:
+                doubled.append(plus(new.solved[left], q, -1))
         new.facts = [None if f is None else new._put(f, x, by) for f in new.facts]
+        new.facts += [new._relation("=", p) for p in doubled]
         new.names = {n: new.put(q, x, by) for n, q in new.names.items()}
         return [new]
 
@@ -444,7 +447,7 @@ class Facts:
         """The same fact with a term in place of a variable or an atom."""
         op = fact[0]
         if op in ("and", "or"):
-            return (op, [self._put(f, name, by) for f in fact[1]])
+            return _joined(op, [self._put(f, name, by) for f in fact[1]])
         if op in ("all", "some"):
             low, high = (None if p is None else self.put(p, name, by) for p in fact[2:4])
             return (op, fact[1], low, high, fact[4], {k: self.put(p, name, by) for k, p in fact[5].items()}, fact[6])
@@ -473,7 +476,7 @@ class Facts:
         ends = plus(at, number(start + len(initial)), -1)
         cases = [("and", [self._relation("=", plus(at, number(start + k), -1)), self._equals(x, tree, self.own())]) for k, tree in enumerate(initial)]
         later = ("and", [self._relation(">=", ends), self._equals(x, body, {**self.own(), index: plus(at, ONE, -1)})])
-        return [self.and_(("or", [("and", [self._relation("<", plus(at, number(start), -1))]), *cases, later]))]
+        return [self.and_(("or", [self._relation("<", plus(at, number(start), -1)), *cases, later]))]
 
     def _equals(self, x: Poly, tree: Any, names: Names) -> Fact:
         return _either([(c, self._relation("=", plus(x, p, -1))) for c, p in self.cases(tree, names)])
@@ -490,10 +493,10 @@ class Facts:
     def _cosines(self, step: Mapping[str, Any]) -> list[Facts]:
         a, b, n = (self.value(step[key]) for key in "abn")
         gap = plus(self.cosine(a, n), self.cosine(b, n), -1)
-        turns = ["=", ["sym", "x"], ["*", ["sym", "m"], ["sym", "j"]]]
+        full = ["=", ["sym", "x"], ["*", ["sym", "m"], ["sym", "turns"]]]
         angles = [{"x": plus(a, b, c), "m": times(n, number(2))} for c in (-1, 1)]
-        same = ("and", [self._relation("=", gap), ("or", [("some", "j", None, None, turns, x, True) for x in angles])])
-        other = ("and", [self._relation("!=", gap), *(("all", "j", None, None, turns, x, False) for x in angles)])
+        same = ("and", [self._relation("=", gap), ("or", [("some", "turns", None, None, full, x, True) for x in angles])])
+        other = ("and", [self._relation("!=", gap), *(("all", "turns", None, None, full, x, False) for x in angles)])
         return [self.and_(("or", [self._relation("<=", n), same, other]))]
 
     def _right(self, step: Mapping[str, Any]) -> list[Facts]:
@@ -509,9 +512,13 @@ _STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "forg
 
 def _either(cases: list[tuple[tuple[Fact, ...], Fact]]) -> Fact:
     """One of the cases, whose conditions exclude each other and leave nothing out."""
-    if len(cases) == 1 and not cases[0][0]:
-        return cases[0][1]
-    return ("or", [("and", [*conditions, fact]) for conditions, fact in cases])
+    return _joined("or", [_joined("and", [*conditions, fact]) for conditions, fact in cases])
+
+
+def _joined(op: str, facts: list[Fact]) -> Fact:
+    """A conjunction or disjunction, those of the same kind in it taken apart; of one fact it is that fact."""
+    flat = [f for fact in facts for f in (fact[1] if fact[0] == op else [fact])]
+    return flat[0] if len(flat) == 1 else (op, flat)
 
 
 def _cleared(p: Poly) -> Poly:

@@ -121,15 +121,6 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
 
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first, last = symbols("odd d unit none first last")
-claim("BLM91-X.10", "where U_j is 0, 1 or -1, for every rational angle",
-      forall(j, 0, last, iff(none(j), j == last) & iff(unit(j), (j == last - 1) | first(j))), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(last, d - 1), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
-             function(first, [j], j == 0)], given=LOWEST,
-      by=[steps("BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"],
-                prose="w is not 1 or -1, and w^2 has order d: U_j = 0 says w^(2j+2) = 1, and U_j = 1 or -1 says that w^j or w^(j+2) has square 1"), instances(40, p=range(3, 25))],
-      note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
-           "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")
-
 ends, total, before_al, before_ga, after_al, after_ga, length = symbols("ends total alpha_back gamma_back alpha_on gamma_on steps")
 #: the k-th point before the end on the branch through (2/kappa, 1), by the inverse of (3.10), the first of them with alpha = 0, and how many steps of (3.10) it takes
 BACKWARDS = (function(before_al, [k], when(k == 1, 2 * lam, before_al(k - 1) * (1 - before_ga(k) ** 2))), function(before_ga, [k], when(k == 1, 1, -before_ga(k - 1) / before_al(k - 1))),
