@@ -35,7 +35,7 @@ from exactkf.language import Expr, to_expr
 
 __all__ = [
     "EIGENVALUE", "EIGENVECTOR", "Evidence", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
-    "lemma", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
+    "lemma", "multiplied", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
 ]
 
 
@@ -249,6 +249,11 @@ def by_cases(formula: Any, holds: Sequence[Any] = (), fails: Sequence[Any] = ())
 def shown_first(formula: Any, hints: Sequence[Any] = ()) -> tuple:
     """A lemma, with the hints for its proof."""
     return ("lemma", to_expr(formula).tree, ((), tuple(hints)))
+
+
+def multiplied(term: Any) -> tuple:
+    """Equations may be multiplied by this term."""
+    return ("multiply", to_expr(term).tree)
 
 
 def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (), step: Sequence[Any] = ()) -> tuple:

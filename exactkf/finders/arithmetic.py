@@ -40,7 +40,7 @@ def find_arithmetic(statement: Mapping[str, Any], hints: Sequence[Hint], seconds
 
     A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``, ``["lemma", formula, [], hints]``,
     ``["induct", name, from, formula, hints for base, step and afterwards]``, ``["unfold", name, term]``, ``["quotient", x, y]``,
-    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``.
+    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``; by the term of ``["multiply", term]`` equations are multiplied too.
     """
     try:
         return _Search(clock() + seconds).start(statement, hints)
@@ -75,7 +75,7 @@ class _Search:
             step, rests, lemmas = made
             return {**step, "then": [self.prove_lemma(case, len(facts.facts), rest) if k in lemmas else self.prove(case, rest)
                                      for k, (case, rest) in enumerate(zip(facts.step(step), rests, strict=True))]}
-        if (found := closed(facts, 2, self.deadline)) is not None:
+        if (found := closed(facts, 2, self.deadline, [h[1] for h in hints if h[0] == "multiply"])) is not None:
             return found
         parts = [(len(f[1]), n) for n, f in enumerate(facts.facts) if f is not None and f[0] == "or"]
         if parts:
@@ -140,6 +140,8 @@ def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]], t
     for place, (kind, *args) in enumerate(hints):
         rest = [*hints[:place], *hints[place + 1:]]
         try:
+            if kind == "multiply":
+                continue
             if kind == "at":  # at every fact for all indices of that name, also those that come later
                 name, term, *used = args
                 places = [n for n, f in enumerate(facts.facts) if f is not None and f[:2] == ("all", name) and n not in used]
@@ -167,31 +169,31 @@ def _step(kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | Non
 
 
 # ---------------------------------------------------------------------- leaves
-def closed(facts: Facts, degree: int, deadline: float) -> Proof | None:
+def closed(facts: Facts, degree: int, deadline: float, more: Sequence[Any] = ()) -> Proof | None:
     """A combination that contradicts itself: of facts, or of their products two at a time and of equations times variables."""
-    columns: list[Poly] = [ONE]
+    strict = "strict"  # a row beside those of the monomials: one of the facts taken is strict, or 1 > 0 is
+    columns: list[dict[Any, Any]] = [{**ONE, strict: 1}]
     terms: list[list[Any]] = [[[]]]
     for numbers, p in _products(facts, degree):
-        columns.append(p)
+        columns.append({**p, strict: 1} if all(_known(facts, n)[0] == ">" for n in numbers) else p)
         terms.append([list(numbers)])
-    multipliers = _multipliers(facts) if degree > 1 else [(1, ONE)]
+    multipliers = [*_multipliers(facts), *_readable(facts, more)] if degree > 1 else [(1, ONE)]
     for n, fact in enumerate(facts.facts):
-        if fact is not None and fact[0] == "=":
+        if fact is not None and fact[0] == "=" and fact[1]:
             for tree, q in multipliers:
-                for c in (1, -1):
-                    columns.append({m: c * v for m, v in times(fact[1], q).items()})
-                    terms.append([[n], ["neg", tree] if c < 0 else tree])
-    found = combination(columns, {(): -1}, deadline=deadline)
-    if found is None:
-        strict = {k for k, t in enumerate(terms) if t[0] and all(facts.facts[n][0] == ">" for n in t[0])}  # type: ignore[index]
-        found = combination(columns, {}, strict, deadline) if strict else None
-        if not found or not strict & set(found):
-            return None
-    return {"step": "close", "terms": [[str(c), *terms[k]] for k, c in found.items()]}
+                p = times(fact[1], q)
+                columns += [p, {m: -v for m, v in p.items()}]
+                terms += [[[n], tree], [[n], ["neg", tree]]]
+    found = combination(columns, {strict: 1}, deadline=deadline)
+    return None if found is None else {"step": "close", "terms": [[str(c), *terms[k]] for k, c in found.items() if k]}
+
+
+def _known(facts: Facts, number: int) -> Any:
+    return facts.facts[number]
 
 
 def _products(facts: Facts, degree: int) -> Iterator[tuple[tuple[int, ...], Poly]]:
-    known = [(n, f[1]) for n, f in enumerate(facts.facts) if f is not None and f[0] in (">=", ">")]
+    known = [(n, f[1]) for n, f in enumerate(facts.facts) if f is not None and f[0] in (">=", ">") and (f[1] or f[0] == ">") and not (f[0] == ">=" and _is_trivial(f[1]))]
     yield from (((n,), p) for n, p in known)
     if degree > 1:
         for (n, p), (m, q), _ in zip(*zip(*combinations_with_replacement(known, 2), strict=True), range(_MOST_PRODUCTS), strict=False) if known else ():
@@ -202,6 +204,16 @@ def _multipliers(facts: Facts) -> list[tuple[Any, Poly]]:
     """Terms by which an equation is multiplied: one, and atoms of the facts."""
     used = {a for f in facts.facts if f is not None and f[0] in ("=", ">=", ">") for m in f[1] for a in m}
     return [(1, ONE), *((tree_of({(a,): 1}), {(a,): 1}) for a in sorted(used, key=repr))]
+
+
+def _is_trivial(p: Poly) -> bool:
+    return not set(p) - {()} and p.get((), 0) >= 0
+
+
+def _readable(facts: Facts, trees: Sequence[Any]) -> Iterator[tuple[Any, Poly]]:
+    for tree in trees:
+        with suppress(Rejected, Unknown):
+            yield tree, facts.value(tree)
 
 
 def tree_of(p: Poly) -> Any:

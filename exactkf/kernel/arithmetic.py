@@ -30,7 +30,7 @@ p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quoti
 Soundness. Let a quotient by zero and a value before the start of a recursion be any number, and cos(a/n) be 1 for n = 0. Then each term has a value on
 every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same: all that decides it has a value. So the conclusion, denied on an
 instance on which it is false, is among the facts. A definition takes the place of its name; one that leads back to itself is refused,
-unless it is a recursion that calls itself at earlier indices. Each step goes from facts that are
+unless recursions call themselves, or each other, at earlier indices. Each step goes from facts that are
 true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
 Main definitions
@@ -533,25 +533,30 @@ def _within(x: Any, atom: Any) -> bool:
 
 
 def _circular(definitions: Mapping[str, Any]) -> set[str]:
-    """Definitions that lead back to themselves; a recursion may call itself at its index and before."""
-    calls = {name: {x for tree in ([*d[4], _without_own(d[5], name, d[2])] if d[0] == "rec" else [d[3]]) for x in _called(tree)} & set(definitions)
-             for name, d in definitions.items()}
-    reached = {name: set(below) for name, below in calls.items()}
+    """Definitions that lead back to themselves, other than from values of recursions at an index + 1 to such at the index or before it alone.
+
+    Where all calls on the way back are of that kind, the values are there by induction on the index.
+    """
+    recursions = {name for name, d in definitions.items() if d[0] == "rec"}
+    every = {name: set(_called([d[4], d[5]] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
+    later = {name: set(_called([d[4], _without_earlier(d[5], recursions, d[2])] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
+    reached = {name: set(below) for name, below in every.items()}
     for _ in definitions:
         for name in reached:
             reached[name] |= {y for x in reached[name] for y in reached[x]}
-    return {name for name, below in reached.items() if name in below}
+    wrong = {name for name, below in later.items() if any(x == name or name in reached[x] for x in below)}
+    return {name for name in definitions if name in wrong or any(x in reached[name] and name in reached[x] for x in wrong)}
 
 
-def _without_own(tree: Any, name: str, index: str) -> Any:
-    """A step without the values of its recursion at the index and before it."""
+def _without_earlier(tree: Any, recursions: set[str], index: str) -> Any:
+    """A step without the values of recursions at its index and before it."""
     if not isinstance(tree, (list, tuple)) or tree and tree[0] in BINDERS and index in tree[1:1 + BINDERS[tree[0]]]:
         return tree
-    if len(tree) == 3 and tree[0] == "at" and tree[1] == name:
+    if len(tree) == 3 and tree[0] == "at" and tree[1] in recursions:
         at = tree[2]
-        if at == ["sym", index] or at[:2] == ["-", ["sym", index]] and type(at[2]) is int and at[2] > 0:
+        if at == ["sym", index] or isinstance(at, list) and at[:2] == ["-", ["sym", index]] and type(at[2]) is int and at[2] > 0:
             return 0
-    return [_without_own(x, name, index) for x in tree]
+    return [_without_earlier(x, recursions, index) for x in tree]
 
 
 def _called(tree: Any) -> Iterator[str]:
