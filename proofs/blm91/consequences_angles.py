@@ -73,8 +73,8 @@ claim("BLM91-X.10", "where U_j is 0, 1 or -1, for every rational angle", forall(
       note="1/kappa = cos(pi n/d), every fraction n/d between 0 and 1 in lowest terms.")
 
 # ---------------------------------------------------------------------- the orbits that end
-stop, tau = symbols("steps tau")
-HERE = (*ANGLE, let(al0, Ut[k] / Ut[k - 1]), let(ga0, 1 / Ut[k - 1]), *ORBIT, let(stop, when(k == d - 1, 1, k)))
+tau = sym("tau")
+HERE = (*ANGLE, let(al0, Ut[k] / Ut[k - 1]), let(ga0, 1 / Ut[k - 1]), *ORBIT, let(last, when(k == d - 1, 0, k - 1)))
 u0, u1, u2 = Ut[k - 2 - tau], Ut[k - 1 - tau], Ut[k - tau]
 A, G, A1, G1 = al[tau], ga[tau], al[tau] / (1 - ga[tau] ** 2), -ga[tau] * al[tau] / (1 - ga[tau] ** 2)
 CASSINI = by_induction(c, 0, Ut[c + 1] ** 2 - Ut[c] * Ut[c + 2] == 1, base=[unfolded(Ut, 0), unfolded(Ut, 1), unfolded(Ut, 2)], step=[unfolded(Ut, c + 2), unfolded(Ut, c + 3)])
@@ -91,7 +91,7 @@ ORBIT_OF = by_induction(
           angles("quotient", -G * A, 1 - G**2), by_cases(A1 * u0 * u2 == u1 * u2), by_cases(A1 * u0 == u1), by_cases((G1 + G * A1) * (1 - G**2) == 0),
           by_cases(G1 == -G * A1), *map(multiplied, (G**2 * A1 * u0, G**2 * u1, u1**2, A1, u1))])
 LAST_POINT = [unfolded(ga, 0), at_index(f, k - 1), at_index(g, k - 1), angles("quotient", 1, Ut[k - 1]), multiplied(Ut[k - 1]), multiplied(ga[0] * Ut[k - 1])]
-claim("BLM91-X.18", "after how many steps the orbits that end do so, for every rational angle", forall(j, 0, stop - 1, iff(ga[j] ** 2 == 1, j == stop - 1)), sizes=["n", "d", "k"], where=HERE,
+claim("BLM91-X.18", "after how many steps the orbits that end do so, for every rational angle", forall(j, 0, last, iff(ga[j] ** 2 == 1, j == last)), sizes=["n", "d", "k"], where=HERE,
       given=[*LOWEST, standing("which point", (k >= 1) & (k < d))],
       by=[arithmetic(*ABOUT_SINES, CASSINI, U_NOT_ZERO, U_UNIT, ORBIT_OF, by_cases(k == d - 1, LAST_POINT, [at_index(tau, j), at_index(f, k - 1 - j)]), multiplied(Ut[k - 1 - j]**2), multiplied(ga[j]**2)),
           instances(n=range(1, 8), d=range(2, 10), k=range(1, 8))],
