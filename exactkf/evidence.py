@@ -34,8 +34,9 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
-    "lemma", "multiplied", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination",
+    "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances", "lemma", "multiplied", "null_vector",
+    "order", "part", "positivity", "restated", "shown_first", "steps", "unfolded", "use", "within",
 ]
 
 
@@ -225,8 +226,9 @@ def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: An
 def arithmetic(*hints: Sequence[Any]) -> Evidence:
     """A statement about integers of any size follows from the rules of arithmetic (see `exactkf.kernel.arithmetic`).
 
-    The statement is denied, and every case of that has to contradict itself. What exists is named like its index (``i``, and ``i1``, ``i2`` .. after that),
-    and the hints may use these names. They are taken in their order, each as soon as all its names are there: `by_rests`, `at_index`, `by_cases`, `by_induction`.
+    The statement is denied, and every case of that has to contradict itself. What exists is named like its index (``i``, and ``i1``,
+    ``i2`` .. after that), and the hints may use these names. They are taken in their order, each as soon as all its names are there:
+    `by_rests`, `at_index`, `by_cases`, `by_induction`, `shown_first`, `unfolded`, `angles`, `multiplied`.
     """
     return Evidence("arithmetic", {"proof": tuple(hints)})
 
@@ -267,7 +269,17 @@ def unfolded(name: Expr, at: Any) -> tuple:
 
 
 def angles(kind: str, *terms: Any) -> tuple:
-    """About cos(pi a/n): ``product``, 2 cos cos as a sum, ``cosines``, when two are equal, both of a, b, n; ``right``, of n, cos(pi/2) = 0; ``quotient``, (x/y)y = x, of x, y."""
+    """About cos(pi a/n), or a quotient.
+
+    ===============  ===========  ===============================================
+    kind             terms        says
+    ===============  ===========  ===============================================
+    ``product``      a, b, n      2 cos(pi a/n) cos(pi b/n) as a sum of two cosines
+    ``cosines``      a, b, n      when cos(pi a/n) and cos(pi b/n) are equal
+    ``right``        n            cos(pi n/(2n)) = 0
+    ``quotient``     x, y         (x/y) y = x
+    ===============  ===========  ===============================================
+    """
     return (kind, *(to_expr(x).tree for x in terms))
 
 

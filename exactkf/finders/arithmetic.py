@@ -38,9 +38,11 @@ class StuckAt(Exception):
 def find_arithmetic(statement: Mapping[str, Any], hints: Sequence[Hint], seconds: float) -> Proof | None:
     """A refutation of the denied statement, by the hints in their order.
 
-    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``, ``["lemma", formula, [], hints]``,
+    A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``,
+    ``["lemma", formula, [], hints]``,
     ``["induct", name, from, formula, hints for base, step and afterwards]``, ``["unfold", name, term]``, ``["quotient", x, y]``,
-    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``; by the term of ``["multiply", term]`` equations are multiplied too.
+    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``.
+    By the term of ``["multiply", term]`` equations are multiplied too.
     """
     try:
         return _Search(clock() + seconds).start(statement, hints)
@@ -193,7 +195,7 @@ def _known(facts: Facts, number: int) -> Any:
 
 
 def _products(facts: Facts, degree: int) -> Iterator[tuple[tuple[int, ...], Poly]]:
-    known = [(n, f[1]) for n, f in enumerate(facts.facts) if f is not None and f[0] in (">=", ">") and (f[1] or f[0] == ">") and not (f[0] == ">=" and _is_trivial(f[1]))]
+    known = [(n, f[1]) for n, f in enumerate(facts.facts) if f is not None and (f[0] == ">" or f[0] == ">=" and not _is_trivial(f[1]))]
     yield from (((n,), p) for n, p in known)
     if degree > 1:
         for (n, p), (m, q), _ in zip(*zip(*combinations_with_replacement(known, 2), strict=True), range(_MOST_PRODUCTS), strict=False) if known else ():
@@ -218,8 +220,7 @@ def _readable(facts: Facts, trees: Sequence[Any]) -> Iterator[tuple[Any, Poly]]:
 
 def tree_of(p: Poly) -> Any:
     """A polynomial as a term."""
-    return _sum([["*", c if type(c) is int else ["rat", Fraction(c).numerator, Fraction(c).denominator], *map(_atom_tree, m)] if m else _constant(c)
-                 for m, c in p.items()])
+    return _sum([["*", _constant(c), *map(_atom_tree, m)] if m else _constant(c) for m, c in p.items()])
 
 
 def _constant(c: Any) -> Any:

@@ -27,9 +27,10 @@ step            what it does
 Integers are the sizes, variables of type integer, indices, and polynomials in them with integer coefficients; for those
 p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quotients, cosines and values of recursions.
 
-Soundness. Let a quotient by zero and a value before the start of a recursion be any number, and cos(a/n) be 1 for n = 0. Then each term has a value on
-every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same: all that decides it has a value. So the conclusion, denied on an
-instance on which it is false, is among the facts. A definition takes the place of its name; one that leads back to itself is refused,
+Soundness. Let a quotient by zero and a value before the start of a recursion be any number, and cos(a/n) be 1 for n = 0. Then each
+term has a value on every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same,
+as all that decides it has a value. So the denied conclusion is a fact on an instance on which the conclusion is false. ``defined`` is
+not read, which could tell the difference. A definition takes the place of its name; one that leads back to itself is refused,
 unless recursions call themselves, or each other, at earlier indices. Each step goes from facts that are
 true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
@@ -441,7 +442,8 @@ class Facts:
         plain = self.copy()
         plain.solved = {}
         value = plain._inside(atom, x, by)
-        return next(iter(value))[0] if len(value) == 1 and [*value.values()] == [1] and len(next(iter(value))) == 1 and not isinstance(next(iter(value))[0], str) else None
+        (m, c), *more = value.items() or [((), 0)]
+        return m[0] if c == 1 and not more and len(m) == 1 and not isinstance(m[0], str) else None
 
     def _put(self, fact: Fact, name: Any, by: Poly) -> Fact:
         """The same fact with a term in place of a variable or an atom."""
@@ -474,7 +476,8 @@ class Facts:
         _, name, index, start, initial, body = d
         x = self.value_of(name, at)
         ends = plus(at, number(start + len(initial)), -1)
-        cases = [("and", [self._relation("=", plus(at, number(start + k), -1)), self._equals(x, tree, self.own())]) for k, tree in enumerate(initial)]
+        cases = [("and", [self._relation("=", plus(at, number(start + k), -1)), self._equals(x, tree, self.own())])
+                 for k, tree in enumerate(initial)]
         later = ("and", [self._relation(">=", ends), self._equals(x, body, {**self.own(), index: plus(at, ONE, -1)})])
         return [self.and_(("or", [self._relation("<", plus(at, number(start), -1)), *cases, later]))]
 
@@ -505,7 +508,8 @@ class Facts:
 
 
 _DENIED = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
-_STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "forget": Facts._forget, "divide": Facts._divide, "at": Facts._at, "name": Facts._name,
+_STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "forget": Facts._forget, "divide": Facts._divide, "at": Facts._at,
+          "name": Facts._name,
           "solve": Facts._solve, "induct": Facts._induct, "unfold": Facts._unfold, "quotient": Facts._quotient, "product": Facts._product,
           "cosines": Facts._cosines, "right": Facts._right}
 
@@ -538,8 +542,8 @@ def _circular(definitions: Mapping[str, Any]) -> set[str]:
     Where all calls on the way back are of that kind, the values are there by induction on the index.
     """
     recursions = {name for name, d in definitions.items() if d[0] == "rec"}
-    every = {name: set(_called([d[4], d[5]] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
-    later = {name: set(_called([d[4], _without_earlier(d[5], recursions, d[2])] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
+    every, later = ({name: set(_called([d[4], read(d)] if d[0] == "rec" else d[3])) & set(definitions) for name, d in definitions.items()}
+                    for read in (lambda d: d[5], lambda d: _without_earlier(d[5], recursions, d[2])))
     reached = {name: set(below) for name, below in every.items()}
     for _ in definitions:
         for name in reached:

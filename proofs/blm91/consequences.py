@@ -133,6 +133,6 @@ EVERY_END = (2 * last == when(cospi(p, 1) == -1, 2 * (p - 1), p - 2)) & forall(t
 claim("BLM91-X.15", "all points that end, and after how many steps, for every p <= 48", EVERY_END, **ENDING, by=[part("p <= 48"), evaluation(p=range(3, 49)), instances(30, p=range(3, 13))],
       note="Every angle in lowest terms with p <= 48: both signs of kappa and kappa infinite (p = 4, q = 1). On the hyperbola |gamma| = 1 leaves alpha = 2/kappa and alpha = 0, which are where (3.10) divides by zero; "
            "the inverse of (3.10), alpha = alpha' (1 - gamma^2) with gamma = -gamma'/alpha', leads from (2/kappa, 1) to all that end there, and stops at alpha = 0, which nothing moves to. "
-           "(3.10) is run forwards from each point: its step leads to the point before it in the list, so that the steps that remain are counted once. Mirror images in gamma end with them, hence the factor two.")
+           "(3.10) is run forwards from each point: its step leads to the point before it in the list, so that the steps that remain are counted once. Mirror images in gamma end with them, hence the factor two. For every p see X.18.")
 claim("BLM91-X.16", "all points that end, and after how many steps, for p = 49, .., 60", EVERY_END, **ENDING, by=[part("49 <= p <= 60"), evaluation(p=range(49, 61)), instances(30, p=range(3, 13))],
       note="X.15 goes on: with it, every angle in lowest terms with p <= 60, exactly in Q(cos(2 pi q/p)).")
