@@ -19,6 +19,7 @@ _FOR_EVERY_SIZE = {
     "order": "for every size: multiples of the assumptions in words; classical facts: {}",
     "word induction": "for every size, by induction: base and step by multiples of the assumptions in words; classical facts: {}",
     "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
+    "arithmetic": "for every integer: the denied statement contradicts itself, case by case",
 }
 
 

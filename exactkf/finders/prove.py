@@ -15,6 +15,7 @@ from itertools import chain, combinations, product
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.arithmetic import find_arithmetic
 from exactkf.finders.membership import find_induction, find_membership, find_order
 from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.every_size import _parts
@@ -55,6 +56,8 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     for e in by:
         if e.kind == "generic index":
             yield seal(id, "generic index", statement, e.hints)
+        if e.kind == "arithmetic" and (proof := find_arithmetic(statement, json.loads(json.dumps(e.hints["proof"])), 10 * seconds)) is not None:
+            yield seal(id, "arithmetic", statement, {"proof": proof})
     if not statement["sizes"]:
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}

@@ -9,6 +9,8 @@
     base and step, each by an ``order``
 ``generic index``
     recursions of growing degree: lemmas by induction, then the conclusion
+``arithmetic``
+    integers: the denied statement contradicts itself in every case
 ``conjunction``
     the members of a conjunction, each by one of these
 
@@ -24,6 +26,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from exactkf.kernel.arithmetic import arithmetic
 from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
@@ -193,4 +196,4 @@ def _conjunction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
 
 
 KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index,
-         "conjunction": _conjunction}
+         "arithmetic": arithmetic, "conjunction": _conjunction}
