@@ -31,6 +31,7 @@ from exactkf._errors import BadInput
 from exactkf._wording import proof_in_words
 from exactkf.claims import Claim, checked_evidence, find, load
 from exactkf.evidence import Evidence
+from exactkf.finders.cases import with_cases
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.effort import counted
 from exactkf.finders.mutants import MutantReport, judge_mutants
@@ -297,10 +298,13 @@ def _refute(id: str, data: dict, instance: dict, found: Findings) -> None:
 
 
 def _accept(certificate: dict, found: Findings) -> bool:
-    """Replay a candidate with the checker; keep it, and what it cancelled, if it is accepted."""
-    trials = Trials()
+    """Replay a candidate with the checker; keep it, with what saves its replay some searching, if it is accepted."""
+    trials, denominators = Trials(), None
     try:
-        denominators = replay(certificate, trials)
+        if certificate["kind"] == "generic index":
+            certificate, denominators = with_cases(certificate)
+        if denominators is None:
+            denominators = replay(certificate, trials)
         if trials:
             certificate = seal(certificate["id"], certificate["kind"], certificate["statement"], {**certificate["evidence"], "cancelled": trials.made})
             denominators = replay(certificate)
@@ -342,7 +346,7 @@ def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
 
 def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """A proof in words of letters holds for every size at once."""
-    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index") for e in by) else 2.0
+    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index", "arithmetic") for e in by) else 2.0
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None

@@ -84,6 +84,7 @@ class Terms(Indefinite, Chains):
         self.nested = self.perhaps = 0
         self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
         self.shapes: dict[tuple[Region, str], tuple[Form, Form]] = {}
+        self.shaped: dict[tuple[int, int, Region], tuple[tuple[Form, Form], Any, Any]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
@@ -124,7 +125,10 @@ class Terms(Indefinite, Chains):
 
     # ------------------------------------------------------------------ indices and conditions
     def index(self, tree: Any, env: Mapping[str, Form]) -> Form:
-        return self.region.reduce(self._index(tree, env))
+        if type(tree) is int:
+            return {"": tree} if tree else {}
+        form = env.get(tree[1]) if tree[0] == "sym" else None
+        return self.region.reduce(self._index(tree, env) if form is None else form)
 
     def _index(self, tree: Any, env: Mapping[str, Form]) -> Form:
         if isinstance(tree, int):
@@ -591,6 +595,12 @@ class Terms(Indefinite, Chains):
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
+        key = id(tree), id(env), self.region
+        if (found := self.shaped.get(key)) is None:
+            found = self.shaped[key] = self._shape(tree, env), tree, env  # which are kept, so that their ids stay their own
+        return found[0]
+
+    def _shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         if not self.is_matrix(tree):
             if self.others(tree):
                 self._need_number(tree, env)
@@ -703,13 +713,14 @@ class Terms(Indefinite, Chains):
             if not keeps:  # what has been seen of others may rest on it
                 self.kept.clear()
                 self.shapes.clear()
+                self.shaped.clear()
                 self.kept[name] = False
         if not self.kept[name]:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
     def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
         """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
-        if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
+        if not self.ruled or self.ruled.isdisjoint(self.known.reached_by(tree)):
             return
         self._need_entry(tree, i, j, env)
 

@@ -20,10 +20,16 @@ zero at the places of a use, within its bounds. A power of z is no number of an 
 Polynomials may be multiplied if they are read as functions of z and 1/z: an equation of polynomials in z, 1/z is one of these functions, and the
 other way round, so that a lemma that is shown in one way may be used in the other. The functions of recursions are atoms, X_t(z) and X_t(1/z).
 
+The evidence may tell the ``cases``: for each part of a region, in the order in which they are looked at, either the form at
+whose sign it is cut, or the numbers of the uses that are needed there. That saves looking for them. Nothing rests on it: what is
+shown in both parts is shown, wherever the cut is, and fewer equations tell no more.
+
 Main definitions
 ----------------
 `generic_index`
     Replay of such a certificate.
+`Proof`
+    The same in steps, for a search that notes the cases.
 
 Determinants, inverses and the like are not opened; what turns them into other terms is in `exactkf.kernel.generic_facts`.
 """
@@ -44,7 +50,7 @@ from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
 from exactkf.kernel.wellformed import check_formula
 
-__all__ = ["generic_index"]
+__all__ = ["Proof", "generic_index"]
 
 #: atoms, in the order in which equations are solved for them
 _FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power", "number")
@@ -67,26 +73,15 @@ def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> 
     """Replay; the denominators met."""
     if _has_solutions([statement["says"], [d[2:] for d in statement["where"]], [g[1] for g in statement["given"]], evidence]):
         raise Unknown("solutions X = MXM' + Q, which are for words")
-    try:
-        proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
-        proof.supported.extend(evidence.get("supported") or [])
-        for name in proof.supported:
-            proof.support(name)
-        for lemma in evidence["lemmas"]:
-            proof.lemma(lemma)
-        proof.conclude(evidence)
-        if proof.assumes and proof.at_point:
-            raise Rejected(f"a hypothesis is used, and none says that {proof.at_point[0]} is not zero")
-    except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
-        raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
-    return proof.denominators
+    return Proof(statement, evidence).replay()
 
 
-class _Proof:
-    """The lemmas shown so far."""
+class Proof:
+    """The lemmas shown so far, of those in the evidence."""
 
-    def __init__(self, statement: Mapping[str, Any], closed: Any, whole: Any = ()) -> None:
-        self.statement, self.closed, self.whole = statement, closed, whole
+    def __init__(self, statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+        self.statement, self.evidence = statement, evidence
+        self.closed, self.whole, self.told = evidence.get("closed") or (), evidence.get("whole") or (), iter(evidence.get("cases") or ())
         self.always = {INDEX}
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
@@ -109,6 +104,22 @@ class _Proof:
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
         self.witnesses, self.ill_founded = [Witness(statement, self.sizes, number) for number in (1, 0)], ill_founded(statement, self.sizes)
+
+    def replay(self) -> list[str]:
+        """Everything that is listed, in order; the denominators met."""
+        evidence = self.evidence
+        try:
+            self.supported.extend(evidence.get("supported") or [])
+            for name in self.supported:
+                self.support(name)
+            for lemma in evidence["lemmas"]:
+                self.lemma(lemma)
+            self.conclude(evidence)
+            if self.assumes and self.at_point:
+                raise Rejected(f"a hypothesis is used, and none says that {self.at_point[0]} is not zero")
+        except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
+            raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
+        return self.denominators
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -357,29 +368,47 @@ class _Proof:
     # ------------------------------------------------------------------ one equation
     def close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
                splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
-        """The goal follows from the uses in every part of the region."""
+        """The goal follows from the uses in every part of the region; see `generic_index` for what the certificate tells of the parts."""
+        told = next(self.told, None)
+        if isinstance(told, dict):
+            cut = _cut(told)
+        else:
+            try:
+                self.part(region, goal, uses if told is None else [uses[k] for k in told], names, place, current, limited, in_values)
+                return
+            except Split as split:
+                if told is not None:
+                    raise Rejected(f"{place}: cases: a part is to be cut again") from None
+                cut = split.form
+        if splits >= _MOST_SPLITS:
+            raise Rejected(f"{place}: too many cases")
+        for part in region.cases(cut):
+            self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+
+    def part(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None, limited: bool,
+             in_values: bool) -> set[int]:
+        """The goal follows from the uses everywhere in the region alike; the numbers of those that were needed."""
         terms = Terms(self.statement, region, self.supported, self.rules, self.closed, self.whole)
         terms.always |= self.always
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
-        try:
-            self._follows(terms, goal(terms), uses, names, current, place)
-        except Split as split:
-            if splits >= _MOST_SPLITS:
-                raise Rejected(f"{place}: too many cases") from None
-            for part in region.cases(split.form):
-                self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+        return self._follows(terms, goal(terms), uses, names, current, place)
 
-    def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> None:
+    def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> set[int]:
         """Each wanted term is zero by the uses, and nothing divided by on the way is."""
-        granted = set(terms.sure)
-        terms.not_zero = [x for use in uses if "given" in use for x in self._granted_not_zero(terms, use, names)]
+        granted, needed = set(terms.sure), set[int]()
+        for number, use in enumerate(uses):
+            if "given" in use and (found := list(self._granted_not_zero(terms, use, names))):
+                needed.add(number)
+                terms.not_zero += found
         if any(x.num for x in wanted):
-            for use in uses:
+            for number, use in enumerate(uses):
                 if "times" in use:  # a multiple of the first of its equations is taken off
+                    needed.add(number)
                     for x, _ in islice(self._granted(terms, use, names, current, granted), 1):
                         times = (terms.at_z if terms.in_values else terms.value)(use["times"], dict(names))
                         wanted = [y - times * x for y in wanted]
-        known = _Equations(terms, (x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)))
+        known = _Equations(terms, ((*row, number) for number, use in enumerate(uses) if "times" not in use
+                                   for row in self._granted(terms, use, names, current, granted)))
         for x in wanted:
             if (rest := known.reduced(x)).num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in terms.region.forms)
@@ -399,6 +428,7 @@ class _Proof:
         for f in factors:
             if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
+        return needed | known.needed
 
     def _granted_not_zero(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
         """What a hypothesis at the places given says is not zero; places of another part, or beyond its bounds, say nothing."""
@@ -445,20 +475,23 @@ class _Equations:
     Parameters
     ----------
     terms : what they are made of
-    rows : the x, with what they divide by
+    rows : the x, with what they divide by, and the number of the use that says so
     """
 
-    def __init__(self, terms: Terms, rows: Iterator[_Row]) -> None:
+    def __init__(self, terms: Terms, rows: Iterator[tuple[Symbolic, frozenset[int], int]]) -> None:
         self.terms, self.rows = terms, rows
-        self.read: list[_Row] = []
+        self.read: list[tuple[Symbolic, frozenset[int], int]] = []
         self.allowed: set[int] | None = None  # what those that are used may divide by
         self.first: Collection[int] = ()
-        self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
+        self.solved: list[tuple[int, Symbolic, set[int]]] = []  # an atom, its value by the equation and those before, and the uses that say these
+        self.needed: set[int] = set()  # the uses without which something would not have been reduced as it was
 
     def reduced(self, goal: Symbolic) -> Symbolic:
         """The goal after one equation and the next has been used, until it is zero."""
-        for pivot, value in self._values():
-            goal = _eliminated(self.terms, goal, value, pivot)
+        for pivot, value, uses in self._values():
+            before, goal = goal, _eliminated(self.terms, goal, value, pivot)
+            if goal is not before:
+                self.needed |= uses
             if not goal.num:
                 break
         return goal
@@ -467,20 +500,30 @@ class _Equations:
         """Read all equations that divide by nothing but what is allowed, and choose atoms once more: some come first, those in denominators last."""
         self.rows, self.read, self.solved, self.first, self.allowed = iter([*self.read, *self.rows]), [], [], first, set(allowed)
 
-    def _values(self) -> Iterator[tuple[int, Symbolic]]:
+    def _values(self) -> Iterator[tuple[int, Symbolic, set[int]]]:
         yield from list(self.solved)
-        for row, used in self.rows:
-            self.read.append((row, used))
+        for row, used, number in self.rows:
+            self.read.append((row, used, number))
             if self.allowed is not None and not used <= self.allowed:
                 continue
-            for pivot, value in self.solved:
-                row = _eliminated(self.terms, row, value, pivot)
+            uses = {number}
+            for pivot, value, others in self.solved:
+                before, row = row, _eliminated(self.terms, row, value, pivot)
+                if row is not before:
+                    uses |= others
             place = _pivot(self.terms, row, self.first)
             if place is not None:
                 parts = _parts(row, place)
                 value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
-                self.solved.append((place, value))
-                yield place, value
+                self.solved.append((place, value, uses))
+                yield self.solved[-1]
+
+
+def _cut(told: Mapping[str, Any]) -> Form:
+    """The form at which a region is cut: at any there may be, but for those of the indices of sums, of which a region has to know no more than the bounds."""
+    if set(told) <= {""} or any(type(c) is not int or not c or name.startswith("#") for name, c in told.items()):
+        raise Rejected("cases: a cut is at a linear form in the parameters")
+    return dict(told)
 
 
 def _is_determinant(part: Any) -> bool:
@@ -551,6 +594,8 @@ def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | No
     found = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
     for place in sorted(present):
+        if not row.den and 1 << (BITS * place) not in row.num:
+            continue
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
             lead, left = parts[1], 0

@@ -51,6 +51,7 @@ class Known:
         self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(names(tree)))
         self._with_letters: dict[int, tuple[Any, bool]] = {}
         self._with_z: dict[int, tuple[Any, bool]] = {}
+        self._reached: dict[int, tuple[Any, set[str]]] = {}
         self._matrices: dict[int, tuple[Any, bool]] = {}
         self._others: dict[int, tuple[Any, bool]] = {}
         self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
@@ -135,6 +136,13 @@ class Known:
             seen |= new
             todo.extend(new)
         return seen
+
+    def reached_by(self, tree: Any) -> set[str]:
+        """Names in a term, and those that the definitions of these lead to."""
+        if id(tree) not in self._reached:
+            own = set(names(tree))
+            self._reached[id(tree)] = tree, own.union(*(self.reached(name) for name in own if name in self.definitions))
+        return self._reached[id(tree)][1]
 
     def connected(self, name: str) -> set[str]:
         """Names that a definition leads to and that lead back to it."""
