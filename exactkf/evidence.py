@@ -153,7 +153,7 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
     supported : names of recursions X
         The polynomial X[t] has exponents 0 .. t, which is shown before all else.
     closed : names of functions
-        Not replaced by their definition except by a `use` of it.
+        Not replaced by their definition except by a `use` of it; matrices are then multiplied as variables are.
     whole : names of functions in z
         Their coefficients are left as they are; as functions of z and 1/z (``in_values``) they are opened.
     uses : sequence of `use`

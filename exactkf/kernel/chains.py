@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Products of matrices at a generic index, as sums of words.
 
-The entries of a matrix variable say nothing about a product with it; what does is the product itself. So an entry of a
+The entries of a matrix variable, or of a definition that is closed, say nothing about a product with it; what does is the product itself. So an entry of a
 product is multiplied out into words, products of letters: matrices that are not opened further. Each step is an identity of
 matrices over a commutative ring, whatever their sizes, which `Terms.shape` checks where a product or a sum is read:
 
@@ -11,6 +11,7 @@ matrices over a commutative ring, whatever their sizes, which `Terms.shape` chec
 - where a column meets a row the entry is a product of two;
 - F^a F^b = F^(a+b) for a, b >= 0, F^0 = I, and I is left out; P' = P for a variable of a type that says so;
 - entry (i, j) of a product is entry (j, i) of its transpose: of the two the one with fewer transposes is taken.
+  Where they differ by indices alone, as for an entry of a symmetric matrix, indices decide, but in a sum.
 
 A word is an atom: two words have the same value if they have the same letters with the same indices and the same place.
 A sum without terms has no shape of its own, and is refused where a matrix is needed.

@@ -15,7 +15,8 @@ and the numbers one, or those zero too of which the type does not exclude it. Th
 step, at a generic index and place, divide by nothing but numbers other than zero, and all its values (coefficients,
 entries) are one number c if those of its initial value are, and those of its step where they are at the index before. Several
 recursions are looked at together: what has been supposed of one is supposed until it is seen not to be so. With these numbers
-in place of its atoms the polynomial comes to its value at the point, whatever the indices.
+in place of its atoms the polynomial comes to its value at the point, whatever the indices. An indefinite sum F of what is zero at the point, at
+every index, is taken with F(0) = 0, and so is zero there. Functions of z that are not opened are looked at for z = 1, where z^n is one.
 
 Main definitions
 ----------------

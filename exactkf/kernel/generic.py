@@ -15,6 +15,8 @@ As functions of z, polynomials are elements of a field with the automorphism z -
 atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
 polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
 
+An index that stands as a number is a linear form in atoms, one for each parameter, of which nothing is known: what is shown holds whatever they are.
+
 Main definitions
 ----------------
 `Terms`
