@@ -12,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.definite import _by_hypothesis, _is_number, definiteness
-from exactkf.kernel.every_size import _HELP
+from exactkf.kernel.every_size import _HELP, _parts
 from exactkf.kernel.order import FACTS, Leaf, leaves
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.recursion import Induction, along, before, inductions
@@ -38,6 +39,9 @@ def _orders(certificate: Mapping[str, Any]) -> Iterator[tuple[Mapping[str, Any],
     statement, evidence = certificate["statement"], certificate["evidence"]
     if certificate["kind"] == "order":
         yield statement, evidence
+    if certificate["kind"] == "conjunction":
+        for part, (kind, own) in zip(_parts(statement["says"]), evidence["parts"], strict=True):
+            yield from _orders({"kind": kind, "statement": {**statement, "says": part}, "evidence": own})
     if certificate["kind"] != "word induction":
         return
     for lemma in evidence.get("before", ()):
@@ -54,13 +58,16 @@ def _cases(made: Induction, proofs: list) -> Iterator[tuple[Mapping[str, Any], M
 
 
 def _of_order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> Iterator[str]:
+    if "away from zero" in evidence:
+        yield "continuity"
+        statement = away_from_zero(statement, evidence["away from zero"])
     todo = leaves(statement, evidence.get("lemmas", ()), evidence.get("inside", ()))
     for (case, formula), proof in zip(todo, evidence["parts"], strict=True):
         yield from _of_leaf(case, formula, proof)
 
 
 _BY_KEY = {"null": "null vectors", "roots": "square root", "factors": "determinant",
-           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation"}
+           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation", "kept": "invariant subspace"}
 
 
 def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str]:
@@ -77,6 +84,8 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
     if op == "=" and len(terms) == 4 and not vector and isinstance(formula[1], list) and formula[1][0] == "rank":
         yield "rank"
     leaf = Leaf(case, formula, terms, **{key: proof[key] for key in _HELP if key in proof})
+    if leaf.reader.steins:
+        yield "Stein equation"
     for term in (x for tree in terms for x in _inverted(tree)):
         if leaf.reader.read(term) not in (x for x, _ in leaf.known):  # brought in: it exists by its form
             yield "nonsingular"

@@ -14,7 +14,7 @@ import click
 from exactkf._errors import BadInput
 from exactkf.claims import Claim, find, load
 from exactkf.cli import INTERRUPTED, Setup
-from exactkf.describe import describe_claim, instance_lines, sampled
+from exactkf.describe import describe_claim, instance_lines, not_wrong
 from exactkf.display import column_of, describe, summary
 from exactkf.files import check_folder, check_target, dump_json, reaching, write_text
 from exactkf.output import contract, export_certificates
@@ -157,7 +157,7 @@ def mutate_command(session: Session) -> int:
 
 def _counted(result: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> str:
     rejected = sum(r["outcome"] == "rejected" for r in rows)
-    return f"{rejected} of {len(rows)} mutants rejected{sampled(result)}"
+    return f"{rejected} of {len(rows)} mutants rejected{not_wrong(result)}"
 
 
 def _no_mutants(result: Mapping[str, Any]) -> str:

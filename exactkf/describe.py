@@ -14,7 +14,7 @@ from exactkf.language import Statement
 from exactkf.language.latex import statement_latex
 from exactkf.language.text import statement_text
 
-__all__ = ["describe_claim", "instance_lines", "sampled"]
+__all__ = ["describe_claim", "instance_lines", "not_wrong", "wrong_made"]
 
 
 def describe_claim(claim: Claim, result: Mapping[str, Any]) -> str:
@@ -37,7 +37,7 @@ def _lines(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
     if mutants["made"]:
         yield from _paragraph("wrong neighbours", [
             f"{mutants['made']} made, {mutants['rejected']} rejected, {mutants.get('equal', 0)} equal to the original, "
-            f"{len(mutants.get('survivors', ()))} survived{sampled(mutants)}", *mutants.get("survivors", ()),
+            f"{len(mutants.get('survivors', ()))} survived{not_wrong(mutants)}", *mutants.get("survivors", ()),
             f"{neighbours['accepted']} of {neighbours['made']} equal rewritings accepted"])
     yield f"\n{number_of(result['checks'], 'check')} in {result['seconds']:.3g} s, {number_of(len(result['certificates']), 'certificate')}"
 
@@ -68,16 +68,24 @@ def _correction(claim: Claim, result: Mapping[str, Any]) -> Iterator[str]:
     yield from fixed.get("evidence", ())
 
 
-def sampled(mutants: Mapping[str, Any]) -> str:
-    """What became of the mutants that were not judged.
+def wrong_made(mutants: Mapping[str, Any]) -> int:
+    """Mutants that are wrong neighbours: they neither say the same as the original nor more, which may be true.
 
-    >>> sampled({"made": 25, "possible": 152, "looked_at": 38})
-    '; 38 of 152 looked at, spread over the formula, 13 of them no statement'
+    >>> wrong_made({"made": 25, "rejected": 21, "equal": 3, "stronger": 1})
+    21
     """
-    possible, looked_at = mutants.get("possible", 0), mutants.get("looked_at", 0)
-    some = f"; {looked_at} of {possible} looked at, spread over the formula" if looked_at < possible else ""
-    void = looked_at - mutants.get("made", looked_at)
-    return some + (f"{',' if some else ';'} {void} of them no statement" if void > 0 else "")
+    return mutants["made"] - mutants.get("equal", 0) - mutants.get("stronger", 0)
+
+
+def not_wrong(mutants: Mapping[str, Any]) -> str:
+    """The mutants that are not wrong: stronger statements that may be true, and what is no statement, such as a sum of matrices that do not fit.
+
+    >>> not_wrong({"made": 25, "stronger": 1, "void": 13})
+    '; 1 says more and is not refuted; 13 more are no statement'
+    """
+    stronger, void = mutants.get("stronger", 0), mutants.get("void", 0)
+    return ((f"; {stronger} {'says' if stronger == 1 else 'say'} more and {'is' if stronger == 1 else 'are'} not refuted" if stronger else "")
+            + (f"; {void} more {'is' if void == 1 else 'are'} no statement" if void else ""))
 
 
 def instance_lines(instance: Mapping[str, Any] | None) -> list[str]:

@@ -31,6 +31,7 @@ from exactkf._errors import BadInput
 from exactkf._wording import proof_in_words
 from exactkf.claims import Claim, checked_evidence, find, load
 from exactkf.evidence import Evidence
+from exactkf.finders.cases import with_cases
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.effort import counted
 from exactkf.finders.mutants import MutantReport, judge_mutants
@@ -95,33 +96,31 @@ def verify_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
     >>> verify_claim("B93-S23")["strength"]
     'proved'
     """
-    result = _verified(claim, seed)
-    for row in result["mutant_rows"]:
-        row.pop("instance", None)  # tens of thousands of them would fill what is kept
-    return result
+    return _verified(_claim(claim), seed)[0]
 
 
-def _verified(claim: Claim | str, seed: int) -> dict[str, Any]:
-    if isinstance(claim, str):
-        claim = _by_id(claim)
-    if not isinstance(claim, Claim):
-        raise BadInput(f"argument 'claim' = {claim!r} is no claim; pass an id such as 'BLZ94-E2.18', or what exactkf.claims.claim returns")
+def _verified(claim: Claim, seed: int) -> tuple[dict[str, Any], MutantReport]:
+    """The result, and each mutant: tens of thousands of them would fill what is kept."""
     _check_seed(seed)
     started = time.perf_counter()
     if claim.statement is None:
-        return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started)
+        return _result(claim, Findings(reason=claim.reason), None, MutantReport(), None, started), MutantReport()
     with rationals(fmpq), counted():  # the search; replaying goes back to Fraction by itself
         return _verify(claim, claim.statement, seed, started)
 
 
-def _by_id(id: str) -> Claim:
-    found = find([id], load())
-    if found[0].id != id:
-        raise BadInput(f"argument 'claim' = {id!r} names {len(found)} claims; pass the id of one")
+def _claim(claim: Claim | str) -> Claim:
+    if isinstance(claim, Claim):
+        return claim
+    if not isinstance(claim, str):
+        raise BadInput(f"argument 'claim' = {claim!r} is no claim; pass an id such as 'BLZ94-E2.18', or what exactkf.claims.claim returns")
+    found = find([claim], load())
+    if found[0].id != claim:
+        raise BadInput(f"argument 'claim' = {claim!r} names {len(found)} claims; pass the id of one")
     return found[0]
 
 
-def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> dict[str, Any]:
+def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> tuple[dict[str, Any], MutantReport]:
     """Verdict on the print, then on the repair where the print fails; then the mutants."""
     found = _find(claim.id, statement, claim.by, seed)
     _bound(claim.by, found)
@@ -130,12 +129,12 @@ def _verify(claim: Claim, statement: Statement, seed: int, started: float) -> di
         repaired = _find(f"{claim.id}#repair", claim.repair.statement, claim.repair.by, seed)
         _bound((*claim.by, *claim.repair.by), repaired)  # the correction of a part is one of that part
         if repaired.verdict == "holds":
-            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.drawn, repaired.sampler, claim.repair.statement.tex)
+            report = judge_mutants(claim.repair.statement.to_json(), claim.repair.by, repaired.drawn, repaired.sampler)
             _count_survivors(repaired, report)
     elif found.verdict == "holds":
-        report = judge_mutants(statement.to_json(), claim.by, found.drawn, found.sampler, statement.tex)
+        report = judge_mutants(statement.to_json(), claim.by, found.drawn, found.sampler)
         _count_survivors(found, report)
-    return _result(claim, found, repaired, report, claim.repair, started)
+    return _result(claim, found, repaired, report, claim.repair, started), report
 
 
 def verify_statement(statement: Statement, by: Evidence | Sequence[Evidence], *, id: str = "lemma", title: str = "", seed: int = 0) -> dict[str, Any]:
@@ -183,8 +182,10 @@ def _check_seed(seed: Any) -> None:
 
 def mutate_claim(claim: Claim | str, *, seed: int = 0) -> dict[str, Any]:
     """The mutants of a claim (of its repair, where the print fails), one row each, with the instance on which it is false; see `verify_claim`."""
-    result = _verified(claim, seed)
-    return {"id": result["id"], "verdict": result["verdict"], **result["mutants"], "rows": result["mutant_rows"]}
+    claim = _claim(claim)
+    result, report = _verified(claim, seed)
+    judged = claim.repair.statement if claim.repair and result["repair"] else claim.statement
+    return {"id": result["id"], "verdict": result["verdict"], **result["mutants"], "rows": report.printed(judged.tex if judged else None)}
 
 
 def _count_survivors(found: Findings, report: MutantReport) -> None:
@@ -297,10 +298,13 @@ def _refute(id: str, data: dict, instance: dict, found: Findings) -> None:
 
 
 def _accept(certificate: dict, found: Findings) -> bool:
-    """Replay a candidate with the checker; keep it, and what it cancelled, if it is accepted."""
-    trials = Trials()
+    """Replay a candidate with the checker; keep it, with what saves its replay some searching, if it is accepted."""
+    trials, denominators = Trials(), None
     try:
-        denominators = replay(certificate, trials)
+        if certificate["kind"] == "generic index":
+            certificate, denominators = with_cases(certificate)
+        if denominators is None:
+            denominators = replay(certificate, trials)
         if trials:
             certificate = seal(certificate["id"], certificate["kind"], certificate["statement"], {**certificate["evidence"], "cancelled": trials.made})
             denominators = replay(certificate)
@@ -342,7 +346,7 @@ def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
 
 def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """A proof in words of letters holds for every size at once."""
-    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index") for e in by) else 2.0
+    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index", "arithmetic") for e in by) else 2.0
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None
@@ -451,8 +455,7 @@ def _result(claim: Claim, found: Findings, repaired: Findings | None, report: Mu
         "given_latex": given_latex(printed) if printed else [],
         "certificates": certificates,
         "mutants": {"made": report.made, "rejected": report.rejected, "equal": report.equal, "survivors": report.survivors,
-                    "possible": report.possible, "looked_at": report.looked_at},
-        "mutant_rows": report.rows,
+                    "void": report.void, "stronger": report.stronger},
         "neighbours": {"made": report.neighbours_made, "accepted": report.neighbours_accepted},
         "checks": found.checks + (repaired.checks if repaired else 0), "seconds": round(time.perf_counter() - started, 3),
         "witness": found.witness, "counterexample": found.counterexample, "evidence": found.evidence,

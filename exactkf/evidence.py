@@ -14,6 +14,7 @@ evidence            what it shows                                              b
 `generic_index`     the same for coefficients, sums and entries, every size      proved
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
 `order`             order, invertibility and equations for every size          proved
+`arithmetic`        statements about integers of any size                        proved
 `evaluation`        a closed statement, or every case of a finite one          proved
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
@@ -33,8 +34,9 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
-    "lemma", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination",
+    "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances", "lemma", "multiplied", "null_vector",
+    "order", "part", "positivity", "restated", "shown_first", "steps", "unfolded", "use", "within",
 ]
 
 
@@ -141,7 +143,7 @@ def _base_and_step(base: Any, step: Any) -> dict[str, Any]:
 
 def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), closed: Sequence[Expr] = (), whole: Sequence[Expr] = (),
                   uses: Sequence[Mapping[str, Any]] = (), shift: int = 0, triangular: Any = None,
-                  in_values: bool = False) -> Evidence:
+                  in_values: bool | Sequence[int] = False) -> Evidence:
     """Equations about coefficients, sums and entries at a generic index, for every size (see `exactkf.kernel.index_induction`).
 
     Parameters
@@ -161,29 +163,30 @@ def generic_index(*lemmas: Mapping[str, Any], supported: Sequence[Expr] = (), cl
         at the shift's distance before it stay as they are and later ones are opened.
     in_values : bool
         The polynomials of the conclusion are read as functions of z and 1/z, with those of ``closed`` as they are,
-        and not coefficient by coefficient: so they may be multiplied.
+        and not coefficient by coefficient: so they may be multiplied. A list: those of its equations of these numbers.
     triangular : matrix term L
         For a conclusion det(M) == prod(k, .., d): LM is upper triangular with diagonal d, and L is lower
         triangular with ones on its diagonal.
     """
     hints: dict[str, Any] = {"lemmas": list(lemmas), "supported": [_name(x) for x in supported], "closed": [_name(x) for x in closed],
                              **({"whole": [_name(x) for x in whole]} if whole else {}),
-                             "uses": list(uses), "shift": shift, "in values": in_values}
+                             "uses": list(uses), "shift": shift,
+                             "in values": in_values if isinstance(in_values, bool) else list(in_values)}
     if triangular is not None:
         hints["triangular"] = to_expr(triangular).tree
     return Evidence("generic index", hints)
 
 
 def lemma(index: Expr, says: Expr, *, start: int = 0, rule: bool = False, bare: bool = False, direct: bool = False, in_values: bool = False,
-          uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
+          closed: Sequence[Expr] = (), uses: Sequence[Mapping[str, Any]] = (), base: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
     """For all index >= start: ``says``, by induction; an equation X[t] = term may be made a rule, which is used by itself.
 
     ``uses`` are the places of its step, from t to t + 1, in t and the indices that the formula binds
     (``z`` for the exponent in an equation of polynomials); ``base`` are those of its base. In the step of a ``bare`` lemma exponents are of no account;
-    a ``direct`` one is shown at t for any t >= start, without induction.
+    a ``direct`` one is shown at t for any t >= start, without induction; in one with ``closed`` these names are closed too.
     """
     return {"index": _name(index), "says": says.tree, "from": start, "rule": rule, "bare": bare, "direct": direct, "in values": in_values, "uses": list(uses),
-            **({"base": list(base)} if base else {})}
+            **({"closed": [_name(x) for x in closed]} if closed else {}), **({"base": list(base)} if base else {})}
 
 
 def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, uses: Sequence[Mapping[str, Any]] = ()) -> dict[str, Any]:
@@ -197,6 +200,10 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``charpoly``                            charpoly(A) == p                                          (j, v_j), v'(z - A) = (p, 0, ..)
     ``laurent``                             forall(k, 0, K, laurent(N / D, k) == x), or always(k, ..)  degree of D
     ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
+    ``cayley``                              (sum_of(k, 0, n, coeff(charpoly(A), k) * (U * A**k * V)) == Zero(p, q)) &
+                                            (coeff(charpoly(A), n) == 1)
+    ``resolvent``                           charpoly(A) * (T(h) * inv(Identity(n) * Z - A) * g) ==
+                                            charpoly(A - g * T(h)) - charpoly(A)
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -210,7 +217,7 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
 def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: Any) -> dict[str, Any]:
     """Lemma of this number, counted from 0, at these places: ``use(0, t=t, k=k - 1)``; or a definition: ``use(c, t + 1)``,
     ``use(phi, t, k, z=m)`` for the coefficient of z^m, ``use(alpha, t, row=i)`` for an entry of a column; or the hypothesis
-    of this label, in a proof that divides by nothing but what a hypothesis says is not zero.
+    of this label, in a proof that divides by nothing but what a hypothesis says is not zero; one that says so for all k says it at these places.
 
     With ``times`` this multiple of its first equation is taken off; without, its equations are solved for an atom.
     """
@@ -219,6 +226,66 @@ def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: An
         return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
     return {"given" if isinstance(number, str) else "lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
+
+
+def arithmetic(*hints: Sequence[Any]) -> Evidence:
+    """A statement about integers of any size follows from the rules of arithmetic (see `exactkf.kernel.arithmetic`).
+
+    The statement is denied, and every case of that has to contradict itself. What exists is named like its index (``i``, and ``i1``,
+    ``i2`` .. after that), and the hints may use these names. They are taken in their order, each as soon as all its names are there:
+    `by_rests`, `at_index`, `by_cases`, `by_induction`, `shown_first`, `unfolded`, `angles`, `multiplied`.
+    """
+    return Evidence("arithmetic", {"proof": tuple(hints)})
+
+
+def by_rests(x: Any, by: int, name: Expr, hints: Sequence[Sequence[Any]] = ()) -> tuple:
+    """x = by * name + r for r = 0, .., by - 1, with hints for each r."""
+    return ("divide", to_expr(x).tree, by, _name(name), tuple(map(tuple, hints)))
+
+
+def at_index(index: Expr, term: Any) -> tuple:
+    """What is known for all ``index`` is known at this term."""
+    return ("at", _name(index), to_expr(term).tree)
+
+
+def by_cases(formula: Any, holds: Sequence[Any] = (), fails: Sequence[Any] = ()) -> tuple:
+    """A formula holds or does not, with hints for either case."""
+    return ("cut", to_expr(formula).tree, (tuple(holds), tuple(fails)))
+
+
+def shown_first(formula: Any, hints: Sequence[Any] = ()) -> tuple:
+    """A lemma, with the hints for its proof."""
+    return ("lemma", to_expr(formula).tree, ((), tuple(hints)))
+
+
+def multiplied(term: Any) -> tuple:
+    """Equations may be multiplied by this term."""
+    return ("multiply", to_expr(term).tree)
+
+
+def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (), step: Sequence[Any] = ()) -> tuple:
+    """The formula is shown for all ``name`` >= start, with hints for base and step."""
+    return ("induct", _name(name), to_expr(start).tree, to_expr(formula).tree, (tuple(base), tuple(step), ()))
+
+
+def unfolded(name: Expr, at: Any) -> tuple:
+    """The value of a recursion at a term, by its definition."""
+    return ("unfold", _name(name), to_expr(at).tree)
+
+
+def angles(kind: str, *terms: Any) -> tuple:
+    """About cos(pi a/n), or a quotient.
+
+    ===============  ===========  ===============================================
+    kind             terms        says
+    ===============  ===========  ===============================================
+    ``product``      a, b, n      2 cos(pi a/n) cos(pi b/n) as a sum of two cosines
+    ``cosines``      a, b, n      when cos(pi a/n) and cos(pi b/n) are equal
+    ``right``        n            cos(pi n/(2n)) = 0
+    ``quotient``     x, y         (x/y) y = x
+    ===============  ===========  ===============================================
+    """
+    return (kind, *(to_expr(x).tree for x in terms))
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:
@@ -233,7 +300,8 @@ def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterabl
 
 
 def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, lemmas: Sequence[Expr] = (),
-          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = ()) -> Evidence:
+          factors: Sequence[tuple[Any, Sequence[Any]]] = (), inside: Sequence[Mapping[str, Any]] = (),
+          away_from_zero: Sequence[Expr] = ()) -> Evidence:
     """A conclusion about matrices of every size made of equations, order (psd, pd, loewner), invertibility, rank, stability and similarity.
 
     For each leaf of the lemmas and the conclusion, in reading order (see `exactkf.kernel.order`), a list of terms.
@@ -248,7 +316,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
-    schur(M)                          see `within`: as the equation v = 0 for eigenvectors
+    schur(M), observable(C, A)        see `within`: as the equation v = 0 for eigenvectors
     similar(A, B), cospectral(A, B)   a nonsingular T with AT = TB, and its inverse
     ================================  ==========================================================================================
 
@@ -262,6 +330,8 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
         For determinants: that of the matrix is the product of theirs.
     inside : sequence of `within`
         What belongs to the proof of one leaf.
+    away_from_zero : scalars of the statement
+        It is shown where they are not zero, and holds everywhere by continuity (see `exactkf.kernel.continuity`).
     """
     inner = [[w["number"], w["vector"], w["lemmas"]] for w in inside if w["vector"] or w["lemmas"]]
     stable: list[list] = []
@@ -272,7 +342,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     return Evidence("order", {"sums": tuple(tuple(to_expr(t).tree for t in terms) for terms in sums),
                               "roots": tuple(_named(roots).items()), "lemmas": tuple(f.tree for f in lemmas),
                               "factors": tuple((to_expr(x).tree, tuple(to_expr(f).tree for f in parts)) for x, parts in factors),
-                              "inside": inner, "stable": stable})
+                              "inside": inner, "stable": stable, "away": tuple(_name(x) for x in away_from_zero)})
 
 
 def null_vector(block: int = 0) -> Expr:
@@ -285,7 +355,7 @@ EIGENVECTOR = (null_vector(), Expr(("sym", "w.0")))
 EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
 
 
-def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None,
+def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None, kept: tuple[Any, Any, Any] | None = None,
            solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
@@ -294,22 +364,26 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
     lemmas : formulas
         Shown before the leaf and assumed for it alone, each one leaf. Their terms stand before those of the leaf.
     vector : "right" or "left"
-        Instead of invertible(X), rank(X) == number of columns, schur(X) it is shown that a vector v with Xv = 0, or an eigenvector v of
-        X outside the open unit disc, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
+        Instead of invertible(X), rank(X) == number of columns, schur(X), observable(C, X) it is shown that a vector v with Xv = 0, an
+        eigenvector v of X outside the open unit disc, or one with Cv = 0, is zero; X' instead of X for "left". See `null_vector`, `EIGENVECTOR`, `EIGENVALUE`.
     stein : term
         A stable matrix M, as a hypothesis or a lemma says: the terms of an order then add up to X - MXM'.
     unique : pair of terms
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
+    kept : triple of terms
+        C, A and B with an observable pair (C, A), as a hypothesis says: for an equation X = 0 it is shown that CX = 0 and AX = XB.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional
-        The lemma, counted from 0, that ``stein``, ``unique``, ``solutions`` are for; else they are for the leaf.
+        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``solutions`` are for; else they are for the leaf.
     """
     help_: dict[str, Any] = {}
     if stein is not None:
         help_["stein"] = to_expr(stein).tree
     if unique:
         help_["unique"] = [to_expr(m).tree for m in unique]
+    if kept:
+        help_["kept"] = [to_expr(m).tree for m in kept]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
     return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}

@@ -21,6 +21,7 @@ from typing import Any
 
 from exactkf import __version__
 from exactkf.claims import Claim
+from exactkf.describe import wrong_made
 from exactkf.language.latex import statement_latex
 from exactkf.store import file_stem
 
@@ -51,8 +52,7 @@ def _row(result: Mapping[str, Any], claim: Claim, files: list[str]) -> dict[str,
         "reason": result["reason"] or None, "repair": _repair(result["repair"], claim),
         "statement_latex": statement_latex(claim.statement) if claim.statement else "",
         "certificates": files,
-        # an equal rewriting in a mutant's clothes is no wrong neighbour
-        "mutants": {"made": mutants["made"] - mutants.get("equal", 0), "rejected": mutants["rejected"]},
+        "mutants": {"made": wrong_made(mutants), "rejected": mutants["rejected"]},
         "checks": result["checks"], "seconds": result["seconds"],
     }
 

@@ -44,7 +44,7 @@ from flint import arb, arb_mat, ctx, fmpq
 from exactkf._errors import Unsupported
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide
-from exactkf.exact._messages import bad, check_count
+from exactkf.exact._messages import MOST_DIGITS, bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.orbit_n import reduce_pair
@@ -57,6 +57,7 @@ __all__ = ["DigitsAhead", "ahead_data", "ahead_lines", "digits_ahead", "rounded"
 
 _BOUND = 1 << 17
 _SHORT = 50  # steps
+_FARTHEST = 10**100
 _LONGEST = 60  # characters of a fraction
 
 
@@ -98,7 +99,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     Raises
     ------
     BadInput
-        If the entries are not in one field, the lengths differ, `T` is negative or `digits` is not positive.
+        If the entries are not in one field, the lengths differ, `T` is negative or above 10**100, or `digits` is not between 1 and 100,000.
     Unsupported
         If the precision needed is above 2**17 bits and 32 times the digits, as for a state at or next to an escape.
 
@@ -107,8 +108,8 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     >>> digits_ahead([0], [2], 2, 5).g[0].str(5, radius=False)
     '-1.1429'
     """
-    check_count("T", T)
-    check_count("digits", digits, 1)
+    check_count("T", T, 0, _FARTHEST, "pass T <= 10**100")
+    check_count("digits", digits, 1, MOST_DIGITS)
     if answer is not None and not isinstance(answer, Answer):
         raise bad("answer", "is not an Answer", answer, "pass what decide returns, or None")
     a, g = unify_pair(a=a, g=g)
@@ -129,7 +130,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
         with precision(bits):
             found = _at(a, g, start) if T <= start else _power(reduced.Q, reduced.S, reduced.removed, T - start) if m else _rest(reduced.removed)
         if found is not None and all(x.rad() < arb(10) ** -digits for x in (*found[0], *found[1])):
-            return DigitsAhead(*found, None, answer.never_escapes)
+            return DigitsAhead(*found, None, answer.never_escapes or answer.escape is not None)
         bits *= 2
     raise Unsupported(f"the state after {T} steps needs more than {bound} bits; it is next to an escape, or is one")
 
@@ -203,13 +204,12 @@ def _rest(removed: list) -> tuple[tuple[arb, ...], tuple[arb, ...]]:
     return tuple(map(_ball, reversed(removed[:-1]))), tuple(arb(0) for _ in removed[:-1])
 
 
-def _symplectic(q: list[arb], g: list[arb]) -> list[arb_mat]:
-    """The blocks of S, see `exactkf.theory.power_method`."""
-    m = len(q)
+def _first(q: list[arb], g: list[arb]) -> _Scattering:
+    """S itself: with X = A'^-1 they are A', -hh', gg'."""
+    m, column = len(q), arb_mat([[x] for x in g])
     A = arb_mat([[arb(int(j == i + 1)) - (q[i] if j == 0 else 0) for j in range(m)] for i in range(m)])
-    inverse, column = A.transpose().inv(), arb_mat([[x] for x in g])
-    hh, low = arb_mat([[int(i == j == 0) for j in range(m)] for i in range(m)]), column * column.transpose() * inverse
-    return [inverse, -(inverse * hh), low, A - low * hh]
+    hh = arb_mat([[int(i == j == 0) for j in range(m)] for i in range(m)])
+    return _Scattering(A.transpose(), -hh, column * column.transpose())
 
 
 def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tuple[arb, ...]] | None:
@@ -218,9 +218,7 @@ def _power(Q: list, S: list, removed: list, T: int) -> tuple[tuple[arb, ...], tu
     q = [_ball(x) for x in Q[-2::-1]]
     a = [x - y for x, y in zip(q, g, strict=True)]
     try:
-        block = _symplectic(q, g)
-        inverse = block[0].inv()
-        total = _repeated(_Scattering(inverse, inverse * block[1], block[2] * inverse), T)
+        total = _repeated(_first(q, g), T)
     except ZeroDivisionError:
         return None
     u = [row[0] for row in total.P.tolist()]

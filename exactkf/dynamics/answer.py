@@ -13,8 +13,8 @@ An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an objec
 (coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data,
 or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``, and so are other numbers of large degree.
 
-The certificate vouches for all fields but those that `Answer.beside` names: these are exact as well, but the checker does not
-look at them.
+The certificate vouches for every field but the sentences of the derivation, which `Answer.beside` names, and for the state far ahead
+if `exactkf.dynamics.certified.certify_ahead` puts it in.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ def _none() -> None:
 
 #: made when they are asked for, so that __getattr__ must be
 _NOT_OF_THE_CLASS: dict[str, Callable[[], Any]] = {"limit": _none, "rate": _none, "slow": _none, "structure": _none, "facts": tuple, "certificate": dict}
-_NEVER_CERTIFIED = ("slow", "structure", "facts")
-_APART = (*_NEVER_CERTIFIED, "reason", "certificate", "beside")
+_NEVER_CERTIFIED = ("facts",)
+_APART = (*_NEVER_CERTIFIED, "rate", "slow", "structure", "reason", "certificate", "beside")
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,7 @@ class Answer:
     certificate : dict
         Sealed, of kind ``orbit``; ``exactkf check`` replays it.
     beside : tuple of str
-        The fields that were computed exactly, but are not in the certificate.
+        The fields that are not in the certificate: the derivation says why, and the checker finds out for itself.
 
     Raises
     ------
@@ -178,8 +178,8 @@ class Answer:
         return Answer.of_entries(self.order, {**known, "reason": reason or self.reason}, {}, None)
 
     def decided(self) -> dict[str, Any]:
-        """Return the fields that the certificate speaks of, None for those that were found beside it."""
-        return {f.name: None if f.name in self.beside else getattr(self, f.name) for f in fields(self) if f.name not in _APART}
+        """Return the fields that are decided first; the certificate has the speed and the structure besides (`exactkf.dynamics.certified`)."""
+        return {f.name: getattr(self, f.name) for f in fields(self) if f.name not in _APART}
 
     def to_json(self) -> dict[str, Any]:
         """Return the answer as plain data that `json` writes without help."""

@@ -3,6 +3,7 @@ r"""The limit of an orbit, enclosed to any number of digits.
 
 Main definitions
 ----------------
+``for_checker``      polynomials in the numbers of the checker
 ``EnclosedLimit``    the stable spectral factor of `D` times the factors in common, in intervals
 
 Choice of algorithm
@@ -38,7 +39,7 @@ from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.roots import chebyshev, count_circle, divmod_poly, squarefree, times_poly
 from exactkf.kernel.spectral import enclosed_factor
 
-__all__ = ["EnclosedLimit"]
+__all__ = ["EnclosedLimit", "for_checker"]
 
 _START, _BOUND = 256, 1 << 15
 _DIGITS = 50
@@ -87,24 +88,25 @@ class EnclosedLimit:
         return cls(list(D), rest, mixed, circle, list(removed))
 
     @cached_property
-    def _shown(self) -> tuple[list[tuple[int, int]], int, list[int], list[tuple[Fraction, Fraction, int]]]:
+    def shown(self) -> tuple[list[tuple[int, int]], int, list[int], list[tuple[Fraction, Fraction, int]]]:
+        """What `enclosed` returns for 50 digits."""
         return self.enclosed(_DIGITS)
 
     @property
     def limit(self) -> dict[str, Any]:
         """The limit as an answer has it, to 50 digits or more."""
-        intervals, bits = self._shown[:2]
+        intervals, bits = self.shown[:2]
         return {"alpha": [{"interval": [str(Fraction(lo, 1 << bits)), str(Fraction(hi, 1 << bits))]} for lo, hi in intervals], "gamma": "0"}
 
     @property
     def evidence(self) -> dict[str, Any]:
         """The center of the intervals, for the checker."""
-        _, bits, center, pairs = self._shown
+        _, bits, center, pairs = self.shown
         return {"circle": [element_json(x) for x in self.circle], "pairs": [[str(lo), str(hi), k] for lo, hi, k in pairs], "center": center, "bits": bits}
 
     def enclosed(self, digits: int) -> tuple[list[tuple[int, int]], int, list[int], list[tuple[Fraction, Fraction, int]]]:
         """Intervals of integers over 2^bits around the coefficients below the leading one, leading one first; the bits, the center and the pairs."""
-        D, circle, removed = _for_checker([self.D, self.circle, self.removed])
+        D, circle, removed = for_checker([self.D, self.circle, self.removed])
         bits = max(_START, 5 * digits)
         while bits < _BOUND:
             try:
@@ -151,8 +153,8 @@ def _ball(x: Any, bits: int) -> arb:
     return x.enclose(bits // 3).mid() if isinstance(x, RealNumber) else arb(fmpq(x))
 
 
-def _for_checker(polynomials: list[list[Any]]) -> list[list[Any]]:
-    """The same polynomials in the numbers of the checker."""
+def for_checker(polynomials: list[list[Any]]) -> list[list[Any]]:
+    """Return the same polynomials in the numbers of the checker."""
     found = next((x.field for p in polynomials for x in p if isinstance(x, RealNumber)), None)
     if found is None:
         return [[Fraction(int(fmpq(x).p), int(fmpq(x).q)) for x in p] for p in polynomials]

@@ -7,6 +7,7 @@ Main definitions
 ``limit_digits``  the digits of the limit
 ``rate_digits``   the digits of the rate
 ``LimitDigits``   what `limit_digits` returns
+``state_of``      the state behind an answer
 
 Main statements
 ---------------
@@ -54,7 +55,7 @@ from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json, number_latex, number_words
 from exactkf.dynamics.order_one_facts import of_field
 from exactkf.dynamics.sieve import places_of_signs
-from exactkf.dynamics.spectral_factor import Factor, number_of_choices, spectral_factor
+from exactkf.dynamics.spectral_factor import Factor, factor_json, number_of_choices, spectral_factor
 from exactkf.dynamics.speed import Speed, rate_ball, speed
 from exactkf.dynamics.torus import torus_evidence
 from exactkf.dynamics.wandering import (
@@ -72,7 +73,7 @@ from exactkf.dynamics.wandering import (
     primes,
 )
 from exactkf.dynamics.zeros import circle_points
-from exactkf.exact._messages import bad, check_count
+from exactkf.exact._messages import MOST_DIGITS, bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.circle import sign_on_circle
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -86,9 +87,10 @@ from exactkf.kernel.roots import count_circle, times_poly
 from exactkf.theory._scalars import Scalar, unify_pair
 from exactkf.theory.orbits import first_escape, integer_orbit
 
-__all__ = ["LimitDigits", "decide", "limit_digits", "rate_digits"]
+__all__ = ["LimitDigits", "ball_between", "decide", "limit_digits", "rate_digits", "state_of"]
 
 MAX_STEPS = 2000
+_MOST_STEPS = 10**7
 _FEW = 60
 _MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
 _LARGE, _BILLION = ((1 << 61) - 1, (1 << 89) - 1), 10**9
@@ -142,7 +144,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     >>> decide([0, 1], [0, 0]).period
     1
     """
-    check_count("max_steps", max_steps)
+    check_count("max_steps", max_steps, 0, _MOST_STEPS, "what is settled does not need them; more than 10^4 help seldom")
     case = _case(a, g)
     reduced = case.reduced
     if reduced.escape is not None:
@@ -207,16 +209,19 @@ def _describe(case: _Case, shape: str) -> None:
 # ---------------------------------------------------------------------- answers
 def _answer(case: _Case, behaviour: str, evidence: dict[str, Any], reason: str = "", **fields: Any) -> Answer:
     """The answer; where it converges the limit, with the evidence for it, is found when it is asked for."""
-    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, "beside": _BESIDE, **fields}
+    entries = {"behaviour": behaviour, "facts": tuple(case.facts), "reason": reason, **fields}
     later = _LATER_OF_LIMITS if behaviour == "converges" else _LATER
     return Answer.of_entries(len(case.a), entries, later, (case.a, case.g, evidence))
 
 
 def _sealed(answer: Answer) -> dict[str, Any]:
+    from exactkf.dynamics.certified import parts
+
     a, g, evidence = answer.__dict__["_start"]
     if answer.behaviour == "converges":
         evidence = {**evidence, **_found(answer).evidence}
-    return seal("orbit", "orbit", {"question": _question(a, g), "answer": answer.decided()}, evidence)
+    said, more = parts(answer, a, g)
+    return seal("orbit", "orbit", {"question": _question(a, g), "answer": {**answer.decided(), **said}}, {**evidence, **more})
 
 
 def _limit(answer: Answer) -> dict[str, Any]:
@@ -224,16 +229,18 @@ def _limit(answer: Answer) -> dict[str, Any]:
 
 
 def _structure(answer: Answer) -> dict[str, Any]:
-    from exactkf.dynamics.structure import structure_json
+    from exactkf.dynamics.certified import structure_of
 
-    return structure_json(*answer.__dict__["_start"][:2])
+    return structure_of(answer, *answer.__dict__["_start"][:2])
 
 
 def _speed(answer: Answer) -> Speed:
     """The speed, kept for the other half of it; of an equilibrium there is none."""
     if "_speed" not in answer.__dict__:
-        D = _case(*answer.__dict__["_start"][:2]).D
-        answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle_points(D) if len(D) > 1 else [])
+        behind = answer.__dict__.get("_behind")  # the structure, if it has been asked for
+        D = _case(*answer.__dict__["_start"][:2]).D if behind is None else [*behind.d[:0:-1], *behind.d]
+        circle = [] if len(D) == 1 else circle_points(D) if behind is None else behind.circle_zeros
+        answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle)
     return answer.__dict__["_speed"]
 
 
@@ -247,7 +254,6 @@ def _slow(answer: Answer) -> int | None:
 
 _LATER = {"certificate": _sealed, "structure": _structure}
 _LATER_OF_LIMITS = {**_LATER, "limit": _limit, "rate": _rate, "slow": _slow}
-_BESIDE = ("rate", "slow", "structure", "facts")
 
 
 def _found(answer: Answer) -> _Limit | EnclosedLimit:
@@ -327,7 +333,7 @@ class _Limit:
     @property
     def evidence(self) -> dict[str, Any]:
         """The spectral factor in its field, for the checker."""
-        return {"field": field_json(self.factor.field), "factor": [element_json(x) for x in self.factor.coefficients]}
+        return factor_json(self.factor)
 
 
 def _entry(case: _Case, max_steps: int) -> int | Answer:
@@ -599,9 +605,9 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no limit written as numbers; pass the answer for data that converge to such a limit")
     values = answer.limit["alpha"] if isinstance(answer.limit["alpha"], list) else [answer.limit["alpha"]]
     if any(isinstance(x, dict) and "minpoly" not in x for x in values):
-        case = _case(*_state_of(answer.certificate["statement"]["question"]))
+        case = _case(*state_of(answer))
         found, bits, *_ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)
-        return LimitDigits(tuple(_ball(lo, hi, bits) for lo, hi in found))
+        return LimitDigits(tuple(ball_between(lo, hi, bits) for lo, hi in found))
     numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
 
@@ -617,30 +623,36 @@ def rate_digits(answer: Answer, digits: int) -> arb:
     _check_asked(answer, digits)
     if answer.rate is None:
         raise BadInput(f"answer = {answer.behaviour!r}: it has no rate; pass the answer for data that converge faster than 1/t")
-    question = answer.certificate["statement"]["question"]
-    return rate_ball(answer.rate, _case(*_state_of(question)).D if "a" in question else [], digits)
+    enclosed = isinstance(answer.rate, dict) and "minpoly" not in answer.rate  # never so in order one
+    return rate_ball(answer.rate, _case(*state_of(answer)).D if enclosed else [], digits)
 
 
 def _check_asked(answer: Any, digits: Any) -> None:
     if not isinstance(answer, Answer):
         raise bad("answer", "is not an Answer", answer, "pass what decide returns")
-    check_count("digits", digits, 1)
+    check_count("digits", digits, 1, MOST_DIGITS)
 
 
-def _ball(lo: int, hi: int, bits: int) -> arb:
-    """A ball around the interval from lo / 2^bits to hi / 2^bits."""
+def ball_between(lo: int, hi: int, bits: int) -> arb:
+    """Return a ball around the interval from lo / 2^bits to hi / 2^bits."""
     with precision(bits + 64):
         return arb(fmpq(lo, 1 << bits)).union(arb(fmpq(hi, 1 << bits)))
 
 
-def _state_of(question: dict[str, Any]) -> tuple[list, list]:
-    """The state that a question asks about."""
-    a: list[Any]
-    g: list[Any]
-    if question["field"] is None:
-        a, g = ([fmpq(*map(int, x.split("/"))) for x in question[k]] for k in ("a", "g"))
-        return a, g
-    modulus, lo, hi = question["field"]
-    field = RealField(modulus, (lo, hi))
-    a, g = ([field(x if isinstance(x, list) else [x]) for x in question[k]] for k in ("a", "g"))
-    return a, g
+def state_of(answer: Answer) -> tuple[Sequence[Any], Sequence[Any]]:
+    """Return the state (a, g) of the filter that an answer is about."""
+    if start := answer.__dict__.get("_start"):
+        first, second = start[:2]
+        return (first, second) if isinstance(first, (tuple, list)) else ([first - second], [second + 0 * first])
+    question = answer.certificate.get("statement", {}).get("question")
+    if question is None:
+        raise bad("answer", "does not know its question", answer.behaviour, "pass what analyze or decide returned")
+    field = None if question["field"] is None else RealField(question["field"][0], question["field"][1:])
+    first, second = ([_element(x, field) for x in question[key]] for key in (("a", "g") if "a" in question else ("alpha", "gamma")))
+    return ([x - y for x, y in zip(first, second, strict=True)], second) if "alpha" in question else (first, second)
+
+
+def _element(x: Any, field: RealField | None) -> Any:
+    if field is None:
+        return fmpq(*map(int, x.split("/")))
+    return field([fmpq(*map(int, c.split("/"))) for c in (x if isinstance(x, list) else [x])])

@@ -134,10 +134,9 @@ def _norm(b: RealNumber, q: RealNumber) -> fmpq_poly:
     return fmpq_mat(rows).charpoly()
 
 
-def isolated(p: fmpq_poly, enclosed: Any) -> Any:
-    """Return the root of `p` that the balls of growing accuracy ``enclosed(bits)`` hold, in JSON."""
+def isolated(p: fmpq_poly, enclosed: Any, bits: int = 64) -> Any:
+    """Return the root of `p` that the balls of growing accuracy ``enclosed(bits)`` hold, in JSON, from so many bits on."""
     factors = [f for f, _ in p.factor()[1]]
-    bits = 64
     while True:
         with precision(bits):
             around = enclosed(bits)

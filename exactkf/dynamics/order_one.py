@@ -212,18 +212,26 @@ def _told(answer: Answer) -> tuple[Fact, ...]:
 
 def _sealed(answer: Answer) -> dict[str, Any]:
     """The certificate of an answer."""
+    from exactkf.dynamics.certified import parts
+
     scalars = answer.__dict__["_start"]
     alpha, gamma, *pi = scalars
     question = {"order": 1, "system": "riccati" if pi else "filter", "field": field_json(field_of(*scalars)),
                 "alpha": [element_json(alpha)], "gamma": [element_json(gamma)], **({"pi": element_json(pi[0])} if pi else {})}
-    return seal("orbit", "orbit", {"question": question, "answer": answer.decided()}, {})
+    said, evidence = parts(answer, *_state(answer))
+    return seal("orbit", "orbit", {"question": question, "answer": {**answer.decided(), **said}}, evidence)
 
 
 def _structure(answer: Answer) -> dict[str, Any]:
-    from exactkf.dynamics.structure import structure_json
+    from exactkf.dynamics.certified import structure_of
 
+    return structure_of(answer, *_state(answer))
+
+
+def _state(answer: Answer) -> tuple[list[Scalar], list[Scalar]]:
+    """The filter, also where the question is about the Riccati equation."""
     alpha, gamma = answer.__dict__["_start"][:2]
-    return structure_json([alpha - gamma], [gamma + 0 * alpha])  # both in one field
+    return [alpha - gamma], [gamma + 0 * alpha]  # both in one field
 
 
 _LATER = {"facts": _told, "certificate": _sealed, "structure": _structure}

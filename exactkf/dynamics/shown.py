@@ -38,8 +38,8 @@ def number_lines(answer: Answer, digits: int) -> list[str]:
 
 
 def structure_lines(answer: Answer, digits: int) -> list[str]:
-    """What is behind the orbit, and what of all this the certificate vouches for."""
-    return [*_lines(structure_entries(answer, digits)), *([] if answer.behaviour == "undecided" else ["", f"  {vouched(answer)}"])]
+    """What is behind the orbit, and that the certificate vouches for all of this."""
+    return [*_lines(structure_entries(answer, digits)), "", f"  {vouched(answer)}"]
 
 
 def _lines(entries: Sequence[Entry]) -> list[str]:
@@ -49,12 +49,9 @@ def _lines(entries: Sequence[Entry]) -> list[str]:
 
 def vouched(answer: Answer) -> str:
     """What the certificate vouches for."""
-    named = [("limit", "the limit"), ("rate", "the rate"), ("period", "the period"), ("torus_dimension", "the dimension of the torus")]
-    said = [words for name, words in named if name not in answer.beside and getattr(answer, name) is not None]
-    said += ["the steps"] * any(getattr(answer, name) is not None for name in ("escape", "monotone_from", "enters_positive_real", "preperiod"))
-    said += ["that there is no escape"] * answer.never_escapes
-    listed = ", ".join(["the behaviour", *said[:-1]]) + " and " + said[-1]
-    return f"The certificate vouches for {listed}. The sentences and the other numbers are exact as well, but stand beside it."
+    if answer.behaviour == "undecided":
+        return "The certificate vouches for the steps searched and for the structure."
+    return "The certificate vouches for every entry of this answer, and for enclosed numbers within the intervals that it gives; the sentences say why."
 
 
 def headline(answer: Answer) -> str:
@@ -88,7 +85,7 @@ def latex_text(answer: Answer, digits: int, ahead: Mapping[str, Any] | None) -> 
     for rows in lists:
         if rows:
             parts += ["\\begin{itemize}", *(f"  \\item {row}" for row in rows), "\\end{itemize}"]
-    return "\n".join(parts + ([] if answer.behaviour == "undecided" else [f"\\noindent {vouched(answer)}"]))
+    return "\n".join([*parts, f"\\noindent {vouched(answer)}"])
 
 
 def latex_rows(answer: Answer, digits: int) -> list[str]:

@@ -8,6 +8,7 @@ Main definitions
 ----------------
 ``spectral_factor``   the coefficients of `w` in a real number field
 ``Factor``            the result
+``factor_json``       the same for the checker
 
 Main statements
 ---------------
@@ -33,6 +34,7 @@ BLZ94 (5.4), (6.25), (7.1).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from itertools import combinations, product
 from math import comb
 from typing import Any, NamedTuple
@@ -40,12 +42,13 @@ from typing import Any, NamedTuple
 from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_poly
 
 from exactkf._errors import Unsupported
+from exactkf.dynamics.exact_json import element_json, field_json
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.roots import times_poly
 
-__all__ = ["Factor", "number_of_choices", "spectral_factor", "zeros"]
+__all__ = ["Factor", "factor_json", "number_of_choices", "spectral_factor", "zeros"]
 
 _BOUND = 1 << 15
 
@@ -55,6 +58,11 @@ class Factor(NamedTuple):
 
     field: RealField | None
     coefficients: tuple[Any, ...]
+
+
+def factor_json(factor: Factor) -> dict[str, Any]:
+    """Return the factor in its field, for the checker."""
+    return {"field": field_json(factor.field), "factor": [element_json(x) for x in factor.coefficients]}
 
 
 def zeros(f: fmpz_poly) -> tuple[list[acb], list[acb], list[acb]]:
@@ -109,6 +117,12 @@ def spectral_factor(D: Sequence[Any]) -> Factor:
     >>> spectral_factor([2, 5, 2]).coefficients
     (1/2, 1)
     """
+    return _of(tuple(D))
+
+
+@lru_cache(maxsize=16)
+def _of(D: tuple[Any, ...]) -> Factor:
+    """The same, kept: a limit and a structure want it one after the other."""
     factors = fmpq_poly(list(D)).numer().factor()[1]
     plain: list[tuple[fmpz_poly, int]] = []
     mixed: list[tuple[fmpz_poly, int]] = []

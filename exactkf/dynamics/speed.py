@@ -63,7 +63,7 @@ from exactkf.dynamics.zeros import CirclePoint, factors, interval_json, norm, pr
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField
 
-__all__ = ["Speed", "rate_ball", "speed"]
+__all__ = ["Speed", "norms_of", "rate_ball", "speed"]
 
 _DEGREE = 16  # of the norm, up to which the rate is a root
 _LONGEST = 32  # degree up to which a root is written, as for limits
@@ -103,8 +103,7 @@ def speed(D: Sequence[Any], circle: Sequence[CirclePoint]) -> Speed:
         return Speed("0", None)
     if circle:
         return Speed(None, sum((multiplicity // 2) ** 2 * (1 if x in ("2", "-2") else 2) for x, multiplicity in circle))
-    parts = [f for f, _ in factors(D)]
-    norms = [norm(f) for f in parts]
+    parts, norms = [f for f, _ in factors(D)], norms_of(D)
     if max(p.degree() for p in norms) > _DEGREE:
         return Speed(interval_json(_accurate(parts, _DIGITS)), None)
     product = fmpq_poly([1])
@@ -112,6 +111,11 @@ def speed(D: Sequence[Any], circle: Sequence[CirclePoint]) -> Speed:
         product *= products_of_zeros(p)
     found = isolated(product, lambda bits: _square(parts, bits))
     return Speed(found if isinstance(found, str) or len(found["minpoly"]) <= _LONGEST + 1 else interval_json(_accurate(parts, _DIGITS)), None)
+
+
+def norms_of(D: Sequence[Any]) -> list[fmpq_poly]:
+    """Return polynomials over Q whose product vanishes at all zeros of D."""
+    return [norm(f) for f, _ in factors(D)]
 
 
 def rate_ball(rate: Any, D: Sequence[Any], digits: int) -> arb:

@@ -20,6 +20,7 @@ from exactkf._errors import Unsupported
 from exactkf.dynamics.ahead import ahead_data, ahead_lines
 from exactkf.dynamics.analyze import analyze, filter_from
 from exactkf.dynamics.answer import Answer
+from exactkf.dynamics.certified import with_ahead
 from exactkf.dynamics.filter import Filter
 from exactkf.dynamics.shown import decision_lines, number_lines, structure_lines
 from exactkf.exact._messages import bad
@@ -88,11 +89,12 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
         except Unsupported as error:
             tell(("missing", str(error)))
         else:
-            tell(("lines", ["", *(f"  {line}" for line in ahead_lines(ahead, request.digits))]))
+            said = [*ahead_lines(ahead, request.digits), *([] if start is None else ["(of the filter; the certificate speaks of the Riccati equation only)"])]
+            tell(("lines", ["", *(f"  {line}" for line in said)]))
     for name in request.files:
         tell(("stage", f"writing the {name}"))
         try:
-            tell(("file", (name, _text(name, answer, request, ahead))))
+            tell(("file", (name, _text(name, answer, request, ahead, start is None))))
         except Unsupported as error:
             tell(("missing", f"{name}: {error}"))
     for kind, path in request.pictures:
@@ -106,11 +108,14 @@ def carry_out(request: Request, tell: Callable[[Told], None]) -> None:
             tell(("drawn", path))
 
 
-def _text(name: str, answer: Answer, request: Request, ahead: dict[str, Any] | None) -> str:
-    """What goes into a file."""
+def _text(name: str, answer: Answer, request: Request, ahead: dict[str, Any] | None, of_filter: bool) -> str:
+    """What goes into a file; the certificate has the state far ahead, unless the question is about a Riccati equation."""
     if name == "latex":
         return answer.latex(request.digits, ahead) + "\n"
-    return dump_json(answer.certificate if name == "certificate" else {**answer.to_json(), **({} if request.after is None else {"ahead": ahead})})
+    certificate = answer.certificate if ahead is None or not of_filter else with_ahead(answer, ahead)
+    if name == "certificate":
+        return dump_json(certificate)
+    return dump_json({**answer.to_json(), **({} if request.after is None else {"ahead": ahead}), "certificate": certificate})
 
 
 def _draw(kind: str, path: Path, filter: Filter, steps: int) -> None:

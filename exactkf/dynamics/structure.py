@@ -15,10 +15,8 @@ multiplicity of the zero of `D` (`exactkf.kernel.orbit_n`, statement 1).  If `D`
 circle and `w` is its stable spectral factor, the dominant and codominant `m`-dimensional invariant
 subspaces are the kernels of :math:`w_*(z) = z^m w(1/z)/w(0)` and of `w` at `S` (BLZ94 Lemma 6.10).
 
-Each of them is :math:`\operatorname{Im}(I; P)` for one symmetric `P`, for it meets :math:`\operatorname{Im}(0; I)` in zero only, and is
-spanned by :math:`v, Sv, \dots, S^{m-1}v` with :math:`v = (h; u)`, :math:`u = Ph`.  An equilibrium :math:`(q, 0)` of (2.8) has
-:math:`r q = r a + g - Fu`, :math:`u_1 = 1 - r`, so `u` comes from `q` and `r`: for the dominant one :math:`q = w`, :math:`r = Q(0)/w(0)`; for the
-other the same with :math:`w_*` instead of `w`.
+Each of them is :math:`\operatorname{Im}(I; P)` for one symmetric `P`, and spanned by :math:`v, Sv, \dots, S^{m-1}v` with :math:`v = (h; u)`,
+:math:`u = Ph`, which `exactkf.kernel.orbit_structure`, statement 3, derives from `w`.
 
 References
 ----------
@@ -27,28 +25,28 @@ BLZ94 (2.8), (5.5)-(5.9), (6.8), Proposition 6.6, Lemmas 6.7-6.12.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq
+from flint import arb
 
-from exactkf.dynamics.enclosed_limit import EnclosedLimit
-from exactkf.dynamics.every_order import _case
+from exactkf.dynamics.enclosed_limit import EnclosedLimit, for_checker
+from exactkf.dynamics.every_order import _case, ball_between
 from exactkf.dynamics.exact_json import element_json, field_json, field_of, number_json
-from exactkf.dynamics.spectral_factor import number_of_choices, spectral_factor
+from exactkf.dynamics.spectral_factor import factor_json, number_of_choices, spectral_factor
 from exactkf.dynamics.zeros import CirclePoint, circle_points, factors, interval_json
-from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.orbit_n import spectral_polynomial, spectral_sign
+from exactkf.kernel.orbit_structure import subspace, subspace_within
 from exactkf.kernel.roots import count_circle, gcd_poly
 from exactkf.theory._scalars import Scalar
+from exactkf.theory.power_method import symplectic_rows
 
 __all__ = ["JordanBlocks", "Structure", "structure", "structure_json"]
 
 _MOST_CHOICES = 8  # degree up to which the subspaces are written exactly
-_DIGITS = 50
 _SIGNS = {"+": "positive", "0+": "nonnegative", "0": "zero", "-0": "nonpositive", "-": "negative", "+-": "indefinite"}
 
 
@@ -87,6 +85,8 @@ class Structure:
         The Jordan structure of `S`.
     dominant, codominant : tuple of numbers or balls, length m, or None
         The vectors `u` of the header, exact if the data are rational and their field is small; None if there is no `S` or `D` changes sign.
+    evidence : mapping
+        The spectral factor from which they come, for the checker.
     """
 
     order: int
@@ -102,6 +102,7 @@ class Structure:
     jordan: tuple[JordanBlocks, ...]
     dominant: tuple[Any, ...] | None
     codominant: tuple[Any, ...] | None
+    evidence: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def subspace(self, u: Sequence[Any]) -> Matrix:
         """Return :math:`v, Sv, \\dots` in columns for one of the vectors `u`, if it is exact."""
@@ -139,71 +140,49 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     S: Matrix | None = None
     jordan: tuple[JordanBlocks, ...] = ()
     dominant = codominant = None
+    factor: dict[str, Any] = {}
     if m and reduced.escape is None:
         q_m, g_m = reduced.Q[-2::-1], reduced.S[-2::-1]
-        a_m = [x - y for x, y in zip(q_m, g_m, strict=True)]
-        S, jordan = _symplectic(q_m, g_m), tuple(JordanBlocks(tuple(f), k) for f, k in factors(D))
+        S, jordan = Matrix(symplectic_rows(q_m, g_m)), tuple(JordanBlocks(tuple(f), k) for f, k in factors(D))
         if sign != "indefinite":
-            dominant, codominant = _subspaces(D, a_m, g_m)
+            dominant, codominant, factor = _subspaces(D, q_m)
     return Structure(m, reduced.start, tuple(gcd_poly(case.Q, case.S)), tuple(reduced.removed), d,
                      tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, () if sign == "zero" else tuple(circle_points(D)),
-                     inside, S, jordan, dominant, codominant)
+                     inside, S, jordan, dominant, codominant, factor)
 
 
-def _symplectic(q: Sequence[Any], g: Sequence[Any]) -> Matrix:
-    """S as `exactkf.theory.power_method.symplectic_matrix_of` has it, over any field; q_m is not zero."""
-    m = len(q)
-    zero = 0 * q[-1]
-    # A = J - q h', so A' e_i = e_{i+1} - q_i e_1 and A' e_m = -q_m e_1
-    inverse = [[zero + int(j == i + 1) for j in range(m)] for i in range(m - 1)] + [[-x / q[-1] for x in (1 + zero, *q[:-1])]]
-    low = [[g[i] * sum((g[k] * inverse[k][j] for k in range(m)), zero) for j in range(m)] for i in range(m)]
-    top = [[*row, -row[0], *[zero] * (m - 1)] for row in inverse]
-    bottom = [[*row, *((zero + int(j == i + 1)) - (q[i] + row[0] if j == 0 else zero) for j in range(m))] for i, row in enumerate(low)]
-    return Matrix(top + bottom)
-
-
-def _subspaces(D: Sequence[Any], a: Sequence[Any], g: Sequence[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
-    """The vectors u of the dominant and the codominant subspace, exact or in balls."""
+def _subspaces(D: list[Any], q: list[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...], dict[str, Any]]:
+    """The vectors u of the dominant and the codominant subspace, exact or in balls, and the spectral factor for the checker."""
     if not isinstance(D[-1], RealNumber) and number_of_choices(D) <= _MOST_CHOICES:
-        w = list(spectral_factor(D).coefficients)
-        return _vector(w, a, g), _vector([x / w[0] for x in reversed(w)], a, g)
-    found, bits, *_ = EnclosedLimit.of(D, [D[-1] / D[-1]]).enclosed(_DIGITS + 10)
-    with precision(bits + 64):
-        inner = [arb(fmpq(lo + hi, 2 << bits), fmpq(hi - lo, 2 << bits)) for lo, hi in reversed(found)]
-        balls = [*inner, arb(1)]
-        near = [[x.enclose(3 * bits // 10) if isinstance(x, RealNumber) else arb(x) for x in p] for p in (a, g)]
-        return _vector(balls, *near), _vector([x / balls[0] for x in reversed(balls)], *near)
-
-
-def _vector(w: Sequence[Any], a: Sequence[Any], g: Sequence[Any]) -> tuple[Any, ...]:
-    """u of the equilibrium with the polynomial w, from z^0 up."""
-    r = (a[-1] + g[-1]) / w[0]
-    u = [1 - r]
-    for w_i, a_i, g_i in zip(w[-2:0:-1], a[:-1], g[:-1], strict=True):
-        u.append(g_i + a_i * u[0] - r * (w_i - a_i))
-    return tuple(u)
+        factor = spectral_factor(D)
+        w = list(factor.coefficients)
+        return tuple(subspace(w, q, True)), tuple(subspace(w, q, False)), factor_json(factor)
+    enclosed = EnclosedLimit.of(D, [D[-1] / D[-1]])
+    found, bits, *_ = enclosed.shown
+    (near,) = for_checker([q])
+    w = [*reversed(found), (1 << bits, 1 << bits)]
+    u, v = (tuple(ball_between(lo, hi, bits) for lo, hi in subspace_within(w, near, bits, dominant)) for dominant in (True, False))
+    return u, v, enclosed.evidence
 
 
 # ---------------------------------------------------------------------- as data
-def structure_json(a: Sequence[Scalar], g: Sequence[Scalar]) -> dict[str, Any]:
-    """Return the structure as plain data.
+def structure_json(found: Structure) -> dict[str, Any]:
+    """Return a structure as plain data.
 
     Numbers are "p/q" or, over a field, lists of coefficients in its generator; `field` is the field.  In ``circle_zeros`` and the
     subspaces they are as in the limit of an answer.
 
     Parameters
     ----------
-    a, g
-        As for `structure`.
+    found : Structure
     """
-    found = structure(a, g)
-    field = field_of(*found.d, *found.gcd)
+    over = field_of(*found.d, *found.gcd)
 
     def listed(values: Sequence[Any] | None) -> list[Any] | None:
         return None if values is None else [element_json(x) for x in values]
 
     return {
-        "field": field_json(field), "order": found.order, "start": found.start, "gcd": listed(found.gcd), "factor": listed(found.factor),
+        "field": field_json(over), "order": found.order, "start": found.start, "gcd": listed(found.gcd), "factor": listed(found.factor),
         "d": listed(found.d), "kappa": listed(found.kappa), "sign": found.sign,
         "circle_zeros": [zero._asdict() for zero in found.circle_zeros], "positive_real": found.positive_real,
         "S": None if found.S is None else [listed(row) for row in found.S.rows],

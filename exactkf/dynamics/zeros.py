@@ -16,6 +16,7 @@ A polynomial is its list of coefficients from z^0 up.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
@@ -121,22 +122,34 @@ def circle_points(D: Sequence[Any]) -> list[CirclePoint]:
     Unsupported
         If zeros are too close to each other to be separated.
     """
-    found: list[tuple[arb, Any, int]] = []
+    for bits in (64, 256, 1024, 4096):
+        found = _points(D, bits)
+        if all(-2 <= lo and hi <= 2 for (lo, hi), *_ in found) and all(x[0][1] <= y[0][0] for x, y in pairwise(found)):
+            return [CirclePoint(value, multiplicity) for _, value, multiplicity in found]
+    raise Unsupported("zeros of D on the unit circle are too close to each other to be put in order")
+
+
+def _points(D: Sequence[Any], bits: int) -> list[tuple[tuple[fmpq, fmpq], Any, int]]:
+    """The same in the order of their intervals, with these."""
+    found = []
     for f, multiplicity in factors(D):
         for root in (1, -1):
             if value_at(f, root) == 0:
                 f = divmod_poly(f, [-root + 0 * f[-1], f[-1]])[0]
-                found.append((arb(2 * root), str(2 * root), multiplicity))
+                found.append((str(2 * root), multiplicity))
         if len(f) > 2 and all(x == y for x, y in zip(f, f[::-1], strict=True)):
-            found += [(x, value, multiplicity) for x, value in _between(chebyshev(f))]
-    found.sort(key=lambda entry: entry[0].mid().fmpq())
-    if not all(x < y for (x, *_), (y, *_) in zip(found, found[1:], strict=False)):
-        raise Unsupported("zeros of D on the unit circle are too close to each other to be put in order")
-    return [CirclePoint(value, multiplicity) for _, value, multiplicity in found]
+            found += [(value, multiplicity) for value in _between(chebyshev(f), bits)]
+    return sorted(((_interval(value), value, multiplicity) for value, multiplicity in found), key=lambda entry: entry[0])
 
 
-def _between(h: list[Any]) -> list[tuple[arb, Any]]:
-    """The real zeros between -2 and 2 of a square-free polynomial, which is not zero there, in balls and in JSON."""
+def _interval(value: Any) -> tuple[fmpq, fmpq]:
+    """Where a number in JSON is."""
+    lo, hi = (fmpq(*map(int, x.split("/"))) for x in ((value, value) if isinstance(value, str) else value["interval"]))
+    return lo, hi
+
+
+def _between(h: list[Any], bits: int) -> list[Any]:
+    """The real zeros between -2 and 2 of a square-free polynomial, which is not zero there, in JSON, from so many bits on."""
     number = count_real(h, -2, 2)
     if not number:
         return []
@@ -144,10 +157,10 @@ def _between(h: list[Any]) -> list[tuple[arb, Any]]:
 
     def exact(k: int) -> Any:
         if over_q.degree() > _DEGREE:
-            return interval_json(_real_zeros(h, number, 5 * _DIGITS)[k])
-        return isolated(over_q, lambda bits: _real_zeros(h, number, bits)[k])
+            return interval_json(_real_zeros(h, number, max(5 * _DIGITS, bits))[k])
+        return isolated(over_q, lambda more: _real_zeros(h, number, more)[k], bits)
 
-    return [(ball, exact(k)) for k, ball in enumerate(_real_zeros(h, number, 128))]
+    return [exact(k) for k in range(number)]
 
 
 def interval_json(x: arb) -> dict[str, Any]:

@@ -21,13 +21,7 @@ from exactkf.exact.canonical import (
     minimal_polynomial,
     polynomial_at,
 )
-from exactkf.exact.circle import (
-    CircleZero,
-    PseudoPolynomial,
-    Sign,
-    circle_zeros,
-    sign_on_circle,
-)
+from exactkf.exact.circle import PseudoPolynomial, Sign, sign_on_circle
 from exactkf.exact.matrices import (
     LDLT,
     Inertia,
@@ -87,7 +81,6 @@ from exactkf.exact.rationals import (
 )
 
 __all__ = [
-    "CircleZero",
     "CyclotomicRealField",
     "ElementaryDivisors",
     "Inertia",
@@ -107,7 +100,6 @@ __all__ = [
     "balls",
     "block",
     "charpoly",
-    "circle_zeros",
     "count_real_roots",
     "count_roots",
     "cyclotomic_real",

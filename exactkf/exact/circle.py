@@ -25,36 +25,17 @@ U. Grenander, G. Szegő, Toeplitz Forms and Their Applications, section 1.12.
 from __future__ import annotations
 
 from itertools import count
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 from flint import fmpq, fmpq_poly
 
 from exactkf.exact._messages import bad
-from exactkf.exact.polynomials import (
-    RealRoot,
-    SturmSequence,
-    chebyshev_sum,
-    isolate_real_roots,
-    polynomial,
-    refine_root,
-    reversal,
-    squarefree,
-)
+from exactkf.exact.polynomials import SturmSequence, chebyshev_sum, polynomial, reversal, squarefree
 from exactkf.exact.rationals import rational
 
-__all__ = ["CircleZero", "PseudoPolynomial", "Sign", "circle_zeros", "sign_on_circle"]
+__all__ = ["PseudoPolynomial", "Sign", "sign_on_circle"]
 
 Sign = Literal["positive", "nonnegative", "zero", "nonpositive", "negative", "indefinite"]
-
-
-class CircleZero(NamedTuple):
-    """A zero of D on the circle: x = 2 cos(angle) is the root `x`, D vanishes at each point to order `multiplicity`.
-
-    There are two points, conjugate to each other, unless x is 2 (z = 1) or -2 (z = -1).
-    """
-
-    x: RealRoot
-    multiplicity: int
 
 
 class PseudoPolynomial:
@@ -187,38 +168,6 @@ def sign_on_circle(D: Any) -> Sign:
     if value > 0:
         return "nonnegative" if touches else "positive"
     return "nonpositive" if touches else "negative"
-
-
-def circle_zeros(D: Any, width: Any = None) -> list[CircleZero]:
-    """Return the zeros of a pseudo-polynomial on the unit circle, with multiplicities.
-
-    Parameters
-    ----------
-    D : PseudoPolynomial or sequence of its coefficients, not zero
-    width : rational number, optional
-        Largest length of an interval for x.
-
-    Returns
-    -------
-    list of CircleZero
-        In increasing order of x = 2 cos(angle).
-
-    Raises
-    ------
-    BadInput
-        If D is zero everywhere, or the width is not positive.
-    """
-    D = _pseudo(D)
-    if D.degree < 0:
-        raise bad("D", "is zero everywhere", D, "pass a nonzero pseudo-polynomial")
-    found = []
-    for root in isolate_real_roots(D.in_x(), width):
-        while root.lo < -2 < root.hi or root.lo < 2 < root.hi:
-            root = refine_root(root, (root.hi - root.lo) / 2)
-        if root.lo >= -2 and root.hi <= 2:
-            at_end = root.lo == root.hi and abs(root.lo) == 2
-            found.append(CircleZero(root, root.multiplicity * (2 if at_end else 1)))
-    return found
 
 
 def _pseudo(D: Any) -> PseudoPolynomial:

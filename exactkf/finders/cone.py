@@ -18,6 +18,7 @@ Main definitions
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 from math import lcm
 from typing import Any
 
@@ -26,7 +27,7 @@ from exactkf.finders.effort import clock
 from exactkf.finders.membership import part_of_order
 from exactkf.finders.multipliers import Scene
 from exactkf.finders.simplex import combination, vanishing
-from exactkf.kernel.definite import definiteness
+from exactkf.kernel.definite import are_transposed, definiteness
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.order import goal_of, leaves
 from exactkf.kernel.reader import relations
@@ -157,6 +158,9 @@ def helpful_lemmas(case: dict, formula: Any) -> Iterator[list]:
         if formula[0] in ("psd", "pd", "loewner"):
             if inverted := list(_of_inverses(scene)):
                 yield inverted
+            yield from ([lemma] for lemma in _within_congruences(scene, formula))
+            yield from ([["psd", t]] for t in scene.subterms() if t[0] == "*" and ["inv"] in [x[:1] for x in t[1:] if isinstance(x, list)]
+                        and (value := scene.value(t)) is not None and value.rows == value.cols)
         elif formula[0] == "invertible":
             definite = ["pd", formula[1]]
             yield [definite]
@@ -168,6 +172,24 @@ def helpful_lemmas(case: dict, formula: Any) -> Iterator[list]:
                     yield [["=", ["*", h, x], ["O", size_tree(scene.reader.total(value.rows)), sizes]]]
     except (Unknown, Undefined):
         return
+
+
+def _within_congruences(scene: Scene, formula: Any) -> Iterator[Any]:
+    """X >= Y for summands FXF' of the greater side and FYF' of the smaller one."""
+    big, small = formula[1:] if formula[0] == "loewner" else formula[1][1:] if formula[1][:1] == ["-"] else (0, 0)
+    for x, y in product(*(_summands(scene, side) for side in (big, small))):
+        taken = 0
+        while min(len(x), len(y)) > 2 and x[0] == y[0] and x[-1] == y[-1] and are_transposed(scene.reader, x[0], x[-1]):
+            x, y, taken = x[1:-1], y[1:-1], taken + 1
+        if taken:
+            yield ["loewner", *(t[0] if len(t) == 1 else ["*", *t] for t in (x, y))]
+
+
+def _summands(scene: Scene, side: Any) -> list[list]:
+    """The products of a sum, each by its factors."""
+    whole = scene.open(side)
+    parts = whole[1:] if isinstance(whole, list) and whole[0] == "+" else [whole]
+    return [list(x[1:]) for x in map(scene.open, parts) if isinstance(x, list) and x[0] == "*"]
 
 
 def _nonsingular(scene: Scene, formula: Any) -> Iterator[Any]:

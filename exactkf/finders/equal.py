@@ -15,19 +15,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
+from functools import cached_property
 from itertools import combinations, islice
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.remembering import Remembering, nodes_of
 from exactkf.kernel.instances import generic
 from exactkf.kernel.linear import Matrix
-from exactkf.kernel.meaning import World
+from exactkf.kernel.meaning import Generic, World
 from exactkf.kernel.numbers import Laurent, Undefined, Unknown
 from exactkf.kernel.replay import _integers
-from exactkf.kernel.symbolic import SymbolicField
+from exactkf.kernel.symbolic import Symbolic, SymbolicField
 from exactkf.language.statement import as_lists
 
-__all__ = ["says_nothing_new", "subtree"]
+__all__ = ["Original", "subtree"]
 
 _MOST = 60  # substitutions looked at
 _FACTORS: dict[str, tuple] = {
@@ -38,23 +40,86 @@ _BINDING = {"sum", "prod", "forall", "exists", "always", "col", "mat", "at", "en
 _CONNECTIVES = {"and", "or", "not", "=>", "<=>"}
 
 
-def says_nothing_new(data: dict, says: Any, path: tuple[int, ...], by: Sequence[Evidence]) -> bool:
-    """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
-    made_by: Any = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
-    using: Any = next((e.hints["using"] for e in by if e.hints.get("using")), {})
-    statement = {**data, "over": [*([n, as_lists(t)] for n, t in using.items()), *data["over"]]}
-    worlds = list(_worlds(statement, data, by, made_by)) or list(_worlds(statement, data, by, {}))
-    if not worlds:
-        return False
-    old, new = _narrowed(data["says"], says)
-    if _same_term(worlds, old, new):
-        return True
-    if any(_same_term(worlds, subtree(data["says"], path[:cut]), subtree(says, path[:cut])) for cut in range(len(path), -1, -1)):
-        return True
-    if _is_special_case(worlds, data, says, lambda values: values):
-        return True
-    free = worlds if not made_by else list(_worlds(statement, data, by, {}))
-    return bool(free) and any(_is_special_case(free, data, says, change) for change in islice(_substitutions(data), _MOST))
+class Original:
+    """A statement with a symbol in place of every variable, to which changed ones are compared.
+
+    What is computed for one of them is remembered for the next.
+
+    Parameters
+    ----------
+    data : dict
+        JSON of the statement.
+    by : sequence of Evidence
+        Its evidence: sizes, and how variables are made from others.
+    """
+
+    def __init__(self, data: dict, by: Sequence[Evidence]) -> None:
+        self.data, self.by = data, by
+        self.nodes = nodes_of(data["says"], *(formula for _, formula, _kind in data["given"]))
+        self.made_by: Any = next((e.hints["made_by"] for e in by if e.hints.get("made_by")), {})
+        using: Any = next((e.hints["using"] for e in by if e.hints.get("using")), {})
+        self._statement = {**data, "over": [*([n, as_lists(t)] for n, t in using.items()), *data["over"]]}
+        self._special: list[tuple[list[World], list[World]]] = []
+        self._more = self._special_cases()
+
+    def says_as_much(self, says: Any, path: tuple[int, ...]) -> bool:
+        """The statement with conclusion ``says``, changed at ``path``, follows from the original by rewriting."""
+        if not self.worlds:
+            return False
+        old, new = _narrowed(self.data["says"], says)
+        if _same_term(self.worlds, old, new, {}):
+            return True
+        for cut in range(len(path), -1, -1):
+            old, new, local = subtree(self.data["says"], path[:cut]), subtree(says, path[:cut]), self._any_time(path[:cut])
+            if _same_term(self.worlds, old, new, local) or (local and old[0] == "=" and _says_the_same(self.worlds, old, self.worlds, new, local)):
+                return True
+        return any(_says_the_same(moved, self.data["says"], worlds, says) for moved, worlds in self._cases())
+
+    def _any_time(self, path: tuple[int, ...]) -> dict[str, int]:
+        """The indices of "for all t" around a node, standing for any t."""
+        around = [subtree(self.data["says"], path[:cut]) for cut in range(len(path))]
+        return {node[1]: Generic(Generic.T) for node in around if node[0] == "always"}
+
+    @cached_property
+    def worlds(self) -> list[World]:
+        """Symbols for every variable; where the evidence computes some from others, so that the hypotheses hold, computed."""
+        return self._with(self.made_by) or self.free
+
+    @cached_property
+    def free(self) -> list[World]:
+        """Symbols for every variable."""
+        return self._with({})
+
+    def _with(self, made_by: Mapping[str, Any]) -> list[World]:
+        return [Remembering(world, self.nodes) for world in _worlds(self._statement, self.data, self.by, made_by)]
+
+    def _cases(self) -> Iterator[tuple[list[World], list[World]]]:
+        """Those found so far, then the others."""
+        yield from self._special
+        for found in self._more:
+            self._special.append(found)
+            yield found
+
+    def _special_cases(self) -> Iterator[tuple[list[World], list[World]]]:
+        """Worlds after a substitution that respects types and hypotheses, beside those before it."""
+        if found := self._moved(self.worlds, lambda values: values):
+            yield found, self.worlds
+        free = self.free if self.made_by else self.worlds
+        for change in islice(_substitutions(self.data), _MOST) if free else ():
+            if found := self._moved(free, change):
+                yield found, free
+
+    def _moved(self, worlds: list[World], change: Callable[[dict], dict]) -> list[World]:
+        """The worlds after a substitution; none if the hypotheses say something else there."""
+        moved: list[World] = []
+        try:
+            for world in worlds:
+                after = World(self.data, {**change(world.values), "horizon": None})
+                after.symbolic = True
+                moved.append(Remembering(after, self.nodes))
+        except _FAULTS:
+            return []
+        return moved if all(_says_the_same(moved, formula, worlds, formula) for _, formula, _kind in self.data["given"]) else []
 
 
 def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mapping[str, Any]) -> Iterator[World]:
@@ -62,9 +127,27 @@ def _worlds(statement: dict, data: dict, by: Sequence[Evidence], made_by: Mappin
     case = {n: max((v for v in sizes.get(n, (2,)) if v <= 2), default=2) for n in data["sizes"]}
     for integers in _integers(data, case):
         try:
-            yield generic(statement, integers, made_by, SymbolicField().variable)[0]
+            world, new = generic(statement, integers, made_by, SymbolicField().variable)
         except (Undefined, Unknown):
             return
+        _at_any_time(world, new)
+        yield world
+
+
+def _at_any_time(world: World, new: Callable[[str], Any]) -> None:
+    """At any t a sequence that a recursion defines may have any value: symbols, whatever the values from which it comes."""
+    for name, definition in world.definitions.items():
+        if definition[0] != "rec":
+            continue
+        try:
+            first, second = (world.call(name, (definition[3] + k,)) for k in (0, 1))
+        except (Undefined, Unknown, ArithmeticError, KeyError, TypeError):
+            continue
+        for t in (Generic.T + k for k in range(-1, 4)):
+            if isinstance(first, Matrix) and isinstance(second, Matrix) and (first.nrows, first.ncols) == (second.nrows, second.ncols):
+                world.memory[name, (t,)] = Matrix.build(first.nrows, first.ncols, lambda i, j, at=f"{name}_{t}": new(f"{at}_{i}{j}"))  # type: ignore[misc]
+            elif isinstance(first, (int, Fraction, Symbolic)) and isinstance(second, (int, Fraction, Symbolic)):
+                world.memory[name, (t,)] = new(f"{name}_{t}")
 
 
 def _narrowed(old: Any, new: Any) -> tuple[Any, Any]:
@@ -83,10 +166,10 @@ def _narrowed(old: Any, new: Any) -> tuple[Any, Any]:
     return old, new
 
 
-def _same_term(worlds: list[World], old: Any, new: Any) -> bool:
+def _same_term(worlds: list[World], old: Any, new: Any, local: Mapping[str, int]) -> bool:
     try:
         for world in worlds:
-            a, b = world.value(old), world.value(new)
+            a, b = world.value(old, local), world.value(new, local)
             if isinstance(a, bool):
                 if not (a is True and b is True):
                     return False
@@ -153,18 +236,15 @@ def _substitutions(data: dict) -> Iterator[Callable[[dict], dict]]:
     yield from (change((s, t)) for s, t in combinations(single, 2) if s[0] != t[0])
 
 
-def _is_special_case(worlds: list[World], data: dict, says: Any, change: Callable[[dict], dict]) -> bool:
+_FAULTS = (Undefined, Unknown, KeyError, TypeError, AttributeError)
+
+
+def _says_the_same(moved: list[World], f: Any, worlds: list[World], g: Any, local: Mapping[str, int] | None = None) -> bool:
+    """f in the first worlds says the same as g in the others."""
     try:
-        for world in worlds:
-            moved = World(data, {**change(world.values), "horizon": None})
-            moved.symbolic = True
-            if not _same_formula(moved, data["says"], world, says, {}):
-                return False
-            if not all(_same_formula(moved, formula, world, formula, {}) for _, formula, _kind in data["given"]):
-                return False
-    except (Undefined, Unknown, KeyError, TypeError, AttributeError):
+        return all(_same_formula(w, f, v, g, dict(local or {})) for w, v in zip(moved, worlds, strict=True))
+    except _FAULTS:
         return False
-    return True
 
 
 def _same_formula(w: World, f: Any, v: World, g: Any, local: dict) -> bool:

@@ -97,7 +97,7 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         For determinants.
     inside : sequence of [number, vector, lemmas]
         See `exactkf.kernel.order.leaves`.
-    stable : sequence of [number, {"solutions", "stein", "unique"}]
+    stable : sequence of [number, {"solutions", "stein", "unique", "kept"}]
         What the proof of a leaf, counted as the sums are, makes of stable matrices.
     """
     out = []
@@ -176,8 +176,9 @@ def _help_at(made: Induction, case: dict, help_: dict) -> dict:
     out: dict[str, Any] = {}
     if "stein" in help_:
         out["stein"] = made.at(help_["stein"], case)
-    if "unique" in help_:
-        out["unique"] = [made.at(m, case) for m in help_["unique"]]
+    for key in ("unique", "kept"):
+        if key in help_:
+            out[key] = [made.at(m, case) for m in help_[key]]
     if "solutions" in help_:
         out["solutions"] = [[name, made.at(m, case), made.at(q, case)] for name, m, q in help_["solutions"]]
     return out
@@ -202,7 +203,7 @@ def _own_terms(case: dict, formula: Any) -> list[list]:
     inverses = [["inv", x] for x in _nonsingular(case)]
     if op in ("=", "symmetric", "symplectic"):
         return [[], inverses] if inverses else [[]]
-    if op == "schur":
+    if op in ("schur", "observable"):
         return [[]]
     if op in ("similar", "cospectral"):
         return [*([x[1], x] for x in inverses), *([x, x[1]] for x in inverses)]

@@ -125,6 +125,7 @@ class Scene:
         found += [["inv", t] for t in found if t[0] == "sym" and definiteness(self.reader, t) == 2]
         terms = self.subterms()
         found += [t[1] for t in terms if t[0] == "inv"] + [t for t in terms if t[0] == "inv"]
+        found += [t for t in terms if t[0] == "*" and len(t) % 2]  # M'M in I + PM'M is a weight of its own
         return self._distinct(t for t in found if self._level(t))
 
     def _level(self, tree: Any) -> int:
@@ -207,10 +208,12 @@ class Scene:
         units = self._units(names)
         simple = [*units, *names, *inverses]
         yield from (["-", x, y] for k, x in enumerate(simple) for y in simple[:k])
+        yield from (["T", ["-", x, y]] for k, x in enumerate(inverses) for y in units)
         yield from (["+", x, y] for k, x in enumerate(simple) for y in simple[:k])
         slices = [t for t in terms if t[0] == "*"]
         yield from (["-", u, t] for t in slices for u in units)
         yield from (["-", s, t] for k, s in enumerate(slices) for t in slices[:k] if len(s) == len(t))
+        yield from (["-", x, t] for t in slices if t[-1][:1] == ["inv"] for x in names)  # any gain less the best one
         if self.formula[0] in ("psd", "pd") and (found := self._cells(self.formula[1])):
             simple += [["T", x] for x in names]
             yield from (["block", *([x] for x in column)] for column in product(simple, repeat=len(found[1])))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Judging mutants: refuted on an instance, shown equal to the original, or a survivor.
+"""Judging mutants: refuted on an instance, shown equal to the original, a stronger statement that may be true, or a survivor.
 
 A mutant whose conclusion has no value on any instance, or whose matrices do
-not fit each other on some, is no statement at all and is not counted. Where
+not fit each other or have no such entry on some, is no statement at all and is not counted. Where
 one of two factors is a scalar they commute, so exchanging them is no mutation
 there either.
 """
@@ -16,29 +16,31 @@ from typing import Any
 
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
-from exactkf.finders.equal import says_nothing_new, subtree
+from exactkf.finders.equal import Original, subtree
 from exactkf.finders.prove import PROOFS, candidates, every_size
+from exactkf.finders.remembering import Remembering, nodes_of
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import NotACertificate, Rejected, replay
+from exactkf.language.latex import latex
 from exactkf.language.mutate import Mutant, mutants, rewritings
+from exactkf.language.statement import as_tuples
+from exactkf.language.text import text
 
 __all__ = ["MutantReport", "judge_mutants"]
 
 _MATRIX_CHANGES = ("factors exchanged", "transpose added", "transpose removed", "inverse added")
 _BINDERS = ("forall", "exists", "sum", "prod", "always")
 _TRIES = 200
-_MOST = 48  # mutants of the formula looked at per claim, spread evenly over the tree; `possible` says how many there are
 
 
 @dataclass
 class MutantReport:
-    """Totals and one row for each mutant."""
+    """Totals and one row for each mutant that is a statement: ``kind``, ``says``, ``outcome``, and the ``instance`` on which it is false."""
 
     rows: list[dict[str, Any]] = field(default_factory=list)
-    possible: int = 0
-    looked_at: int = 0
+    void: int = 0
     neighbours_made: int = 0
     neighbours_accepted: int = 0
     checks: int = 0
@@ -56,68 +58,77 @@ class MutantReport:
         return sum(r["outcome"] == "equal" for r in self.rows)
 
     @property
+    def stronger(self) -> int:
+        return sum(r["outcome"] == "stronger" for r in self.rows)
+
+    @property
     def survivors(self) -> list[str]:
-        return [f"{r['kind']}: {r['text']}" for r in self.rows if r["outcome"] == "survived"]
+        return [f"{r['kind']}: {text(as_tuples(r['says']))}" for r in self.rows if r["outcome"] == "survived"]
+
+    def printed(self, tex: Mapping[str, str] | None = None) -> list[dict[str, Any]]:
+        """The rows as plain text and LaTeX, with ``tex`` names as given."""
+        return [{"kind": r["kind"], "text": text(says), "latex": latex(says, tex), "outcome": r["outcome"], "instance": r["instance"]}
+                for r in self.rows for says in [as_tuples(r["says"])]]
 
 
-def judge_mutants(data: dict, by: Sequence[Evidence], drawn: list[tuple[dict, World]], sampler: Sampler | None,
-                  tex: Mapping[str, str] | None = None) -> MutantReport:
-    """Make the mutants of a statement and judge each on the statement's own instances; ``tex`` names are printed as given.
-
-    The row of one that is rejected has the ``instance`` on which it is false.
-    """
-    from exactkf.language.latex import latex
-    from exactkf.language.statement import as_tuples
-    from exactkf.language.text import text
-
+def judge_mutants(data: dict, by: Sequence[Evidence], drawn: list[tuple[dict, World]], sampler: Sampler | None) -> MutantReport:
+    """Make the mutants of a statement and judge each, all of them, on the statement's own instances."""
     report = MutantReport()
     if not drawn:
         return report
-    every = mutants(data)
-    inverses = [m for m in every if m.kind == "inverse added"]
-    rest = [m for m in every if m not in inverses]
-    chosen = rest[::max(1, -(-len(rest) // _MOST))] + inverses
-    chosen += [m for m in rest if m.drops and m not in chosen]
-    report.possible, report.looked_at = len(every), len(chosen)
-    order = _informative(drawn)
-    for mutant in chosen:
-        outcome, instance = _drop(data, mutant, sampler, by, report) if mutant.drops else _judge(data, mutant, order, by, report)
-        if outcome != "void":
-            says = as_tuples(mutant.says)
-            report.rows.append({"kind": mutant.kind, "text": text(says), "latex": latex(says, tex), "outcome": outcome, "instance": instance})
+    bench = _Bench(data, by, drawn, report)
+    for mutant in mutants(data):
+        outcome, instance = _drop(data, mutant, sampler, by, report) if mutant.drops else bench.judge(mutant)
+        if outcome == "void":
+            report.void += 1
+        else:
+            report.rows.append({"kind": mutant.kind, "says": mutant.says, "outcome": outcome, "instance": instance})
     for _kind, new in rewritings(data):
         report.neighbours_made += 1
         report.neighbours_accepted += _accepted(data, new, [world for _, world in drawn[:6]], report)
     return report
 
 
-def _informative(drawn: list[tuple[dict, World]]) -> list[tuple[dict, World]]:
-    """Large instances first: they tell more neighbours apart."""
-    def weight(one: tuple[dict, World]) -> int:
-        return -sum(v for v in one[1].values.values() if isinstance(v, int))
-    return sorted(drawn, key=weight)
+class _Bench:
+    """The instances of a statement, on which its mutants are judged one after the other."""
+
+    def __init__(self, data: dict, by: Sequence[Evidence], drawn: list[tuple[dict, World]], report: MutantReport) -> None:
+        self.data, self.by, self.report = data, by, report
+        nodes = nodes_of(data["says"])
+        self.order = [(instance, Remembering(world, nodes)) for instance, world in sorted(drawn, key=_weight)]
+        self.original = Original(data, by)
+
+    def judge(self, mutant: Mutant) -> tuple[str, dict | None]:
+        """What became of a mutant, and the instance on which it is false."""
+        meaningful, fits = False, True
+        for k, (instance, world) in enumerate(self.order):
+            self.report.checks += 1
+            try:
+                if world.value(mutant.says) is False:
+                    self.order.insert(0, self.order.pop(k))  # what tells one mutant from the original tells others
+                    return "rejected", instance
+                meaningful = meaningful or mutant.kind not in _MATRIX_CHANGES or not _only_scalars(self.data, mutant, world)
+            except Undefined as error:
+                fits = fits and not _misfit(str(error))
+            except Unknown:
+                continue
+        if not meaningful or not fits:
+            return "void", None
+        if mutant.stronger:
+            return "stronger", None
+        changed = {**self.data, "says": mutant.says}
+        return "equal" if self.original.says_as_much(mutant.says, mutant.path) or _proved(changed, self.by) else "survived", None
 
 
-def _judge(data: dict, mutant: Mutant, drawn: list[tuple[dict, World]], by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:
-    meaningful, fits = False, True
-    for instance, world in drawn:
-        report.checks += 1
-        try:
-            if world.value(mutant.says) is False:
-                return "rejected", instance
-            meaningful = meaningful or mutant.kind not in _MATRIX_CHANGES or not _only_scalars(data, mutant, world)
-        except Undefined as error:
-            fits = fits and not _misfit(str(error))
-        except Unknown:
-            continue
-    if not meaningful or not fits:
-        return "void", None
-    return "equal" if says_nothing_new(data, mutant.says, mutant.path, by) or _proved({**data, "says": mutant.says}, by) else "survived", None
+def _weight(one: tuple[dict, World]) -> int:
+    """Sum of the sizes: small instances cost little, and what they do not tell apart the others do."""
+    return sum(v for v in one[1].values.values() if isinstance(v, int))
 
 
 def _misfit(reason: str) -> bool:
-    """The shapes of matrices do not fit each other."""
-    return reason.startswith(("sizes ", "blocks ")) or reason.endswith("is not square")
+    """The shapes of matrices do not fit each other, or an entry is named that there is not."""
+    return reason.startswith(("sizes ", "blocks ", "no entry ")) or reason.endswith(
+        ("is not square", "is outside the sequence", "lies before the start of the recursion"))
 
 
 def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
@@ -143,8 +154,11 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
 
 
 def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
-    """A proof of the same kind proves the changed statement: both are theorems."""
-    tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)), every_size("mutant", changed, by, 1.0))
+    """A proof of the same kind proves the changed statement: both are theorems. Of an order there may be several, for what follows from the original."""
+    orders = [e for e in by if e.kind == "order"]
+    ways = [[e for e in by if e.kind != "order" or e is one] for one in orders or [None]]
+    tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)),
+                  *(every_size("mutant", changed, way, 1.0) for way in ways))
     for certificate in tries:
         try:
             replay(certificate)
@@ -156,7 +170,8 @@ def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:
     """Without the hypothesis there must be an instance on which the conclusion is false; examples by hand come first."""
-    weaker = {**data, "given": [g for g in data["given"] if g[0] != mutant.drops]}
+    kept = [g if g[0] != mutant.drops else [g[0], mutant.weaker, g[2]] for g in data["given"] if g[0] != mutant.drops or mutant.weaker]
+    weaker = {**data, "given": kept}
     asked = [e.hints for e in by if e.kind == "instances"] or [{"sizes": sampler.sizes if sampler else {}}]
     for hints in asked:
         for tries, made_by in _partial(hints.get("made_by", {}), data):
@@ -168,6 +183,8 @@ def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evid
                         return "rejected", instance
                 except (Undefined, Unknown):
                     continue
+    if mutant.stronger:
+        return "stronger", None
     return "equal" if _proved(weaker, by) else "survived", None
 
 

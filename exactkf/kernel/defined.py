@@ -7,7 +7,8 @@ lemma says of it is empty, and two of them may say different things. So two prop
 
 *Well-founded.* Each value of a recursion, written out, is made of values at smaller indices, as far as those lead back to
 it. Then the recursions have a solution in the field of rational functions in the variables, whatever lies before their
-start. Of others the definition is not used.
+start. A value that is a polynomial is written out coefficient by coefficient, or as a function of z that is divided by nothing but z: then it is a
+polynomial in z and 1/z. Of others the definition is not used.
 
 *Not zero.* A polynomial in the atoms is not zero if it is not at one point: all entries of sequences and vectors zero
 and the numbers one, or those zero too of which the type does not exclude it. There a recursion has a value if its initial values and its
@@ -29,6 +30,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from math import prod
 from typing import Any
 
 from exactkf.kernel.generic import Terms
@@ -41,7 +43,8 @@ from exactkf.kernel.symbolic import Symbolic
 __all__ = ["Witness", "ill_founded"]
 
 _MOST_SPLITS = 8
-_Z = Fraction(2)  # the place at which polynomials are looked at as functions of z
+_Z = Fraction(2)  # the place at which z is looked at, beside no function of it
+_IN_Z = ("value", "value at 1/z")
 
 Case = tuple[Any, dict[str, Form], list[Form], Form]  # term, values of its indices, region, largest index it may use
 
@@ -56,8 +59,9 @@ def _cases(d: Any) -> tuple[list[Case], list[Case]]:
     return first, [(step, {index: {INDEX: 1}}, [plus({INDEX: 1}, {"": 1 - start - len(initial)})], {INDEX: 1})]
 
 
-def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0) -> Iterator[tuple[Terms, Symbolic]]:
-    """What a case, its coefficients or its entries come to, in each part of the region."""
+def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[Form], splits: int = 0,
+            in_z: bool = True, at_z: bool = False) -> Iterator[tuple[Terms, Symbolic]]:
+    """What a case, its coefficients (if ``in_z``; or ``at_z`` its value as a function of z) or its entries come to, in each part of the region."""
     tree, env, forms, within = case
     region = Region.of(*sizes, *forms)
     if region.empty:
@@ -69,15 +73,26 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
             terms.region = region.and_(*inside)
             found = terms.entry(tree, terms.region.reduce({"row": 1}), terms.region.reduce({"column": 1}), env)
+        elif at_z:
+            found = _without_poles(terms, terms.at_z(tree, env))
         else:
-            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if name in terms.in_z else terms.value(tree, env)
+            found = terms.coefficient(tree, terms.region.reduce({"z": 1}), env) if in_z and name in terms.in_z else terms.value(tree, env)
     except Split as split:
         if splits > _MOST_SPLITS:
             raise Unknown("too many cases") from None
         for part in (split.form, plus({n: -c for n, c in split.form.items()}, {"": 1}, -1)):
-            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1)
+            yield from _values(make, name, (tree, env, [*forms, part], within), sizes, splits + 1, in_z, at_z)
         return
     yield terms, found
+
+
+def _without_poles(terms: Terms, x: Symbolic) -> Symbolic:
+    """A function of z that is divided by no other than z: where those that it is made of have coefficients it has them too."""
+    for p in terms.field.factors:
+        kinds = {(key[0], key[1]) for monomial in p for place, e in enumerate(exponents(monomial)) if e for key in [terms.atoms[place]]}
+        if ("at", "z") in kinds and (len(p) > 1 or len(kinds) > 1) or any(kind in ("value", "value at 1/z") for kind, _ in kinds):
+            raise Unknown("a function of z with poles")
+    return x
 
 
 def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
@@ -88,13 +103,20 @@ def ill_founded(statement: Mapping[str, Any], sizes: list[Form]) -> set[str]:
     found = set()
     for name in make(Region.of()).recursive:
         first, later = _cases(next(d for d in statement["where"] if d[1] == name))
-        try:
-            for case in first + later:
-                for _ in _values(make, name, case, sizes):
-                    pass
-        except (Unknown, Undefined, RecursionError, KeyError):
+        if not any(_ends(make, name, first + later, sizes, at_z) for at_z in (False, True)):
             found.add(name)
     return found
+
+
+def _ends(make: Callable[[Region], Terms], name: str, cases: list[Case], sizes: list[Form], at_z: bool) -> bool:
+    """Whether values are seen to be made of values at smaller indices: coefficient by coefficient, or as functions of z."""
+    try:
+        for case in cases:
+            for _ in _values(make, name, case, sizes, at_z=at_z):
+                pass
+    except (Unknown, Undefined, RecursionError, KeyError):
+        return False
+    return True
 
 
 class _AtPoint(Terms):
@@ -127,46 +149,58 @@ class Witness:
         self.at = {name: Fraction(1 if kind[0] in ("nonzero", "positive") else number) for name, kind in statement["over"]}
         self.numbers = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
         self.entries = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal") or kind[0] == "matrix" and kind[2] == 1}
+        self.monic = {name for name, kind in statement["over"] if kind[0] == "monic"}
+        self.polynomials = {name for name, kind in statement["over"] if kind[0] in ("poly", "monic")}
         self.recursions = {d[1]: d for d in statement["where"] if d[0] == "rec"}
+        self.z = _Z
+        self.at_one: dict[tuple[str, str], Fraction] = {}  # functions of z, for z = 1
         self.found: dict[str, Fraction | None] = {}  # None: there is a value, not known
 
     def is_not_zero(self, terms: Terms, p: Poly) -> bool:
-        """The polynomial has one atom, an entry of a variable, or is not zero at the point."""
+        """The polynomial has one atom, an entry of a variable, is a power of a monic one, or is not zero at the point."""
         atoms = {place for monomial in p for place, e in enumerate(exponents(monomial)) if e}
         if len(atoms) == 1:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
+            if key[0] in _IN_Z and len(p) == 1 and (key[1] in self.monic or key[1].startswith('["charpoly", ')):  # a power of a polynomial that is not zero
+                return True
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
+        self.z = Fraction(1) if any(_has_functions(terms.atoms[place]) for place in atoms) else _Z
         try:
-            values = {place: x for place in atoms if (x := self.value(terms.atoms[place])) is not None}
+            values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
             return False
-        if len(values) < len(atoms):
-            return False
+        finally:
+            self.z = _Z
         total = Fraction(0)
         for monomial, c in p.items():
-            term = Fraction(c)
-            for place, e in enumerate(exponents(monomial)):
-                term *= values[place]**e if e else 1
-            total += term
+            powers = [(values[place], e) for place, e in enumerate(exponents(monomial)) if e]
+            if any(x == 0 for x, _ in powers):  # whatever the others are: they have values
+                continue
+            if any(x is None for x, _ in powers):
+                return False
+            total += c * prod(x**e for x, e in powers if x is not None)
         return total != 0
 
     def _number(self, body: tuple) -> Fraction | None:
         """The factor of a product at the point, where it is the same number at every index."""
         total = Fraction(0)
         for monomial, c in body:
-            term = Fraction(c)
+            term, all_known = Fraction(c), True
             for key, e in monomial:
                 try:
                     x = self.value(key)
                 except (Unknown, Undefined):
-                    x = None
-                if x is None:
                     return None
-                term *= x**e
+                if x is None:
+                    all_known = False
+                else:
+                    term *= x**e
+            if term and not all_known:
+                return None
             total += term
         return total
 
@@ -196,17 +230,41 @@ class Witness:
             return Fraction(1) if self._number(key[1]) == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
-        if kind == "sum":  # of atoms that have been looked at
-            return None
-        if kind == "at" and name in self.entries:
+        if kind == "power":  # of z
+            return Fraction(1) if self.z == 1 else None
+        if kind == "sum":  # of zeros: then F with F(0) = 0 is zero there, for any index; other sums have values if their atoms have
+            found = [self.value(factor) for factor, _ in name]
+            return Fraction(0) if Fraction(0) in found else None
+        if kind == "at" and name in self.entries or kind == "coeff" and name in self.polynomials:  # but for leading coefficients, which are no atoms
             return Fraction(0)
         if kind == "at" and (name == "z" or name in self.numbers):
-            return _Z if name == "z" else self.at[name]
+            return self.z if name == "z" else self.at[name]
+        if kind in _IN_Z:
+            if (kind, name) not in self.at_one:
+                self.at_one[kind, name] = self._value_at_one(name)
+            return self.at_one[kind, name]
         if kind not in ("at", "entry", "coeff") or name not in self.recursions:
             raise Unknown(f"no value of {name} at a point")
         if name not in self.found:
             self._find(name)
         return self.found[name]
+
+    def _value_at_one(self, name: str) -> Fraction:
+        """A function of z that is no recursion, where z is one: the same number whatever its indices are."""
+        d = next((d for d in self.statement["where"] if d[1] == name), None)
+        make: Callable[[Region], Terms] = lambda region: _AtPoint(self, region)
+        known = make(Region.of()).known
+        if d is None or d[0] != "let" or name in known.recursive:
+            raise Unknown(f"no value of {name} at a point")
+        case: Case = (_at_one(d[3]), {p: {f"@{p}": 1} for p in d[2]}, [], {INDEX: 1})
+        found = set[Fraction]()
+        for terms, x in _values(make, name, case, self.sizes, in_z=False):
+            if terms.field.factors or any(x.num):
+                raise Unknown("no number")
+            found.add(Fraction(x.num.get(0, 0), x.q))
+        if len(found) != 1:
+            raise Unknown("no number")
+        return found.pop()
 
     def _factor(self, tree: Any) -> str:
         """What a factor is at the point: a column of zeros, the identity, a matrix that has a value, or nothing that is known."""
@@ -248,6 +306,20 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
+
+
+def _has_functions(key: Any) -> bool:
+    """Whether an atom is a function of z as it is or a power of z, or a sum or a product of such."""
+    return key in (*_IN_Z, "power") if not isinstance(key, tuple) else any(_has_functions(x) for x in key)
+
+
+def _at_one(tree: Any) -> Any:
+    """A term with one in place of z."""
+    if not isinstance(tree, list) or tree[:1] in (["coeff"], ["laurent"], ["subst"]):
+        return tree
+    if tree[:1] == ["z"] or tree[:1] == ["^"] and tree[1] == ["z"]:
+        return 1
+    return _at_one(tree[1]) if tree[:1] == ["recip"] else [_at_one(x) for x in tree]
 
 
 def _looked_at(witness: Witness, matrix: Any, env: dict[str, Form]) -> bool:

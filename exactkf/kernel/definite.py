@@ -54,7 +54,7 @@ def plain(reader: Reader, tree: Any) -> bool:
     key = ("plain", id(tree))
     if key not in reader.alike:
         body = reader.lets[tree[1]][3] if tree[0] == "sym" and tree[1] not in reader.kinds and tree[1] in reader.lets else 0
-        free = tree[0] not in ("inv", "/", "^", "at") and plain(reader, body) and all(plain(reader, x) for x in tree)
+        free = tree[0] not in ("inv", "/", "^", "at", "stein") and plain(reader, body) and all(plain(reader, x) for x in tree)
         reader.alike[key] = tree, free
     return reader.alike[key][1]
 
@@ -77,7 +77,7 @@ def apart(reader: Reader) -> Reader:
     probe.noted, probe.turned = {}, {}
     probe.memory, probe.sizes, probe.transposed = {}, dict(reader.sizes), dict(reader.transposed)
     probe.inverses, probe.quotients, probe.units = list(reader.inverses), list(reader.quotients), set(reader.units)
-    probe.kernels = list(reader.kernels)
+    probe.kernels, probe.steins = list(reader.kernels), list(reader.steins)
     return probe
 
 
@@ -106,6 +106,8 @@ def definiteness(reader: Reader, tree: Any) -> int:
         return 2 if definiteness(reader, args[0]) else 0
     if op == "T":
         return definiteness(reader, args[0])
+    if op == "stein":
+        return definiteness(reader, args[1]) if isinstance(reader.read(tree), Blocks) else 0  # read only where M is stable
     if op == "/":  # what is divided by does not vanish
         return definiteness(reader, args[0]) if sign(reader, args[1]) else 0
     if op == "block":

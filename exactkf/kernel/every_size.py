@@ -9,6 +9,10 @@
     base and step, each by an ``order``
 ``generic index``
     recursions of growing degree: lemmas by induction, then the conclusion
+``arithmetic``
+    integers: the denied statement contradicts itself in every case
+``conjunction``
+    the members of a conjunction, each by one of these
 
 Main definitions
 ----------------
@@ -22,6 +26,8 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from exactkf.kernel.arithmetic import arithmetic
+from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
 from exactkf.kernel.order import Leaf, leaves, register_inverses
@@ -78,12 +84,14 @@ def _less_multiples(reader: Reader, assumed: Mapping[str, Relation], goal: Poly,
     sizes: dict[tuple[Word, Size], Size] = {}
 
     def after(word: Word, start: Size) -> Size:
-        if (word, start) not in sizes:
-            sizes[word, start] = word_sizes(reader, word, start)
-        return sizes[word, start]
+        found = sizes.get((word, start))
+        if found is None:
+            found = sizes[word, start] = word_sizes(reader, word, start)
+        return found
 
     for c, left, name, right, *more in terms:
-        before, behind = (tuple([letters[a] if type(a) is int else a for a in word]) if letters else tuple(word) for word in (left, right))
+        before = tuple([letters[a] if type(a) is int else a for a in left]) if letters else tuple(left)
+        behind = tuple([letters[a] if type(a) is int else a for a in right]) if letters else tuple(right)
         scalars = times_scalars((), tuple((n, e) for n, e in more[0])) if more else ()
         if scalars:
             _need(all(type(e) is int for _, e in scalars), "an exponent is no integer")
@@ -113,7 +121,7 @@ def _between_numbers(reader: Reader, assumed: Mapping[str, Relation], name: Any)
     if isinstance(name, list):
         return reader.as_scalar(tuple(name))
     one = (("", 1),)
-    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): number(fraction(c)) for c, s in name["numbers"]}
+    poly: Poly = {(times_scalars((), tuple((n, e) for n, e in s)), ()): c if type(c) is int else _factor(c) for c, s in name["numbers"]}
     _need(all(type(e) is int for s, _ in poly for _, e in s), "an exponent is no integer")
     _need(not _less_multiples(reader, assumed, poly, one, one, name["terms"]), "an equation of scalars: the terms do not add up")
     return Relation(poly, None, None)
@@ -125,10 +133,12 @@ def _text(term: Blocks) -> str:
 
 
 #: what the proof of a leaf may bring in beside its terms
-_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique")
+_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    if "away from zero" in evidence:
+        statement = away_from_zero(statement, evidence["away from zero"])
     todo = list(leaves(statement, evidence.get("lemmas", ()), evidence.get("inside", ())))
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
@@ -168,4 +178,22 @@ def _by_cases(name: str, made: Induction, proofs: list, denominators: list[str])
             raise Rejected(f"{name}, {which}: {error}") from error
 
 
-KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}
+def _conjunction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    """Each member by a proof of its own kind.
+
+    A conjunction is looked at in order: where it is false on an instance, so is one of its members, which has a value there; and
+    that member has been shown of all instances of the same hypotheses.
+    """
+    members, denominators = _parts(statement["says"]), dict[str, None]()
+    _need(statement["says"][0] == "and" and len(members) == len(evidence["parts"]), "as many proofs as members of the conjunction are needed")
+    for place, (member, (kind, own)) in enumerate(zip(members, evidence["parts"], strict=True), 1):
+        _need(kind in KINDS and kind != "conjunction", f"member {place}: a kind of proof for every size is needed")
+        try:
+            denominators.update(dict.fromkeys(KINDS[kind]({**statement, "says": member}, own)))
+        except (Rejected, Undefined, Unknown) as error:
+            raise Rejected(f"member {place}: {error}") from error
+    return list(denominators)
+
+
+KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index,
+         "arithmetic": arithmetic, "conjunction": _conjunction}

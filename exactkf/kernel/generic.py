@@ -11,6 +11,10 @@ an identity of rational functions in atoms
 in each of finitely many regions of the integer parameters (k < t, k = t, ..). Sequences may be
 thought of as continued to all integers in any way: what lies outside cancels.
 
+As functions of z, polynomials are elements of a field with the automorphism z -> 1/z; there z^(n - k) is z^n/z^k, powers of z to parameters being
+atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
+polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
+
 Main definitions
 ----------------
 `Terms`
@@ -28,7 +32,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
@@ -68,6 +72,7 @@ class Terms(Indefinite, Chains):
         self.known = known(statement, self.definitions)
         self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
+        self.letters = self.known.spread({name for name in self.closed & set(self.definitions) if self.known.is_matrix_function(name)})
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
@@ -77,11 +82,13 @@ class Terms(Indefinite, Chains):
         self.nested = self.perhaps = 0
         self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
         self.shapes: dict[tuple[Region, str], tuple[Form, Form]] = {}
+        self.shaped: dict[tuple[int, int, Region], tuple[tuple[Form, Form], Any, Any]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
         self.always: set[str] = {INDEX}  # indices that are >= 0 everywhere in the region; definitions are opened after them
         self.limited = False  # exponents are known for indices up to that of the induction
         self.unused: set[str] = set()  # recursions that are not opened
+        self.not_zero: list[Symbolic] = []  # polynomials that a hypothesis says are not zero
         self.within: tuple[Form, set[str]] | None = None  # the largest index at which recursions of these names may be used
 
     def atom(self, key: tuple) -> Symbolic:
@@ -97,14 +104,29 @@ class Terms(Indefinite, Chains):
         value = Fraction(value)
         return Symbolic(self.field, {0: value.numerator} if value else {}, value.denominator, ())
 
+    def linear(self, form: Form) -> Symbolic:
+        """An index as a number: one atom for each parameter, about which nothing is known."""
+        out = self.number(form.get("", 0))
+        for name, c in form.items():
+            if name:
+                out = out + self.number(c) * self.atom(("number", "", ((name, 1),)))
+        return out
+
     @staticmethod
     def form_text(form: Form) -> str:
         """A form for people."""
         return _form_text(form_key(form))
 
+    def has_letters(self, tree: Any) -> bool:
+        """Whether a term contains a matrix that is not opened: a variable, or what is closed."""
+        return self.known.has_letters(tree) or bool(self.letters) and not self.letters.isdisjoint(names(tree))
+
     # ------------------------------------------------------------------ indices and conditions
     def index(self, tree: Any, env: Mapping[str, Form]) -> Form:
-        return self.region.reduce(self._index(tree, env))
+        if type(tree) is int:
+            return {"": tree} if tree else {}
+        form = env.get(tree[1]) if tree[0] == "sym" else None
+        return self.region.reduce(self._index(tree, env) if form is None else form)
 
     def _index(self, tree: Any, env: Mapping[str, Form]) -> Form:
         if isinstance(tree, int):
@@ -123,6 +145,8 @@ class Terms(Indefinite, Chains):
             return total
         if op == "neg":
             return plus({}, self._index(tree[1], env), -1)
+        if op == "*" and len(tree) == 3 and type(tree[1]) is int:
+            return plus({}, self._index(tree[2], env), tree[1])
         if op == "abs":
             form = self._index(tree[1], env)
             return form if self.region.holds(form) else plus({}, form, -1)
@@ -181,7 +205,7 @@ class Terms(Indefinite, Chains):
             return self.product(self.index(low, env), self.index(high, env), lambda inner, j: inner._reread(inner.value, body, {**env, name: j}))
         if op == "sym":
             if tree[1] in env or tree[1] in self.statement["sizes"]:
-                raise Unknown(f"index {tree[1]!r} as a number")
+                return self.linear(self.index(tree, env))
             if tree[1] in self.scalars:
                 return self.atom(("at", tree[1]))
             return self._call(tree[1], (), self.value)
@@ -214,7 +238,7 @@ class Terms(Indefinite, Chains):
         if op == "^" and tree[1] == ["z"]:
             return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
         if op in ("*", "/"):
-            return self._product(tree, m, env)
+            return self._product([(tree, env, False, 1)], m)
         if op == "rev":
             return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
         if op == "recip":
@@ -225,47 +249,97 @@ class Terms(Indefinite, Chains):
             return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
         if op == "sum":
             return self._sum(tree, env, lambda body, inner: self.coefficient(body, m, inner))
+        if op == "sym" and self.known.kinds.get(tree[1], ("",))[0] in ("poly", "monic"):
+            return self._variable(tree[1], m)
         if op == "sym":
             return self._call(tree[1], (), lambda body, inner: self.coefficient(body, m, inner), m)
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
         raise Unknown(f"{op!r} of polynomials at a generic index")
 
-    def _product(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """A product in which all factors but one are free of z, powers of z, or sums that are multiplied out."""
-        factor, rest = self.number(1), list[Any]()
-        parts = [(x, 1) for x in tree[1:]] if tree[0] == "*" else [(tree[1], 1), (tree[2], -1)]
+    def _product(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """Coefficient of a product of terms, each with its indices, whether 1/z stands for z, and an exponent 1 or -1.
+
+        All but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for.
+        """
+        factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
         while parts:
-            x, e = parts.pop(0)
+            x, env, flip, e = parts.pop(0)
             if not self.has_z(x):
                 value = self.value(x, env)
                 factor = factor * (value if e > 0 else value.inverse())
-            elif x[0] == "*":
-                parts = [(y, e) for y in x[1:]] + parts
-            elif x[0] == "/":
-                parts = [(x[1], e), (x[2], -e), *parts]
+            elif self.is_matrix(x) and self.shape(x, env) != ({"": 1}, {"": 1}):
+                raise Unknown("a matrix in a product of polynomials")
+            elif x[0] in ("*", "/"):
+                parts = [(y, env, flip, -e if k and x[0] == "/" else e) for k, y in enumerate(x[1:])] + parts
+            elif x[0] == "recip":
+                parts.insert(0, (x[1], env, not flip, e))
             elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
-                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, -e))
+                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, e if flip else -e))
             elif e > 0:
-                rest.append(x)
+                rest.append((x, env, flip, e))
             else:
                 raise Unknown("a quotient by a polynomial at a generic index")
-        if len(rest) < 2:
-            return factor * (self.coefficient(rest[0], m, env) if rest else self.number(int(self.region.zero(m))))
-        several = next((x for x in rest if x[0] in ("+", "-", "neg")), None)
-        if several is None:
-            raise Unknown("a product of polynomials at a generic index")
-        others = [x for x in rest if x is not several]
-        out = self.number(0)
-        for k, x in enumerate(several[1:]):
-            term = self.coefficient(["*", x, *others], m, env)
-            out = out - term if several[0] == "neg" or (several[0] == "-" and k) else out + term
-        return factor * out
+        if not rest:
+            return factor * self.number(int(self.region.zero(m)))
+        if len(rest) == 1:
+            x, env, flip, _ = rest[0]
+            return factor * self.coefficient(x, plus({}, m, -1) if flip else m, env)
+        return factor * self._several(rest, m)
+
+    def _several(self, rest: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
+        """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
+        for place, (x, env, flip, e) in enumerate(rest):
+            def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
+                return self._product([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
+
+            if x[0] in ("+", "-", "neg"):
+                out = self.number(0)
+                for k, y in enumerate(x[1:]):
+                    term = put(y, env)
+                    out = out - term if x[0] == "neg" or (x[0] == "-" and k) else out + term
+                return out
+            if x[0] == "if":
+                return put(x[2] if self.condition(x[1], env) else x[3], env)
+            if x[0] == "sum":
+                return self._sum(x, env, put)
+            if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
+                args = tuple(self.index(a, env) for a in x[2:])
+                if x[1] not in self.recursive or self._opens(d, args[-1]):
+                    if x[1] in self.inverting:
+                        self._meet(x[1], args)
+                    return self.deeper(d, args, put)
+        for k, (x, env, flip, _) in enumerate(rest):
+            if (degree := self._degree(x, env)) is not None:
+                others = [*rest[:k], *rest[k + 1:]]
+                return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
+                    self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
+        raise Unknown("a product of polynomials at a generic index")
+
+    def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
+        """A number d if a name stands for a polynomial with exponents 0 .. d."""
+        if tree[0] == "sym" and (kind := self.known.kinds.get(tree[1])) and kind[0] in ("poly", "monic"):
+            return self.index(kind[1], {})
+        if tree[0] == "at" and tree[1] in self.supported and not self.limited and self.region.holds(last := self.index(tree[-1], env)):
+            return last
+        return None
+
+    def _variable(self, name: str, m: Form) -> Symbolic:
+        """Coefficient of a variable that is a polynomial."""
+        kind, degree = self.known.kinds[name][0], self.index(self.known.kinds[name][1], {})
+        gap = plus(degree, m, -1)
+        if not self.region.holds(m) or not self.region.holds(gap):
+            return self.number(0)
+        if kind == "monic" and self.region.zero(gap):
+            return self.number(1)
+        return self.atom(("coeff", name, form_key(self.region.reduce(m))))
 
     def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
         """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""
         if not self.has_z(tree):
             return self.value(tree, env)
+        if self.is_matrix(tree) and self.shape(tree, env) != ({"": 1}, {"": 1}):
+            raise Unknown("a matrix as a function of z")
         op = tree[0]
         if op == "z":
             return self.atom(("at", "z")).inverse() if flip else self.atom(("at", "z"))
@@ -273,21 +347,71 @@ class Terms(Indefinite, Chains):
             return self.at_z(tree[1], env, not flip)
         if op == "neg":
             return -self.at_z(tree[1], env, flip)
+        if op == "charpoly" and not self.has_z(tree[1]):
+            return self._function(tree, env, flip)
+        if op == "*" and any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[1:]):
+            scalars, chain = self._factors(tree, env)
+            out = self.number(1)
+            for part in (*scalars, chain):
+                x = ["*", *part] if len(part) > 1 else part[0] if part else 1
+                out = out * (self._function(x, env, flip) if len(part) > 1 and self.has_z(x) else self.at_z(x, env, flip))
+            return out
         if op in ("+", "-", "*", "/"):
             out = self.at_z(tree[1], env, flip)
             for part in tree[2:]:
                 y = self.at_z(part, env, flip)
                 out = out + y if op == "+" else out - y if op == "-" else out * y if op == "*" else out / y
             return out
+        if op == "^" and isinstance(tree[2], int) and 0 <= tree[2] <= _LARGEST_POWER:
+            out, x = self.number(1), self.at_z(tree[1], env, flip)
+            for _ in range(tree[2]):
+                out = out * x
+            return out
+        if op == "^" and tree[1] == ["z"]:
+            form = self.index(tree[2], env)
+            return self.power_of_z(plus({}, form, -1) if flip else form)
+        if op == "if":
+            return self.at_z(tree[2] if self.condition(tree[1], env) else tree[3], env, flip)
+        if op == "sum":
+            return self._sum(tree, env, lambda body, inner: self.at_z(body, inner, flip))
         if op in ("sym", "at"):
-            args = tuple(self.index(a, env) for a in tree[2:])
-            if tree[1] in self.closed:
-                if tree[1] in self.inverting:
-                    self._meet(tree[1], args)
-                return self.atom(("value at 1/z" if flip else "value", tree[1], *map(form_key, args)))
-            if tree[1] not in self.recursive and tree[1] in self.definitions:
-                return self._open(self.definitions[tree[1]], args, lambda body, inner: self.at_z(body, inner, flip))
+            return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
         raise Unknown(f"{op!r} as a function of z")
+
+    def _function(self, tree: Any, env: Mapping[str, Form], flip: bool) -> Symbolic:
+        """A function of z as it is: a characteristic polynomial, or a product of matrices that is a number."""
+        text, forms = opaque(tree, env, self.index)
+        if self.within is not None:
+            raise Unknown("a recursion made of functions of z that are not opened")
+        if self.inverts(tree):
+            self._meet(text, forms)
+        return self.atom(("value at 1/z" if flip else "value", text, *(form_key(self.region.reduce(x)) for x in forms)))
+
+    def power_of_z(self, form: Form) -> Symbolic:
+        """z to an index: a power of z itself for the constant, and for each parameter a power of z^parameter; z^(c j) as it is for the index j of a sum."""
+        form = self.region.reduce(form)
+        out, z = self.number(1), self.atom(("at", "z"))
+        for name, c in form.items():
+            if abs(c) > _LARGEST_POWER:
+                raise Unknown("too large a power")
+            if name.startswith("#"):
+                out = out * self.atom(("power", "z", ((name, c),)))
+                continue
+            x = self.atom(("power", "z", ((name, 1),))) if name else z
+            for _ in range(abs(c)):
+                out = out * x if c > 0 else out / x
+        return out
+
+    def named_at_z(self, name: str, args: tuple[Form, ...], flip: bool) -> Symbolic:
+        """What a name stands for as a function of z (of 1/z): a variable and what is closed as it is, a recursion where it is not opened."""
+        kind = "value at 1/z" if flip else "value"
+        if name in self.closed or self.known.kinds.get(name, ("",))[0] in ("poly", "monic"):
+            if name in self.inverting:
+                self._meet(name, args)
+            return self.atom((kind, name, *map(form_key, args)))
+        if name in self.definitions:
+            return self._call(name, args, lambda body, inner: self.at_z(body, inner, flip), kind=kind)
+        raise Unknown(f"{name!r} as a function of z")
 
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
@@ -311,16 +435,17 @@ class Terms(Indefinite, Chains):
             self.sure.add(key)
 
     # ------------------------------------------------------------------ definitions
-    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = ()) -> Symbolic:
-        """The value of a name, its coefficient at m, or its entry at a place: once in each region, with the inverses met and what is divided by then."""
+    def _call(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None = None, place: tuple[Form, ...] = (), kind: str = "at") -> Symbolic:
+        """The value of a name (of the kind of atoms that it is), its coefficient at m, or its entry at a place: once in each region, with the inverses
+        met and what is divided by then."""
         if name in self.sequences:
             return self.atom(("at", name, *map(form_key, args)))
-        key = (self.region, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
+        key = (self.region, kind, name, *map(form_key, args), m is not None and form_key(m), *map(form_key, place))
         if key not in self.called:
             before = self.met, self.sure, self.perhaps, self.field.used
             self.met, self.sure, self.perhaps, self.field.used = set(), set(), 0, set()
             try:
-                self.called[key] = self._called(name, args, read, m, place), self.met, self.sure, self.field.used
+                self.called[key] = self._called(name, args, read, m, place, kind), self.met, self.sure, self.field.used
             finally:
                 before[0].update(self.met)
                 self.met, self.sure, self.perhaps, self.field.used = before
@@ -331,8 +456,8 @@ class Terms(Indefinite, Chains):
             self.sure |= sure
         return out
 
-    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...]) -> Symbolic:
-        """A definition, opened where its arguments allow it; else an atom (its coefficient at m, or its entry at a place)."""
+    def _called(self, name: str, args: tuple[Form, ...], read: Callable, m: Form | None, place: tuple[Form, ...], value: str) -> Symbolic:
+        """A definition, opened where its arguments allow it; else an atom of the kind of values (its coefficient at m, or its entry at a place)."""
         d = self.definitions.get(name)
         if d is None:
             raise Unknown(f"{name!r} at a generic index")
@@ -343,7 +468,7 @@ class Terms(Indefinite, Chains):
             self._meet(name, args)
         if m is not None and name in self.whole:
             return self.atom(("coeff", name, *map(form_key, args), form_key(self.region.reduce(m))))
-        if name in self.closed and args and m is None and not place and not self.in_values and name not in self.recursive | self.in_z:
+        if name in self.closed and args and m is None and not place and name not in self.recursive | self.in_z:
             return self.atom(("at", name, *map(form_key, args)))
         if name in self.recursive:
             if (found := self._solved(name, args, read)) is not None:
@@ -353,7 +478,7 @@ class Terms(Indefinite, Chains):
             if not self._opens(d, last):
                 if self.not_smaller(name, last):
                     raise Unknown(f"{name} at an index that is not smaller")
-                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else ("at", ())
+                kind, where = ("coeff", (m,)) if m is not None else ("entry", place) if place else (value, ())
                 return self.atom((kind, name, *map(form_key, args), *(form_key(self.region.reduce(x)) for x in where)))
         return self.deeper(d, args, read)
 
@@ -399,14 +524,23 @@ class Terms(Indefinite, Chains):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive | self.closed or name in self.unused or not args:
+        kept = name in self.letters or name in self.whole & self.in_z  # without indices too
+        if d is None or name not in self.recursive | self.closed | self.whole or name in self.unused or not (args or kept):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")
+        if name in self.in_z and self.in_values:
+            flip = "flip" in places
+            return self.named_at_z(name, args, flip) - self._open(d, args, lambda body, inner: self.at_z(body, inner, flip))
         if name in self.in_z:
             m = places["z"]
             read: Callable = lambda body, inner: self.coefficient(body, m, inner)
             return self._call(name, args, read, m) - self._open(d, args, read)
+        if name in self.letters:
+            i, j = places["row"], places.get("column", {"": 1})
+            tree, env = ["at", name, *(["sym", f"@{k}"] for k in range(len(args)))] if args else ["sym", name], {f"@{k}": x for k, x in enumerate(args)}
+            self._need_entry(tree, i, j, env)
+            return self.entry(tree, i, j, env) - self._open(d, args, lambda body, inner: self.entry(body, i, j, inner))
         if d[0] == "rec" and self.is_matrix(d[4][0]):
             place = (places["row"], *([places["column"]] if self.shape(d[4][0], {})[1] != {"": 1} else []))
             self._need_place(["sym", name], place[0], place[1] if len(place) > 1 else {"": 1}, {})
@@ -459,6 +593,12 @@ class Terms(Indefinite, Chains):
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
+        key = id(tree), id(env), self.region
+        if (found := self.shaped.get(key)) is None:
+            found = self.shaped[key] = self._shape(tree, env), tree, env  # which are kept, so that their ids stay their own
+        return found[0]
+
+    def _shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         if not self.is_matrix(tree):
             if self.others(tree):
                 self._need_number(tree, env)
@@ -571,14 +711,19 @@ class Terms(Indefinite, Chains):
             if not keeps:  # what has been seen of others may rest on it
                 self.kept.clear()
                 self.shapes.clear()
+                self.shaped.clear()
                 self.kept[name] = False
         if not self.kept[name]:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
     def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
         """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
-        if not self.ruled or not any(self.ruled & {name, *(self.known.reached(name) if name in self.definitions else ())} for name in names(tree)):
+        if not self.ruled or self.ruled.isdisjoint(self.known.reached_by(tree)):
             return
+        self._need_entry(tree, i, j, env)
+
+    def _need_entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
+        """Beyond its rows and columns a matrix has no entry."""
         rows, cols = self.shape(tree, env)
         if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
             raise Undefined("no entry there")
@@ -586,7 +731,7 @@ class Terms(Indefinite, Chains):
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
         op = tree[0]
-        if op not in ("mat", "col", "block") and self.known.has_letters(tree):
+        if op not in ("mat", "col", "block") and self.has_letters(tree):
             return self.word([(tree, env, False)], i, j)
         if op == "mat":
             return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
@@ -671,7 +816,7 @@ class Terms(Indefinite, Chains):
         if len(parts) == 1 and not self.is_matrix(parts[0]):
             return self.value(parts[0], env)
         if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
-                any(self.known.has_letters(x) for x in parts)):
+                any(self.has_letters(x) for x in parts)):
             return self.word([(x, env, False) for x in parts], i, j)
         if len(parts) == 1:
             return self.entry(parts[0], i, j, env)
@@ -693,7 +838,10 @@ def _atom_text(key: tuple) -> str:
         monomials = [(key[1], 1)] if key[0] == "sum" else key[1]
         body = " + ".join("*".join([*([str(c)] if c != 1 or not m else []), *(_atom_text(k) for k, e in m for _ in range(e))]) for m, c in monomials)
         return f"{key[0]}({body}, {_form_text(key[2])})"
-    return f"{key[1]}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else key[1]
+    if key[0] == "power":
+        return f"z^({_form_text(key[2])})"
+    name = f"{key[1]}(1/z)" if key[0] == "value at 1/z" else key[1]
+    return f"{name}[{', '.join(_form_text(x) for x in key[2:])}]" if len(key) > 2 else name
 
 
 def _form_text(form: tuple) -> str:

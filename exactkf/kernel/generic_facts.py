@@ -16,6 +16,10 @@ fact           follows from
                D_d x_k + .. + D_(d-k) x_0 = N_(d-k) for k = 0, .., K: these equations have one solution, as D_d = 1;
                the same for all k >= 0
 ``product``    A_i1 B_1j + .. + A_ip B_pj = (AB)_ij, if A has p columns and B as many rows, at places that AB has
+``cayley``     c_0 U V + c_1 U A V + .. + c_n U A^n V = 0 and c_n = 1 for c_k = coeff(charpoly(A), k) and A of size n: the theorem of Cayley
+               and Hamilton, and charpoly(A) is monic
+``resolvent``  charpoly(A) h'(z - A)^(-1) g = charpoly(A - gh') - charpoly(A), for A, g, h without z: det(z - A + gh') is
+               det(z - A) times det(1 + (z - A)^(-1) gh'), which is 1 + h'(z - A)^(-1) g; z - A has an inverse, as charpoly(A) is monic
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -175,7 +179,7 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
 
 
 def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    says = lemma["says"]
+    says, env, region = _for_all(proof, lemma["says"], env, region, name, 1)
     if not (says[0] == "always" or says[0] == "forall" and says[2] == 0) or says[-1][0] != "=" or len(says[-1]) != 3:
         raise Rejected(f"{name}: the fact is laurent(N/D, k) == x for k = 0, .., K, or for all k")
     k, (_, left, x) = says[1], says[-1]
@@ -208,16 +212,25 @@ def _laurent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
     proof.close(region.and_({k: 1}, *least), equation, uses, {**env, k: {k: 1}}, f"{name}: equations")
 
 
-def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
-    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
-    says, bound = lemma["says"], dict(env)
-    while says[0] in ("forall", "always"):
+def _for_all(proof: Any, says: Any, env: dict[str, Form], region: Region, name: str, inner: int) -> tuple[Any, dict[str, Form], Region]:
+    """What is said for all indices between bounds, these indices and their region; so many of the inner quantifiers are left."""
+    bound, left = dict(env), says
+    depth = -inner
+    while left[0] in ("forall", "always"):
+        left, depth = left[-1], depth + 1
+    for _ in range(depth):
         if proof.is_bound(says[1], bound):
             raise Rejected(f"{name}: index {says[1]!r} bound twice")
         index: Form = {says[1]: 1}
         terms = Terms(proof.statement, region)
         ends = [plus(index, terms.index(says[2], bound), -1), plus(terms.index(says[3], bound), index, -1)] if says[0] == "forall" else [index]
         region, bound, says = region.and_(*ends), {**bound, says[1]: index}, says[-1]
+    return says, bound, region
+
+
+def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """What a product of matrices is: it needs no proof, but for the sum to be that of all products of entries, at places that there are."""
+    says, bound, region = _for_all(proof, lemma["says"], env, region, name, 0)
     left, right = says[1], says[2]
     if says[0] != "=" or len(says) != 3 or left[0] != "sum" or right[0] != "entry" or len(right) != 4 or right[1][0] != "*" or len(right[1]) != 3:
         raise Rejected(f"{name}: the fact is sum(k, 1, p, A[i, k]*B[k, j]) == (A*B)[i, j]")
@@ -234,6 +247,47 @@ def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
             raise Rejected(f"{name}: perhaps AB has no entry there")
 
 
+def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """A theorem: what is looked at is that it says no more."""
+    match lemma["says"]:
+        case ["and", ["=", ["sum", k, low, high, ["*", ["coeff", ["charpoly", matrix], index], *rest]], ["O", *_] as zero],
+              ["=", ["coeff", ["charpoly", same], last], one]] if rest:
+            factors = rest[0][1:] if len(rest) == 1 and isinstance(rest[0], list) and rest[0][0] == "*" else rest
+        case _:
+            raise Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
+    others = [x for x in factors if x != ["^", matrix, ["sym", k]]]
+    if (type(low), low, type(one), one, index, same, high) != (int, 0, int, 1, ["sym", k], matrix, last) or len(others) + 1 != len(factors):
+        raise Rejected(f"{name}: not the theorem of Cayley and Hamilton")
+    if proof.is_bound(k, env) or k in _mentioned([matrix, last, others, zero]):
+        raise Rejected(f"{name}: index {k!r} bound twice")
+    rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
+    if region.reduce(plus(rows, terms.index(last, env), -1)) or any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, *others)):
+        raise Rejected(f"{name}: a matrix with z, a number, or another size")
+    for x, y in zip(terms.shape(["*", *factors] if others else matrix, {**env, k: {}}), terms.shape(zero, env), strict=True):
+        if region.reduce(plus(x, y, -1)):
+            raise Rejected(f"{name}: the zero is of another size")
+
+
+def _resolvent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """A theorem: what is looked at is that it says no more."""
+    fault = Rejected(f"{name}: the fact is charpoly(A)*(T(h)*inv(Identity(n)*Z - A)*g) == charpoly(A - g*T(h)) - charpoly(A)")
+    match lemma["says"]:
+        case ["=", ["*", ["charpoly", matrix], ["*", _, ["inv", ["-", ["*", ["I", *_] as one, ["z"]], _]], _]],
+              ["-", ["charpoly", ["-", _, ["*", g, ["T", h]]]], _]]:
+            pass
+        case _:
+            raise fault
+    if lemma["says"] != ["=", ["*", ["charpoly", matrix], ["*", ["T", h], ["inv", ["-", ["*", one, ["z"]], matrix]], g]],
+                         ["-", ["charpoly", ["-", matrix, ["*", g, ["T", h]]]], ["charpoly", matrix]]]:
+        raise fault
+    rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
+    if any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, g, h)):
+        raise Rejected(f"{name}: a matrix with z, or a number")
+    for x, size in ((one, (rows, rows)), (g, (rows, _ONE)), (h, (rows, _ONE))):
+        if any(region.reduce(plus(a, b, -1)) for a, b in zip(terms.shape(x, env), size, strict=True)):
+            raise Rejected(f"{name}: sizes do not fit")
+
+
 def _mentioned(tree: Any) -> set[str]:
     if not isinstance(tree, list):
         return {tree} if isinstance(tree, str) else set()
@@ -242,5 +296,6 @@ def _mentioned(tree: Any) -> set[str]:
 
 #: name of a fact -> how it is shown for every index in the region
 FACTS: dict[str, Callable[[Any, Mapping[str, Any], dict[str, Form], Region, str], None]] = {
-    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product,
+    "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product, "cayley": _cayley,
+    "resolvent": _resolvent,
 }

@@ -45,9 +45,12 @@ class Indefinite:
     within: tuple[Form, set[str]] | None
     atom: Callable[[tuple], Symbolic]
     number: Callable[[Any], Symbolic]
+    linear: Callable[[Form], Symbolic]
     entry: Callable[..., Symbolic]
     value: Callable[..., Symbolic]
     coefficient: Callable[..., Symbolic]
+    named_at_z: Callable[..., Symbolic]
+    power_of_z: Callable[..., Symbolic]
     again: Callable[[tuple], Symbolic]
     _call: Callable[..., Symbolic]
 
@@ -129,10 +132,23 @@ class Indefinite:
         return key == name or isinstance(key, tuple) and any(Indefinite._moves(x, name) for x in key)
 
     def _difference(self, moving: list, name: str, low: Form, high: Form) -> Symbolic:
-        if not moving:
-            raise Unknown("a sum of a term that does not depend on its index")
-        (made,), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
-        return self._sum_to(made[0], high) - self._sum_to(made[0], plus(low, {"": 1}, -1))
+        if not moving:  # as many times one as there are terms
+            return self.linear(self.region.reduce(plus(plus(high, low, -1), {"": 1})))
+        ((made, _),), low, high = self._renamed([(tuple(moving), 1)], name, low, high)
+        factor, made = self._without_powers(made)
+        return factor * (self._sum_to(made, high) - self._sum_to(made, plus(low, {"": 1}, -1)))
+
+    def _without_powers(self, monomial: tuple) -> tuple[Symbolic, tuple]:
+        """Powers of z outside of a sum: of z^(c # + e) stays z^(c #)."""
+        factor, left = self.number(1), dict[tuple, int]()
+        for key, e in monomial:
+            if key[0] == "power":
+                c = dict(key[2]).get("#", 0)
+                for _ in range(e):
+                    factor = factor * self.power_of_z({n: x for n, x in key[2] if n != "#"})
+                key = (*key[:2], (("#", c),))
+            left[key] = left.get(key, 0) + e
+        return factor, tuple(sorted(left.items()))
 
     def _quotient(self, body: Symbolic, name: str, low: Form, high: Form) -> Symbolic:
         """P(high)/P(low - 1) for a polynomial in the index of the product."""
@@ -147,7 +163,8 @@ class Indefinite:
     def _renamed(body: list[tuple[tuple, int]], name: str, low: Form, high: Form) -> tuple[tuple, Form, Form]:
         """A body and its ends after the index is changed so that some place of an atom becomes the index itself."""
         best = None
-        for form in (form for monomial, _ in body for key, _ in monomial for form in _forms(key)):
+        keys = [key for monomial, _ in body for key, _ in monomial]
+        for form in (form for key in [key for key in keys if key[0] != "power"] or keys for form in _forms(key)):
             s = form.get(name, 0)
             if abs(s) != 1:
                 continue
@@ -179,6 +196,8 @@ class Indefinite:
     def _product_to(self, made: tuple, high: Form) -> Symbolic:
         """The indefinite product, in the same way."""
         base, c = self._from_constant(high)
+        if c < 0 and any(name.startswith("#") for name in base):  # within a sum, where no factor may be divided by
+            return self.atom(("prod", made, form_key(self.region.reduce(high))))
         out = self.atom(("prod", made, form_key(base)))
         for q in range(min(c, 0) + 1, max(c, 0) + 1):
             factor = self.number(0)
@@ -208,12 +227,20 @@ class Indefinite:
             return self.atom((*key[:2], *(form_key(self.region.reduce(x)) for x in forms)))
         if key[0] == "word":
             return self.again(key)
+        if key[0] == "power":
+            return self.power_of_z(forms[0])
+        if key[0] == "number":
+            return self.linear(self.region.reduce(forms[0]))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
+        if key[0] == "coeff" and len(forms) == 1:
+            return self.coefficient(["sym", key[1]], self.region.reduce(forms[0]), {})
         if key[0] == "coeff":
             *args, m = forms
             return self._call(key[1], tuple(self.region.reduce(a) for a in args), lambda body, inner: self.coefficient(body, m, inner), m)
+        if key[0] in ("value", "value at 1/z"):
+            return self.named_at_z(key[1], tuple(self.region.reduce(a) for a in forms), key[0] != "value")
         return self._call(key[1], tuple(self.region.reduce(a) for a in forms), self.value)
 
 

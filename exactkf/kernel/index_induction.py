@@ -14,12 +14,22 @@ neither: `exactkf.kernel.defined` sees to that.
 
 A use may be of a hypothesis that says equations. Then everything is said of the numbers of an instance: recursions have values there,
 as they are well-founded and nothing is divided by; what is divided by all the same, in any lemma, must be
-a difference that a hypothesis says is not zero, or a variable of a type that says so.
+a difference that a hypothesis says is not zero, or a variable of a type that says so, or a factor of what a hypothesis says is not
+zero at the places of a use, within its bounds. A power of z is no number of an instance, and may be divided by.
+
+Polynomials may be multiplied if they are read as functions of z and 1/z: an equation of polynomials in z, 1/z is one of these functions, and the
+other way round, so that a lemma that is shown in one way may be used in the other. The functions of recursions are atoms, X_t(z) and X_t(1/z).
+
+The evidence may tell the ``cases``: for each part of a region, in the order in which they are looked at, either the form at
+whose sign it is cut, or the numbers of the uses that are needed there. That saves looking for them. Nothing rests on it: what is
+shown in both parts is shown, wherever the cut is, and fewer equations tell no more.
 
 Main definitions
 ----------------
 `generic_index`
     Replay of such a certificate.
+`Proof`
+    The same in steps, for a search that notes the cases.
 
 Determinants, inverses and the like are not opened; what turns them into other terms is in `exactkf.kernel.generic_facts`.
 """
@@ -40,9 +50,10 @@ from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
 from exactkf.kernel.wellformed import check_formula
 
-__all__ = ["generic_index"]
+__all__ = ["Proof", "generic_index"]
 
-_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod")  # atoms, in the order in which equations are solved for them
+#: atoms, in the order in which equations are solved for them
+_FIRST = ("opaque", "word", "value", "value at 1/z", "sum", "coeff", "entry", "at", "prod", "power", "number")
 _LEAST = {">=": 0, ">": 1}
 _MOST_SPLITS = 14
 _MASK = (1 << BITS) - 1
@@ -52,32 +63,31 @@ Goal = Callable[[Terms], list[Symbolic]]
 _Row = tuple[Symbolic, frozenset[int]]  # what is zero, and the numbers of what it divides by
 
 
+def _has_solutions(tree: Any) -> bool:
+    if isinstance(tree, Mapping):
+        return _has_solutions(list(tree.values()))
+    return isinstance(tree, (list, tuple)) and (tree[:1] in (["stein"], ("stein",)) or any(map(_has_solutions, tree)))
+
+
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
-    try:
-        proof = _Proof(statement, evidence.get("closed") or (), evidence.get("whole") or ())
-        proof.supported.extend(evidence.get("supported") or [])
-        for name in proof.supported:
-            proof.support(name)
-        for lemma in evidence["lemmas"]:
-            proof.lemma(lemma)
-        proof.conclude(evidence)
-        if proof.assumes and proof.at_point:
-            raise Rejected(f"a hypothesis is used, and none says that {proof.at_point[0]} is not zero")
-    except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
-        raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
-    return proof.denominators
+    if _has_solutions([statement["says"], [d[2:] for d in statement["where"]], [g[1] for g in statement["given"]], evidence]):
+        raise Unknown("solutions X = MXM' + Q, which are for words")
+    return Proof(statement, evidence).replay()
 
 
-class _Proof:
-    """The lemmas shown so far."""
+class Proof:
+    """The lemmas shown so far, of those in the evidence."""
 
-    def __init__(self, statement: Mapping[str, Any], closed: Any, whole: Any = ()) -> None:
-        self.statement, self.closed, self.whole = statement, closed, whole
+    def __init__(self, statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
+        self.statement, self.evidence = statement, evidence
+        self.closed, self.whole, self.told = evidence.get("closed") or (), evidence.get("whole") or (), iter(evidence.get("cases") or ())
         self.always = {INDEX}
         self.supported: list[str] = []
         self.rules: dict[str, tuple] = {}
         self.in_values = False  # polynomials are read as functions of z, not by coefficients
+        self.some: list[Any] | None = None  # the equations of the conclusion, by their numbers, for which it is so
+        self.equations = 0
         self.lemmas: list[Mapping[str, Any]] = []
         self.denominators: list[str] = []
         self.not_zero: set[frozenset] = set()
@@ -94,6 +104,22 @@ class _Proof:
                     gap = plus(terms.index(formula[1], {}), terms.index(formula[2], {}), -1)
                     self.sizes.append(plus(gap, {"": 1}, -_LEAST[formula[0]]))
         self.witnesses, self.ill_founded = [Witness(statement, self.sizes, number) for number in (1, 0)], ill_founded(statement, self.sizes)
+
+    def replay(self) -> list[str]:
+        """Everything that is listed, in order; the denominators met."""
+        evidence = self.evidence
+        try:
+            self.supported.extend(evidence.get("supported") or [])
+            for name in self.supported:
+                self.support(name)
+            for lemma in evidence["lemmas"]:
+                self.lemma(lemma)
+            self.conclude(evidence)
+            if self.assumes and self.at_point:
+                raise Rejected(f"a hypothesis is used, and none says that {self.at_point[0]} is not zero")
+        except Split as split:  # of a size or a bound, where there is no term to be looked at in cases
+            raise Rejected(f"a size or a bound depends on whether {Terms.form_text(split.form)} >= 0") from None
+        return self.denominators
 
     # ------------------------------------------------------------------ what a certificate lists
     def support(self, name: str) -> None:
@@ -114,6 +140,13 @@ class _Proof:
                 self.close(Region.of(*forms, outside), goal, [], {}, f"exponents of {name}", limited=True)
 
     def lemma(self, lemma: Mapping[str, Any]) -> None:
+        """A lemma, in which more names may be closed than elsewhere."""
+        closed = self.closed
+        self.closed = [*closed, *(lemma.get("closed") or ())]
+        self._lemma(lemma)
+        self.closed = closed
+
+    def _lemma(self, lemma: Mapping[str, Any]) -> None:
         """Base and step; a rule X[t] = term is used by itself from then on."""
         index, first, says, place = lemma["index"], lemma.get("from", 0), lemma["says"], f"lemma {len(self.lemmas)}"
         if type(first) is not int or first < 0:
@@ -141,7 +174,9 @@ class _Proof:
         self.supported = known
 
     def conclude(self, evidence: Mapping[str, Any]) -> None:
-        says, uses, self.in_values = self.statement["says"], evidence.get("uses", ()), bool(evidence.get("in values"))
+        says, uses, some = self.statement["says"], evidence.get("uses", ()), evidence.get("in values")
+        self.in_values = bool(some)
+        self.some, self.equations = list(some) if isinstance(some, (list, tuple)) else None, 0
         for place, part in enumerate(says[1:] if says[0] == "and" else [says]):
             name = f"conclusion {place}"
             if part[0] == "always" or (part[0] == "forall" and type(part[2]) is int):
@@ -219,7 +254,9 @@ class _Proof:
 
             def goal(t: Terms) -> list[Symbolic]:
                 return [_difference(t, left, right, t.region.reduce({"z": 1}), env)]
-        self.close(region, goal, uses, names, place, current, in_values=self.in_values)
+        in_values = self.in_values if self.some is None else self.equations in self.some
+        self.equations += 1
+        self.close(region, goal, uses, names, place, current, in_values=in_values)
 
     def _granted(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None, granted: set[tuple]) -> Iterator[_Row]:
         """Of the equations that a lemma says at the places given those whose inverses exist, as the goal has them too; with what they divide by."""
@@ -234,7 +271,10 @@ class _Proof:
         if "definition" in use:
             with suppress(Unknown):  # it speaks of names of another part
                 places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
-                yield terms.defining(use["definition"], tuple(terms.index(tree, names) for tree in use["at"]), places)
+                at = tuple(terms.index(tree, names) for tree in use["at"])
+                yield terms.defining(use["definition"], at, places)
+                if terms.in_values and use["definition"] in terms.in_z:
+                    yield terms.defining(use["definition"], at, {"flip": {}})
             return
         if "given" in use:
             yield from self._assumed(terms, use, names)
@@ -306,10 +346,11 @@ class _Proof:
                 yield from self._said(terms, body, {**env, name: k}, places)
         elif says[0] == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
-                if terms.is_matrix(left) or terms.is_matrix(right):
+                in_z = terms.has_z(left) or terms.has_z(right)
+                if (terms.is_matrix(left) or terms.is_matrix(right)) and not (in_z and terms.in_values):
                     if "row" in places:
                         yield from self._entries(terms, left, right, places["row"], places.get("column", _ONE), env)
-                elif terms.has_z(left) or terms.has_z(right):
+                elif in_z:
                     if terms.in_values:
                         yield from (terms.at_z(left, env, flip) - terms.at_z(right, env, flip) for flip in (False, True))
                     elif "z" in places:
@@ -327,27 +368,47 @@ class _Proof:
     # ------------------------------------------------------------------ one equation
     def close(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None = None,
                splits: int = 0, limited: bool = False, in_values: bool = False) -> None:
-        """The goal follows from the uses in every part of the region."""
+        """The goal follows from the uses in every part of the region; see `generic_index` for what the certificate tells of the parts."""
+        told = next(self.told, None)
+        if isinstance(told, dict):
+            cut = _cut(told)
+        else:
+            try:
+                self.part(region, goal, uses if told is None else [uses[k] for k in told], names, place, current, limited, in_values)
+                return
+            except Split as split:
+                if told is not None:
+                    raise Rejected(f"{place}: cases: a part is to be cut again") from None
+                cut = split.form
+        if splits >= _MOST_SPLITS:
+            raise Rejected(f"{place}: too many cases")
+        for part in region.cases(cut):
+            self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+
+    def part(self, region: Region, goal: Goal, uses: Any, names: Mapping[str, Form], place: str, current: int | None, limited: bool,
+             in_values: bool) -> set[int]:
+        """The goal follows from the uses everywhere in the region alike; the numbers of those that were needed."""
         terms = Terms(self.statement, region, self.supported, self.rules, self.closed, self.whole)
         terms.always |= self.always
         terms.limited, terms.in_values, terms.unused = limited, in_values, self.ill_founded
-        try:
-            self._follows(terms, goal(terms), uses, names, current, place)
-        except Split as split:
-            if splits >= _MOST_SPLITS:
-                raise Rejected(f"{place}: too many cases") from None
-            for part in region.cases(split.form):
-                self.close(part, goal, uses, names, place, current, splits + 1, limited, in_values)
+        return self._follows(terms, goal(terms), uses, names, current, place)
 
-    def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> None:
+    def _follows(self, terms: Terms, wanted: list[Symbolic], uses: Any, names: Mapping[str, Form], current: int | None, place: str) -> set[int]:
         """Each wanted term is zero by the uses, and nothing divided by on the way is."""
-        granted = set(terms.sure)
+        granted, needed = set(terms.sure), set[int]()
+        for number, use in enumerate(uses):
+            if "given" in use and (found := list(self._granted_not_zero(terms, use, names))):
+                needed.add(number)
+                terms.not_zero += found
         if any(x.num for x in wanted):
-            for use in uses:
+            for number, use in enumerate(uses):
                 if "times" in use:  # a multiple of the first of its equations is taken off
+                    needed.add(number)
                     for x, _ in islice(self._granted(terms, use, names, current, granted), 1):
-                        wanted = [y - terms.value(use["times"], dict(names)) * x for y in wanted]
-        known = _Equations(terms, (x for use in uses if "times" not in use for x in self._granted(terms, use, names, current, granted)))
+                        times = (terms.at_z if terms.in_values else terms.value)(use["times"], dict(names))
+                        wanted = [y - times * x for y in wanted]
+        known = _Equations(terms, ((*row, number) for number, use in enumerate(uses) if "times" not in use
+                                   for row in self._granted(terms, use, names, current, granted)))
         for x in wanted:
             if (rest := known.reduced(x)).num:
                 where = " and ".join(f"{terms.form_text(f)} >= 0" for f in terms.region.forms)
@@ -367,9 +428,31 @@ class _Proof:
         for f in factors:
             if (text := terms.field.text(f)) not in self.denominators:
                 self.denominators.append(text)
+        return needed | known.needed
+
+    def _granted_not_zero(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form]) -> Iterator[Symbolic]:
+        """What a hypothesis at the places given says is not zero; places of another part, or beyond its bounds, say nothing."""
+        formula, env = next((formula for label, formula, _ in self.statement["given"] if label == use["given"]), [""]), dict[str, Form]()
+        with suppress(Unknown, Undefined):
+            places = {name: terms.index(tree, names) for name, tree in use["at"].items()}
+            while formula[0] == "forall" and formula[1] in places:
+                _, name, low, high, formula = formula
+                k = env[name] = places[name]
+                if not all(terms.region.decide(x) is True for x in (plus(k, terms.index(low, env), -1), plus(terms.index(high, env), k, -1))):
+                    return
+            if formula[0] == "!=" and not any(terms.is_matrix(x) or terms.has_z(x) for x in formula[1:]):
+                x = terms.value(formula[1], env) - terms.value(formula[2], env)
+                if not x.den:
+                    yield x
 
     def _needs_no_equation(self, terms: Terms, f: dict[int, int]) -> bool:
         """Something divided by is not zero at a point, or by a hypothesis; what is known of it is kept."""
+        if len(f) == 1 and all(key[0] == "power" or key == ("at", "z") for key in (terms.atoms[place] for place in _places(f))):
+            return True  # a power of z, which is no number of an instance
+        index = terms.field.factors.index(f)
+        if any(terms.field.cancel(x.num, index, 1)[1] for x in terms.not_zero):  # it divides what is not zero
+            self.assumes = True
+            return True
         key = frozenset((tuple((terms.atoms[k], e) for k, e in enumerate(exponents(monomial)) if e), c) for monomial, c in f.items())
         if key in self.not_zero:
             return True
@@ -392,20 +475,23 @@ class _Equations:
     Parameters
     ----------
     terms : what they are made of
-    rows : the x, with what they divide by
+    rows : the x, with what they divide by, and the number of the use that says so
     """
 
-    def __init__(self, terms: Terms, rows: Iterator[_Row]) -> None:
+    def __init__(self, terms: Terms, rows: Iterator[tuple[Symbolic, frozenset[int], int]]) -> None:
         self.terms, self.rows = terms, rows
-        self.read: list[_Row] = []
+        self.read: list[tuple[Symbolic, frozenset[int], int]] = []
         self.allowed: set[int] | None = None  # what those that are used may divide by
         self.first: Collection[int] = ()
-        self.solved: list[tuple[int, Symbolic]] = []  # an atom, and its value by the equation and those before
+        self.solved: list[tuple[int, Symbolic, set[int]]] = []  # an atom, its value by the equation and those before, and the uses that say these
+        self.needed: set[int] = set()  # the uses without which something would not have been reduced as it was
 
     def reduced(self, goal: Symbolic) -> Symbolic:
         """The goal after one equation and the next has been used, until it is zero."""
-        for pivot, value in self._values():
-            goal = _eliminated(self.terms, goal, value, pivot)
+        for pivot, value, uses in self._values():
+            before, goal = goal, _eliminated(self.terms, goal, value, pivot)
+            if goal is not before:
+                self.needed |= uses
             if not goal.num:
                 break
         return goal
@@ -414,20 +500,30 @@ class _Equations:
         """Read all equations that divide by nothing but what is allowed, and choose atoms once more: some come first, those in denominators last."""
         self.rows, self.read, self.solved, self.first, self.allowed = iter([*self.read, *self.rows]), [], [], first, set(allowed)
 
-    def _values(self) -> Iterator[tuple[int, Symbolic]]:
+    def _values(self) -> Iterator[tuple[int, Symbolic, set[int]]]:
         yield from list(self.solved)
-        for row, used in self.rows:
-            self.read.append((row, used))
+        for row, used, number in self.rows:
+            self.read.append((row, used, number))
             if self.allowed is not None and not used <= self.allowed:
                 continue
-            for pivot, value in self.solved:
-                row = _eliminated(self.terms, row, value, pivot)
+            uses = {number}
+            for pivot, value, others in self.solved:
+                before, row = row, _eliminated(self.terms, row, value, pivot)
+                if row is not before:
+                    uses |= others
             place = _pivot(self.terms, row, self.first)
             if place is not None:
                 parts = _parts(row, place)
                 value = -Symbolic(row.field, parts.get(0, {}), 1, ()) * Symbolic(row.field, parts[1], 1, ()).inverse()
-                self.solved.append((place, value))
-                yield place, value
+                self.solved.append((place, value, uses))
+                yield self.solved[-1]
+
+
+def _cut(told: Mapping[str, Any]) -> Form:
+    """The form at which a region is cut: at any there may be, but for those of the indices of sums, of which a region has to know no more than the bounds."""
+    if set(told) <= {""} or any(type(c) is not int or not c or name.startswith("#") for name, c in told.items()):
+        raise Rejected("cases: a cut is at a linear form in the parameters")
+    return dict(told)
 
 
 def _is_determinant(part: Any) -> bool:
@@ -498,6 +594,8 @@ def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | No
     found = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
     for place in sorted(present):
+        if not row.den and 1 << (BITS * place) not in row.num:
+            continue
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
             lead, left = parts[1], 0

@@ -15,7 +15,8 @@ from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.limits import WORK, within
 from exactkf.kernel.numbers import Undefined
 
-__all__ = ["Interval", "around", "does_not_escape", "enclosed", "generator", "is_schur", "minus", "product", "stable_factor"]
+__all__ = ["Interval", "around", "does_not_escape", "enclosed", "generator", "inverse", "is_schur", "minus", "product", "solved", "stable_factor", "times",
+           "total"]
 
 Interval = tuple[int, int]
 
@@ -25,7 +26,7 @@ def enclosed(x: Algebraic, bits: int) -> Interval:
     theta = generator(x.field, bits)
     total: Interval = (0, 0)
     for c in reversed(x.c):
-        low, high = _times(total, theta, bits)
+        low, high = times(total, theta, bits)
         total = (low + (c * 2**bits).__floor__(), high + (c * 2**bits).__ceil__())
     return total
 
@@ -67,7 +68,8 @@ def _value_above(field: AlgebraicField) -> Fraction:
     return total
 
 
-def _times(x: Interval, y: Interval, bits: int) -> Interval:
+def times(x: Interval, y: Interval, bits: int) -> Interval:
+    """An interval around all products."""
     products = [a * b for a in x for b in y]
     return min(products) >> bits, -(-max(products) >> bits)
 
@@ -77,11 +79,28 @@ def minus(x: Interval, y: Interval) -> Interval:
     return x[0] - y[1], x[1] - y[0]
 
 
-def _inverse(x: Interval, bits: int) -> Interval:
+def inverse(x: Interval, bits: int) -> Interval:
+    """An interval around all inverses; zero is excluded."""
     if x[0] <= 0 <= x[1]:
         raise Undefined("an interval does not exclude zero")
     one = 1 << 2 * bits
     return one // x[1], -(-one // x[0])
+
+
+def solved(rows: list[list[Interval]], right: list[list[Interval]], bits: int) -> list[list[Interval]]:
+    """Intervals around A^-1 B for all A and B within intervals: Gauss and Jordan's elimination, whose pivots exclude zero, so that A is regular."""
+    n = len(rows)
+    work = [[*row, *more] for row, more in zip(rows, right, strict=True)]
+    for k in range(n):
+        pivot = max(range(k, n), key=lambda i: max(work[i][k][0], -work[i][k][1]))  # the one that is furthest from zero
+        work[k], work[pivot] = work[pivot], work[k]
+        unit = inverse(work[k][k], bits)
+        work[k] = [times(x, unit, bits) for x in work[k]]
+        for i, row in enumerate(work):
+            if i != k and row[k] != (0, 0):
+                f = row[k]
+                work[i] = [minus(x, times(f, y, bits)) if j > k else x for j, (x, y) in enumerate(zip(row, work[k], strict=True))]
+    return [row[n:] for row in work]
 
 
 def is_schur(p: list) -> bool:
@@ -107,8 +126,8 @@ def _all_inside(rest: list[Interval], bits: int) -> bool | None:
             return False
         if not (-one < k[0] and k[1] < one):
             return None
-        u = _inverse(minus((one, one), _times(k, k, bits)), bits)
-        rest = [_times(minus(x, _times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
+        u = inverse(minus((one, one), times(k, k, bits)), bits)
+        rest = [times(minus(x, times(k, y, bits)), u, bits) for x, y in zip(rest, rest[::-1], strict=True)][1:]
     return True
 
 
@@ -126,16 +145,16 @@ def stable_factor(D: list[Interval], center: list[int], bits: int) -> list[Inter
     d = D[m:]
     y = [(v, v) for v in center]
     w, c = [*y[:m], (one, one)], y[m]
-    rest = [minus(_sum([_times(w[j], w[j + k], bits) for j in range(m + 1 - k)]), _times(c, d[k], bits)) for k in range(m + 1)]
+    rest = [minus(total([times(w[j], w[j + k], bits) for j in range(m + 1 - k)]), times(c, d[k], bits)) for k in range(m + 1)]
     at_y = _jacobian(w, d)
     Y = [[(x, x) for x in row] for row in _near_inverse([[x[0] + x[1] >> 1 for x in row] for row in at_y], bits)]
     J = _jacobian([*((v - rho, v + rho) for v in center[:m]), (one, one)], d)
     out = []
     for i, row in enumerate(Y):
-        moved = minus(y[i], _sum([_times(a, b, bits) for a, b in zip(row, rest, strict=True)]))
-        wrong = [minus((one, one) if i == j else (0, 0), _sum([_times(a, b, bits) for a, b in zip(row, column, strict=True)]))
+        moved = minus(y[i], total([times(a, b, bits) for a, b in zip(row, rest, strict=True)]))
+        wrong = [minus((one, one) if i == j else (0, 0), total([times(a, b, bits) for a, b in zip(row, column, strict=True)]))
                  for j, column in enumerate(zip(*J, strict=True))]
-        out.append(_sum([moved, *(_times(x, (-rho, rho), bits) for x in wrong)]))
+        out.append(total([moved, *(times(x, (-rho, rho), bits) for x in wrong)]))
     if not all(v - rho < lo and hi < v + rho for (lo, hi), v in zip(out, center, strict=True)) or out[m][0] <= 0 <= out[m][1]:
         raise Undefined("the spectral factor is not enclosed")
     if _all_inside([*out[:m], (one, one)], bits) is not True:
@@ -165,16 +184,17 @@ def _jacobian(w: list[Interval], d: list[Interval]) -> list[list[Interval]]:
     """The derivatives of F_0, ..., F_m in `stable_factor` by w_0, ..., w_{m-1} and c."""
     m = len(w) - 1
     zero: Interval = (0, 0)
-    return [[*(_sum([w[i + k] if i + k <= m else zero, w[i - k] if i >= k else zero]) for i in range(m)), (-d[k][1], -d[k][0])] for k in range(m + 1)]
+    return [[*(total([w[i + k] if i + k <= m else zero, w[i - k] if i >= k else zero]) for i in range(m)), (-d[k][1], -d[k][0])] for k in range(m + 1)]
 
 
-def _sum(terms: list[Interval]) -> Interval:
+def total(terms: list[Interval]) -> Interval:
+    """An interval around all sums."""
     return sum(x[0] for x in terms), sum(x[1] for x in terms)
 
 
 def product(p: list[Interval], q: list[Interval], bits: int) -> list[Interval]:
     """Intervals around the coefficients of a product of polynomials."""
-    return [_sum([_times(p[i], q[k - i], bits) for i in range(len(p)) if 0 <= k - i < len(q)]) for k in range(len(p) + len(q) - 1)]
+    return [total([times(p[i], q[k - i], bits) for i in range(len(p)) if 0 <= k - i < len(q)]) for k in range(len(p) + len(q) - 1)]
 
 
 def around(x: Any, bits: int) -> Interval:
@@ -196,10 +216,10 @@ def does_not_escape(Q: list, S: list, steps: int, bits: Any) -> bool:
     q, s = ([around(x, bits) for x in p] for p in (Q, S))
     for _ in range(steps):
         g = s[-2]
-        r = minus((one, one), _times(g, g, bits))
+        r = minus((one, one), times(g, g, bits))
         if r[0] <= 0 <= r[1]:
             return False
-        u = _inverse(r, bits)
+        u = inverse(r, bits)
         pairs = list(zip(q, [(0, 0), *s[:-1]], strict=True))
-        q, s = ([_times(minus(x, _times(g, y, bits)), u, bits) for x, y in pairs], [_times(minus(y, _times(g, x, bits)), u, bits) for x, y in pairs])
+        q, s = ([times(minus(x, times(g, y, bits)), u, bits) for x, y in pairs], [times(minus(y, times(g, x, bits)), u, bits) for x, y in pairs])
     return True

@@ -51,6 +51,7 @@ class Known:
         self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(names(tree)))
         self._with_letters: dict[int, tuple[Any, bool]] = {}
         self._with_z: dict[int, tuple[Any, bool]] = {}
+        self._reached: dict[int, tuple[Any, set[str]]] = {}
         self._matrices: dict[int, tuple[Any, bool]] = {}
         self._others: dict[int, tuple[Any, bool]] = {}
         self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
@@ -71,6 +72,15 @@ class Known:
         if id(tree) not in self._with_letters:
             self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(names(tree))
         return self._with_letters[id(tree)][1]
+
+    def spread(self, letters: set[str]) -> set[str]:
+        """These names, and the definitions that mention one of them, or one that does."""
+        return letters and letters | _spread(self.definitions, lambda tree, found: not (letters | found).isdisjoint(names(tree)))
+
+    def is_matrix_function(self, name: str) -> bool:
+        """Whether a definition that does not lead back to itself stands for matrices, whatever its indices are."""
+        d = self.definitions[name]
+        return d[0] == "let" and name not in self.recursive and self.is_matrix(d[3])
 
     def is_matrix(self, tree: Any) -> bool:
         """Whether a term is a matrix, perhaps of one row and one column."""
@@ -126,6 +136,13 @@ class Known:
             seen |= new
             todo.extend(new)
         return seen
+
+    def reached_by(self, tree: Any) -> set[str]:
+        """Names in a term, and those that the definitions of these lead to."""
+        if id(tree) not in self._reached:
+            own = set(names(tree))
+            self._reached[id(tree)] = tree, own.union(*(self.reached(name) for name in own if name in self.definitions))
+        return self._reached[id(tree)][1]
 
     def connected(self, name: str) -> set[str]:
         """Names that a definition leads to and that lead back to it."""

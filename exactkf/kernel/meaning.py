@@ -545,12 +545,36 @@ def _is_schur(x: Any) -> bool:
     return on == outside == 0
 
 
+def _is_observable(c: Any, a: Any) -> bool:
+    """No eigenvector of A is annihilated by C: the rows C, CA, CA^2, .. span everything, as what they annihilate is the largest subspace
+    that A keeps and C annihilates, which has an eigenvector unless it is zero."""
+    a, rows = _square(a), _matrix(c)
+    if rows.ncols != a.nrows:
+        raise Undefined("observability of matrices that do not fit")
+    every = rows
+    for _ in range(a.nrows - 1):
+        rows = rows * a
+        every = block([[every], [rows]])
+    return _rank(every) == a.nrows
+
+
 def _coprime(p: Any, q: Any) -> bool:
     return len(gcd_poly(_poly(p).dense(), _poly(q).dense())) == 1
 
 
 def _rank(m: Any) -> int:
     return len(echelon(_matrix(m))[1])
+
+
+def _stein(m: Any, q: Any) -> Matrix:
+    """The solution X of X = MXM' + Q, if it has exactly one: a system of n^2 equations."""
+    m, q = _square(m), _square(q)
+    n = m.nrows
+    if q.nrows != n:
+        raise Undefined("X = MXM' + Q with matrices of different sizes")
+    system = Matrix.build(n * n, n * n, lambda r, c: int(r == c) - m.rows[r // n][c // n] * m.rows[r % n][c % n])
+    found = system.inverse() * Matrix.build(n * n, 1, lambda r, _: q.rows[r // n][r % n])
+    return Matrix.build(n, n, lambda i, j: found.rows[i * n + j][0])
 
 
 def _diag(*xs: Any) -> Matrix:
@@ -601,7 +625,7 @@ _PLAIN: dict[str, Callable] = {
     "O": lambda r, c: Matrix.build(count(r), count(c), lambda i, j: 0),
     "T": lambda m: _matrix(m).transpose(), "inv": lambda m: _square(m).inverse(), "det": lambda m: _square(m).determinant(),
     "tr": lambda m: sum((_square(m).rows[i][i] for i in range(_square(m).nrows)), 0),
-    "rank": _rank, "charpoly": _charpoly, "kernel": lambda m: null_basis(_matrix(m)),
+    "rank": _rank, "charpoly": _charpoly, "kernel": lambda m: null_basis(_matrix(m)), "stein": _stein,
     "nrows": lambda m: _matrix(m).nrows, "ncols": lambda m: _matrix(m).ncols,
     "coeff": lambda p, k: _poly(p).get(k), "deg": lambda p: _poly(p).degree, "rev": _reverse, "recip": _reciprocal,
     "subst": _substitute, "laurent": _at_infinity,
@@ -611,12 +635,12 @@ _PLAIN: dict[str, Callable] = {
     "<": _ordered(lambda s: s < 0), "<=": _ordered(lambda s: s <= 0), ">": _ordered(lambda s: s > 0), ">=": _ordered(lambda s: s >= 0),
     "loewner": lambda a, b: is_psd(_matrix(a - b)), "psd": is_psd, "pd": is_pd, "symmetric": is_symmetric,
     "invertible": is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
-    "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur,
+    "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur, "observable": _is_observable,
     "pos_circle": lambda d: circle_sign(_poly(d)) == "+", "nonneg_circle": lambda d: circle_sign(_poly(d)) in ("+", "0+", "0"),
 }
 
 #: operations whose value for symbols does not carry over to every value of the symbols
-_NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
-                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "pos_circle", "nonneg_circle"}
+_NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "stein", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
+                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "observable", "pos_circle", "nonneg_circle"}
 _OF_INTEGERS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "=": operator.eq, "!=": operator.ne,
                 "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}  # what _PLAIN does to two integers, sooner

@@ -78,8 +78,11 @@ _EXACT = re.compile(r"[-+]?[0-9]+(/[0-9]+|\.[0-9]+)?")
 
 def fraction(data: Any) -> Fraction:
     """An int, ``"p/q"`` or a decimal of a certificate; powers of ten, whose digits nobody could wait for, are refused."""
-    if type(data) is int or isinstance(data, str) and _EXACT.fullmatch(data):
+    if type(data) is int:
         return Fraction(data)
+    if isinstance(data, str) and _EXACT.fullmatch(data):
+        p, slash, q = data.partition("/")
+        return Fraction(int(p), int(q)) if slash else Fraction(data) if "." in data else Fraction(int(data))
     raise Undefined(f"{str(data)[:40]!r} is no exact number")
 
 
@@ -93,7 +96,7 @@ def divide(x: Any, y: Any) -> Any:
 def added(terms: Sequence[Any]) -> Any:
     """Sum of quantities of any kinds, 0 if there are none."""
     if len(terms) > 2:
-        k = next((k for k, x in enumerate(terms) if hasattr(x, "plus")), None)
+        k = next((k for k, x in enumerate(terms) if isinstance(x, FieldElement) and hasattr(x, "plus")), None)
         if k is not None and (found := terms[k].plus([*terms[:k], *terms[k + 1:]])) is not NotImplemented:
             return found
     return sum(terms[1:], terms[0]) if terms else 0

@@ -61,7 +61,7 @@ def opaque(tree: Any, env: Mapping[str, Form], index: Callable[[Any, Mapping[str
             names, bounds, body = _BINDS[op]
             inner = bound | {x[k] for k in names}
             return [op, *(x[k] for k in names), *(place(x[k], bound) for k in bounds), walk(x[body], inner)]
-        if op in ("forall", "exists", "always", "block", "rows"):
+        if op in ("forall", "exists", "always", "block", "rows", "stein"):
             raise Unknown(f"{op!r} in a term that is not opened")
         return [op, *(place(a, bound) if k in _INDICES.get(op, ()) else walk(a, bound) for k, a in enumerate(x[1:], 1))]
 

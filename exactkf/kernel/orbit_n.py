@@ -55,7 +55,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.intervals import around, does_not_escape, is_schur, product
+from exactkf.kernel.intervals import Interval, around, does_not_escape, is_schur, product
 from exactkf.kernel.limits import BITS, ORDER, STEPS, WORK, within
 from exactkf.kernel.numbers import Undefined, divide, fraction, sign
 from exactkf.kernel.orbit_dominated import last_escape
@@ -65,8 +65,8 @@ from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has
 from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly, times_poly, value_at
 from exactkf.kernel.spectral import check_circle_part, enclosed_factor
 
-__all__ = ["Reduced", "check_orbit", "coprime", "is_bounded", "power_of_z", "reduce_pair", "spectral_polynomial", "spectral_sign",
-           "start_pair", "states", "step"]
+__all__ = ["Reduced", "check_orbit", "coprime", "exact_factor", "factor_within", "is_around", "is_bounded", "number", "power_of_z", "reduce_pair",
+           "same_number", "spectral_polynomial", "spectral_sign", "start_pair", "state_at", "states", "step"]
 
 _FIELDS = ("order", "behaviour", "escape", "never_escapes", "limit", "rate", "monotone_from", "region", "period", "preperiod",
            "torus_dimension", "enters_positive_real")
@@ -117,7 +117,8 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
 
 
 # ---------------------------------------------------------------------- the orbit
-def _number(x: Any, field: AlgebraicField | None) -> Any:
+def number(x: Any, field: AlgebraicField | None) -> Any:
+    """A number of a certificate, of the field if there is one."""
     if isinstance(x, list):
         _need(field is not None, "an algebraic number needs the field")
         return field.element([fraction(c) for c in x])  # type: ignore[union-attr]
@@ -133,11 +134,11 @@ def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
     """The two polynomials of a question."""
     _need({"a", "g"} <= set(question) <= {"a", "g", "field", "order"}, "the question is not a pair a, g")
     field = _field(question.get("field"))
-    a, g = ([_number(x, field) for x in question[k]] for k in ("a", "g"))
+    a, g = ([number(x, field) for x in question[k]] for k in ("a", "g"))
     _need(len(a) == len(g) > 0, "a and g are of different or zero length")
     within(len(a), ORDER, "the order")
     _need(question.get("order", len(a)) == len(a), "the order is not the length of a")
-    one = _number("1", field)
+    one = number("1", field)
     return [x + y for x, y in zip(a, g, strict=True)][::-1] + [one], g[::-1] + [one - one]
 
 
@@ -230,11 +231,12 @@ def _escapes(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
 
 
 def _is_escape(Q: list, S: list, T: int) -> bool:
-    q, s = _at(Q, S, T)
+    q, s = state_at(Q, S, T)
     return s[-2] * s[-2] == q[-1] * q[-1]
 
 
-def _at(Q: list, S: list, T: int) -> tuple[list, list]:
+def state_at(Q: list, S: list, T: int) -> tuple[list, list]:
+    """The pair at step T, up to a common factor."""
     for t, state in enumerate(states(Q, S)):
         if t == T:
             return state
@@ -265,7 +267,7 @@ def _settles(Q: list, S: list, reduced: Reduced, T: int) -> None:
     before: tuple[list, list] | None = None
     state: tuple[list, list] | None = None
     if late and first:
-        before = _at(Q, S, first - 1) if T == first else None
+        before = state_at(Q, S, first - 1) if T == first else None
     if late and len(reduced.Q) == 1:
         _need(T == first or T == 0, "the orbit rests before that step")
         state = (reduced.Q, [0])
@@ -306,38 +308,56 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     if "center" in evidence:
         _enclosed_limit(reduced, D, limit, evidence)
         return
+    w = exact_factor(D, evidence)
+    one = w[-1]
+    full = times_poly(w, [one * x for x in reduced.removed])
+    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
+        _need(same_number(claimed, value), "the limit is another number than the coefficient of the spectral factor")
+
+
+def exact_factor(D: list, evidence: Mapping[str, Any]) -> list:
+    """The exact monic w of the evidence: D is proportional to w(z) w(1/z), and w has no zero outside the closed disc."""
     field = next((x.field for x in D if isinstance(x, Algebraic)), None) or _field(evidence.get("field"))
-    one = _number("1", field)
-    w = [_number(x, field) for x in evidence["factor"]]
-    _need(len(w) == len(reduced.Q) and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
+    w = [number(x, field) for x in evidence["factor"]]
+    _need(2 * len(w) == len(D) + 1 and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
     _need(w[0] != 0, "the spectral factor vanishes at zero")
     square = times_poly(w, w[::-1])
     _need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
     if len(w) > 1:
         stable = is_schur(w) if field is not None and spectral_sign(D) in ("+", "-") else count_circle(w)[2] == 0
         _need(stable, "the spectral factor has a zero outside the closed disc")
-    full = times_poly(w, [one * x for x in reduced.removed])
-    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
-    for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(_same(claimed, value), "the limit is another number than the coefficient of the spectral factor")
+    return w
+
+
+def factor_within(D: list, evidence: Mapping[str, Any]) -> tuple[list[Interval], int]:
+    """Intervals over 2^bits around the coefficients of the same w, and the bits."""
+    field = next((x.field for x in D if isinstance(x, Algebraic)), None)
+    e, pairs = [number(x, field) for x in evidence["circle"]], [(fraction(lo), fraction(hi), k) for lo, hi, k in evidence.get("pairs", ())]
+    bits, center = evidence["bits"], evidence["center"]
+    _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
+    check_circle_part(D, e, pairs)
+    return enclosed_factor(D, e, pairs, center, bits), bits
 
 
 def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -> None:
     """The same in intervals."""
-    field = next((x.field for x in D if isinstance(x, Algebraic)), None)
-    e, pairs = [_number(x, field) for x in evidence["circle"]], [(fraction(lo), fraction(hi), k) for lo, hi, k in evidence.get("pairs", ())]
-    bits, center = evidence["bits"], evidence["center"]
-    _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
-    check_circle_part(D, e, pairs)
-    w = enclosed_factor(D, e, pairs, center, bits)
+    w, bits = factor_within(D, evidence)
     full = product(w, [around(x, bits) for x in reduced.removed], bits)
     _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(set(claimed) == {"interval"} and fraction(claimed["interval"][0]) <= Fraction(lo, 1 << bits) and Fraction(hi, 1 << bits)
-              <= fraction(claimed["interval"][1]), "the limit is not within the interval")
+        _need(is_around(claimed, (lo, hi), bits), "the limit is not within the interval")
 
 
-def _same(claimed: Any, value: Any) -> bool:
+def is_around(claimed: Any, found: Interval, bits: int) -> bool:
+    """A number of the answer is an interval that contains another over 2^bits."""
+    if not isinstance(claimed, dict) or set(claimed) != {"interval"}:
+        return False
+    lo, hi = map(fraction, claimed["interval"])
+    return lo <= Fraction(found[0], 1 << bits) and Fraction(found[1], 1 << bits) <= hi
+
+
+def same_number(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
         return value == fraction(claimed)
@@ -401,7 +421,7 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     elif "modulus" in evidence:
         _need(algebraic is None, "a modulus alone is for rational data")
         if "after" in evidence:
-            Q, S = _at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
+            Q, S = state_at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
             Q, S = ([Fraction(x) / Q[-1] for x in p] for p in (Q, S))
         check_never_escapes(Q, S, evidence["modulus"])
     elif "order" in evidence:

@@ -9,6 +9,7 @@ Main definitions
 `intertwiner`           the matrix K of statement 6
 `has_null_vector`       whether columns are dependent modulo a power of a prime
 `intersected`           what two periodic sets of integers have in common
+`symplectic`            the matrix S_m
 `reading`               numbers modulo a power of a prime
 `check_irreducible`     the modulus of a field is irreducible
 
@@ -57,8 +58,8 @@ from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "reading", "step_matrix",
-           "zeros_modulo"]
+__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "minors", "reading",
+           "step_matrix", "symplectic", "zeros_modulo"]
 
 _MOST = 10**5  # times that several primes leave
 
@@ -151,7 +152,7 @@ def _deeper(Q: list, S: list, left: Collection[int], p: int, L: int, root: int |
             t, d = divmod(t, 32)
             columns = _product(columns, powers[d], N) if d else columns
         if not sign:
-            return _minors([column[:m] for column in columns], N)[0] == 0
+            return minors([column[:m] for column in columns], N)[0] == 0
         less = [[*column[:m], *((y - sign * k) % N for y, k in zip(column[m:], row, strict=True))] for column, row in zip(columns, K, strict=True)]
         return has_null_vector(less, p, N)
 
@@ -261,23 +262,23 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
     within(comb(2 * m, m) * size, MINORS, "minors")
     _need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
-    top, rows = [_minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
+    top, rows = [minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
     power = eye[:m]
     for _ in range(size - 1):
         power = _product(power, rows, p)
-        top.append(_minors(power, p))
+        top.append(minors(power, p))
     leap = _power(S, size, p)
     _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
     packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):
-        sums = sum(map(mul, packed, _minors(columns, p)))
+        sums = sum(map(mul, packed, minors(columns, p)))
         found |= {start + i for i, (x,) in enumerate(iter_unpack("<Q", sums.to_bytes(8 * size, "little"))) if x % p == 0}
         columns = _product(columns, leap, p)
     return {t for t in found if t < L}
 
 
-def _minors(rows: list[list[int]], p: int) -> list[int]:
+def minors(rows: list[list[int]], p: int) -> list[int]:
     """The minors of all rows modulo p, in an order that depends on the shape only."""
     found = {0: 1}
     for row in rows:
@@ -307,19 +308,23 @@ def _power(A: list[list[int]], k: int, p: int) -> list[list[int]]:
 
 
 def step_matrix(q: list[int], g: list[int], N: int) -> list[list[int]]:
-    """S_m modulo N: (X; Y) -> (A'^-1 (X - hh'Y); gg'X' + AY), A = J - qh', X' the new X."""
-    m = len(q)
+    """S_m modulo N."""
     _need(gcd(q[-1], N) == 1, f"S is singular modulo {N}")
-    inverse = pow(q[-1], -1, N)
+    return [[x % N for x in row] for row in symplectic(q, g, pow(q[-1], -1, N))]
+
+
+def symplectic(q: list, g: list, unit: Any) -> list[list]:
+    """S_m over any ring, unit the inverse of q_m: (X; Y) -> (A'^-1 (X - hh'Y); gg'X' + AY), A = J - qh', X' the new X."""
+    m = len(q)
     X = [[int(i == j) for j in range(2 * m)] for i in range(m)]
     Y = [[int(i + m == j) for j in range(2 * m)] for i in range(m)]
     W = [[x - y for x, y in zip(X[0], Y[0], strict=True)], *X[1:]]
-    last = [-x * inverse for x in W[0]]  # row i of A'V is row i - 1 of V; row 0 is -q'V
+    last = [-x * unit for x in W[0]]  # row i of A'V is row i - 1 of V; row 0 is -q'V
     for i in range(m - 1):
-        last = [x - q[i] * inverse * y for x, y in zip(last, W[i + 1], strict=True)]
-    new_x = [[x % N for x in row] for row in [*W[1:], last]]
-    along = [sum(map(mul, g, column)) for column in zip(*new_x, strict=True)]
-    new_y = [[(g[i] * s - q[i] * y + (Y[i + 1][j] if i + 1 < m else 0)) % N for j, (s, y) in enumerate(zip(along, Y[0], strict=True))] for i in range(m)]
+        last = [x - q[i] * unit * y for x, y in zip(last, W[i + 1], strict=True)]
+    new_x = [*W[1:], last]
+    along = [_dot(g, column) for column in zip(*new_x, strict=True)]
+    new_y = [[g[i] * s - q[i] * y + (Y[i + 1][j] if i + 1 < m else 0) for j, (s, y) in enumerate(zip(along, Y[0], strict=True))] for i in range(m)]
     return new_x + new_y
 
 

@@ -27,7 +27,7 @@ from typing import Any
 from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.stable import is_stable, no_eigenvector
+from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector, none_annihilated
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
@@ -52,6 +52,9 @@ FACTS = {
     "determinant": "the determinant of a product of square matrices is the product of theirs, that of a transpose the same, "
                    "of a block triangular matrix that of its diagonal blocks",
     "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
+    "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
+    "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex: "
+                          "CX = 0 and AX = XB give X = 0 if C annihilates none",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -68,7 +71,7 @@ def leaves(statement: Mapping[str, Any], lemmas: Any = (), inside: Any = ()) -> 
     lemmas : sequence of formulas
     inside : sequence of [number, vector, lemmas]
         Lemmas that belong to one leaf, counted from 0 without those of other leaves. If ``vector`` is "right" or "left", the leaf
-        (stability, invertibility or full rank) is first replaced by: Xv = 0, or an eigenvector v of X outside the open disc, is
+        (stability, observability, invertibility or full rank) is first replaced by: Xv = 0, or an eigenvector v of X outside the open disc, is
         zero, where X is the matrix or its transpose.
     """
     inner = {number: (vector, formulas) for number, vector, formulas in inside}
@@ -125,7 +128,7 @@ def _leaves(statement: dict, formula: Any) -> Iterator[tuple[dict, Any]]:
         for part in formula[1:]:
             statement = _evaluated(statement, part)  # where the parts before are true
             yield from _leaves(statement, part)
-            if part[0] in ("psd", "pd", "invertible", "schur"):  # what is proved may be used for what follows
+            if part[0] in ("psd", "pd", "invertible", "schur", "observable"):  # what is proved may be used for what follows
                 statement = _assume(statement, f"shown {len(statement['given'])}", part)
     elif formula[0] == "=>":
         yield from _leaves(_evaluated(_assume(statement, label, formula[1]), formula[2]), formula[2])
@@ -164,6 +167,8 @@ class Leaf:
         A stable matrix M: instead of X the terms add up to X - MXM', for an order.
     unique : pair of trees
         Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
+    kept : triple of trees
+        An observable pair C, A and a matrix B: instead of X = 0 it is shown that CX = 0 and AX = XB, for an equation.
 
     Attributes
     ----------
@@ -179,7 +184,7 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = ()) -> None:
+                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = ()) -> None:
         said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
@@ -218,6 +223,8 @@ class Leaf:
                 raise Unknown("an inverse that need not exist")
         if unique:
             found = self._contracted(found, unique, op == "=")
+        if kept:
+            found = self._kept(found, kept, op == "=")
         if stein is not None:
             found = self._contracted(found, [stein, ["T", stein]], bool(wanted))
         if op == "invertible":
@@ -333,6 +340,21 @@ class Leaf:
         left, right = (self._stable(m) for m in sides)
         return [self.reader._plus(x, self.reader._times(self.reader._times(left, x), right), -1) for x in found]
 
+    def _kept(self, found: list, by: Any, fits: bool) -> list:
+        """CX and AX - XB in the place of X, for an observable pair (C, A)."""
+        reader, (c, a, _) = self.reader, by
+        if not fits or not is_observable(reader, c, a) or not all(exists(reader, x, self.known) for x in by):
+            raise Unknown("a pair that no hypothesis says to be observable, or no equation")
+        rows, inner, outer = (reader.read(x) for x in by)
+        if not all(isinstance(x, Blocks) for x in (rows, inner, outer)):
+            raise Unknown("numbers where matrices are needed")
+        if any(reader.total(x.rows) != reader.total(inner.rows) or reader.total(x.cols) != reader.total(outer.rows) for x in found):
+            raise Unknown("matrices of other sizes")  # a 1 x 1 matrix is no number here
+        if reader.total(outer.rows) != reader.total(outer.cols):
+            raise Unknown("what acts from the right is not square")
+        times = reader._times
+        return [y for x in found for y in (times(rows, x), reader._plus(times(inner, x), times(x, outer), -1))]
+
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""
         reader = self.reader
@@ -384,6 +406,8 @@ def _through_vector(statement: Mapping[str, Any], formula: Any, left: bool = Fal
     """
     if formula[0] == "schur":
         return no_eigenvector(statement, ["T", formula[1]] if left else formula[1])
+    if formula[0] == "observable" and not left:
+        return none_annihilated(statement, *formula[1:])
     reader = Reader(statement)
     rank = formula[0] == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank"
     if not rank and formula[0] != "invertible":

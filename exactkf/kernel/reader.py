@@ -17,7 +17,7 @@ Main definitions
     What the statement assumes: its equations, transposed too; V E = 1 and E V = 1
     for each inverse V of E; V A = 1 or A V = 1 for a matrix A of which a hypothesis
     says that its rank is its number of columns or rows; of a basis N of a null space
-    what `Reader` says of it. A term without value is
+    what `Reader` says of it, and of a solution of X = MXM' + Q this equation. A term without value is
     outside the statement, so an inverse that is written down exists. A one-sided
     inverse of a square matrix is two-sided: M'JM = J gives MJM' = J, and XY = I
     gives YX = I.
@@ -66,6 +66,8 @@ class Reader:
         self.inverses: list[tuple[Blocks, Blocks]] = []  # (term, its inverse)
         self.sides: list[tuple[Blocks, Blocks]] = []  # (term, its left or right inverse)
         self.kernels: list[tuple[Blocks, Blocks, Blocks, Blocks]] = []  # (X, N, M, Y): XN = 0, MN = I, YX + NM = I
+        self.steins: list[tuple[Blocks, Blocks, Blocks]] = []  # (M, Q, X): X = MXM' + Q
+        self.asking = False  # what hypotheses say to be stable is being read
         self.numbers: dict[str, Word] = {}  # scalar -> 1 x 1 word it stands for
         self.memory: dict[int, tuple[Any, Any]] = {}  # trees that have been read
         self.marks = 0  # counts what depends on what this reader has met: inverses, determinants, null spaces, scalars of words
@@ -152,8 +154,17 @@ class Reader:
             if self.kinds[name][0] in ("scalar", "nonzero", "positive", "nonneg"):
                 return {(((name, 1),), ()): 1}
         if name in self.lets and self.lets[name][0] == "let" and not self.lets[name][2]:
-            return self.read(self.lets[name][3])
+            body = self.lets[name][3]
+            return self._entries(name, body) if isinstance(body, (list, tuple)) and body[0] in ("mat", "col") else self.read(body)
         raise Unknown(f"name {name!r} in a statement for every size")
+
+    def _entries(self, name: str, body: Any) -> Blocks:
+        """A matrix that is given by its entries is a letter: what holds for every matrix of its sizes holds for it."""
+        self.marks += 1
+        if name not in self.sizes:
+            rows, cols = (self.size(body[3]), self.size(body[4])) if body[0] == "mat" else (self.size(body[2]), _ONE_ROW)
+            self._letter(name, rows, cols, False)
+        return Blocks((self.sizes[name][0],), (self.sizes[name][1],), [[{((), (name,)): 1}]])
 
     def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
         definition = self.lets.get(tree[1]) if tree[1] not in local else None
@@ -333,6 +344,42 @@ class Reader:
                     self.transposed[name] = names[j][i]
         return Blocks(x.cols, x.rows, [[{((), (name,)): 1} for name in row] for row in names])
 
+    def _read_stein(self, tree: Any, local: Mapping[str, Any]) -> Any:
+        """A letter for the solution X of X = MXM' + Q.
+
+        It is read only where a hypothesis says that M, or M', is stable: then there is one, and no other (`exactkf.kernel.stable`), wherever
+        the term stands. So it is symmetric if Q is, and X' belongs to Q'.
+        """
+        self.marks += 1
+        if self.asking:
+            raise Unknown("a solution X = MXM' + Q in what is said to be stable")
+        m, q = (self.read(x, local) for x in tree[1:])
+        if not isinstance(m, Blocks) or not isinstance(q, Blocks) or len(m.rows) != 1 or not m.rows == m.cols == q.rows == q.cols:
+            raise Unknown("X = MXM' + Q with matrices that are not square, of different sizes, or in blocks")
+        if not any(x in (m, self.transpose(m)) for x in self._stable_ones()):
+            raise Unknown("X = MXM' + Q where no hypothesis says that M is stable")
+        turned = self.transpose(q)
+        for other, free, solution in self.steins:
+            if other == m and free in (q, turned):
+                return solution if free == q else self.transpose(solution)
+        name = self._fresh(f"stein({text(m.grid[0][0], '1')}; {text(q.grid[0][0], '1')})")
+        self._letter(name, m.rows[0], m.rows[0], q == turned)
+        self.steins.append((m, q, Blocks(m.rows, m.cols, [[{((), (name,)): 1}]])))
+        return self.steins[-1][2]
+
+    def _stable_ones(self) -> Iterator[Any]:
+        """The matrices of which hypotheses say that they are stable."""
+        for _, formula in hypotheses(self.statement):
+            if formula[0] == "schur":
+                self.asking = True
+                try:
+                    found = self.read(formula[1])
+                except (Unknown, Undefined):  # such as a polynomial
+                    continue
+                finally:
+                    self.asking = False
+                yield found
+
     def _read_kernel(self, tree: Any, local: Mapping[str, Any]) -> Any:
         """A basis N of the null space of X, with as many columns as it takes.
 
@@ -482,7 +529,7 @@ def _is_number(x: Any) -> bool:
 _METHODS = {
     "rat": "rational", "sym": "name", "at": "call", "+": "sum", "-": "difference", "neg": "minus", "*": "product", "/": "quotient",
     "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block", "det": "det",
-    "kernel": "kernel",
+    "kernel": "kernel", "stein": "stein",
 }
 
 
@@ -571,6 +618,9 @@ def relations(reader: Reader) -> dict[str, Relation]:
         _note(out, reader, f"null space {n}/zero", x.times(basis))
         _note(out, reader, f"null space {n}/left", left.times(basis).plus(Blocks.unit(basis.cols), -1))
         _note(out, reader, f"null space {n}/all", part.times(x).plus(basis.times(left)).plus(Blocks.unit(x.cols), -1))
+    for n, (m, q, x) in enumerate(reader.steins, 1):
+        step = x.plus(m.times(x).times(reader.transpose(m)), -1)
+        _note(out, reader, f"stein {n}", step.plus(q, -1))
     for n, (p, name) in enumerate(reader.quotients, 1):
         out[f"quotient {n}"] = Relation(add(multiply(p, {(((name, 1),), ()): 1}), ONE, -1), None, None)
     return out

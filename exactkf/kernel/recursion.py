@@ -183,7 +183,8 @@ class Induction:
     def _frame(self, letters: Mapping[str, Any], where: list) -> dict[str, Any]:
         over = [[name, kind] for name, kind in self.statement["over"] if kind[0] not in FAMILIES]
         over += [[name, kind] for name, (_, kind) in letters.items()]
-        return {"sizes": self.statement["sizes"], "over": over, "where": where, "given": []}
+        stable = [list(g) for g in self.statement["given"] if g[1][0] == "schur"]  # which solutions of equations need; those with an index are not read
+        return {"sizes": self.statement["sizes"], "over": over, "where": where, "given": stable}
 
     def _hypotheses(self, label: str, formula: Any, forms: list[Form], letters: dict[str, Any], k: int | None) -> Iterator[tuple[str, Any]]:
         if formula[0] == "and":

@@ -16,6 +16,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
 ``generic index``  for every size: coefficients and sums at a generic index, by induction
+``arithmetic``   for every integer: the denied statement contradicts itself in every case
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================
@@ -38,8 +39,7 @@ from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import Generic, World, indices
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
-from exactkf.kernel.orbit import check_order_one
-from exactkf.kernel.orbit_n import check_orbit
+from exactkf.kernel.orbit_answer import check_answer
 from exactkf.kernel.rational import quotient
 from exactkf.kernel.roots import divmod_poly
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
@@ -569,12 +569,7 @@ def _step(world: World, field: SymbolicField, statement: Mapping[str, Any], evid
 
 # ---------------------------------------------------------------------- orbits
 def _orbit(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
-    _need(set(statement) == {"question", "answer"}, "the statement is not a question with an answer")
-    if "a" in statement["question"]:
-        check_orbit(statement["question"], statement["answer"], evidence)
-        return []
-    fault = check_order_one(statement["question"], statement["answer"])
-    _need(not fault, fault)
+    check_answer(statement, evidence)
     return []
 
 

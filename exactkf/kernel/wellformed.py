@@ -40,8 +40,8 @@ ARGUMENTS: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("sum", "prod", "forall", "exists"), (4, 4)),
     **dict.fromkeys(("+", "*", "=", "<", "<=", ">", ">="), (2, _MANY)),
     **dict.fromkeys(("block", "rows", "diag", "and", "or"), (1, _MANY)),
-    **dict.fromkeys(("-", "/", "^", "cospi", "O", "coeff", "rev", "subst", "laurent", "!=", "loewner", "similar", "cospectral", "coprime",
-                     "prints", "=>", "<=>", "always"), (2, 2)),
+    **dict.fromkeys(("-", "/", "^", "cospi", "O", "coeff", "rev", "subst", "laurent", "stein", "!=", "loewner", "similar", "cospectral", "coprime",
+                     "prints", "observable", "=>", "<=>", "always"), (2, 2)),
     **dict.fromkeys(("neg", "sqrt", "abs", "I", "T", "inv", "det", "tr", "rank", "charpoly", "kernel", "nrows", "ncols", "deg", "recip",
                      "roots_in", "roots_on", "roots_out", "psd", "pd", "symmetric", "invertible", "symplectic", "schur", "pos_circle",
                      "nonneg_circle", "defined", "not"), (1, 1)),
@@ -51,7 +51,7 @@ BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1,
 #: operations on formulas, and all that make formulas
 _CONNECTIVES = {"and", "or", "not", "=>", "<=>", "forall", "exists", "always", "defined"}
 _FORMULAS = _CONNECTIVES | {"=", "!=", "<", "<=", ">", ">=", "loewner", "similar", "cospectral", "coprime", "prints", "psd", "pd", "symmetric", "invertible",
-                            "symplectic", "schur", "pos_circle", "nonneg_circle"}
+                            "symplectic", "schur", "observable", "pos_circle", "nonneg_circle"}
 _DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 
 
@@ -122,10 +122,12 @@ def _tree(tree: Any, declared: Mapping[str, Any], own: Collection[str], bound: C
         _need(type(args[0]) is int and type(args[1]) is int and args[1] > 0, f"{tree} is no rational number")
         return
     if op in ("sym", "at"):
-        _need(isinstance(args[0], str) and (args[0] in declared or args[0] in bound), f"name {args[0]!r} is not declared")
+        if not isinstance(args[0], str) or args[0] not in declared and args[0] not in bound:
+            raise Rejected(f"name {args[0]!r} is not declared")
         if op == "at":
             least, most = (1, 2) if args[0] in bound else _indices(declared[args[0]])
-            _need(least <= len(args) - 1 <= most, f"{args[0]!r} with {len(args) - 1} indices")
+            if not least <= len(args) - 1 <= most:
+                raise Rejected(f"{args[0]!r} with {len(args) - 1} indices")
         args = args[1:]
     if op in BINDERS:
         names, args = args[:BINDERS[op]], args[BINDERS[op]:]
@@ -148,13 +150,14 @@ def _term(tree: Any, declared: Mapping[str, Any], own: Collection[str], bound: C
     seen = set[str]()
     while todo:
         x, hidden = todo.pop()
-        op, *args = x if isinstance(x, (list, tuple)) and x else [""]
-        _need(op not in _FORMULAS, f"a formula stands where a term is needed: {str(tree)[:80]}")
+        op = x[0] if isinstance(x, (list, tuple)) and x else ""
+        if op in _FORMULAS:
+            raise Rejected(f"a formula stands where a term is needed: {str(tree)[:80]}")
         if op == "if":
-            todo.extend((y, hidden) for y in args[1:])
-        elif op in ("sym", "at") and args[0] not in hidden and args[0] not in seen and declared[args[0]][0] == "let":
-            seen.add(args[0])
-            todo.append((declared[args[0]][3], declared[args[0]][2]))
+            todo.extend((y, hidden) for y in x[2:])
+        elif op in ("sym", "at") and x[1] not in hidden and x[1] not in seen and declared[x[1]][0] == "let":
+            seen.add(x[1])
+            todo.append((declared[x[1]][3], declared[x[1]][2]))
 
 
 def check_arguments(tree: Any) -> None:

@@ -3,12 +3,20 @@
 
 A mutant changes the conclusion in one place, in the ways papers go wrong: a
 sign, a term, a factor, an index, the order of two factors, a transpose or an
-inverse, a relation, the last printed digit; or it drops a hypothesis. Inside
-a predicate such as "is invertible" or "is at most", outside of equivalences,
-a factor two or a missing term mostly gives another true statement; there only
-signs, indices, orders, transposes and relations are changed, and under "for
-all t" not the indices either: what holds for every t holds for t + 1. An
-equal rewriting (sums reversed, sides exchanged, names renamed) must change
+inverse, a relation, the last printed digit; or it drops a hypothesis that is
+needed. Inside a predicate such as "is invertible" or "is at most", outside of
+equivalences, a factor two or a missing term mostly gives another true
+statement; there only signs, indices, orders, transposes and relations are
+changed, and under "for all t" not the indices either, nor in an equation that
+names t once: what holds for every t holds for t + 1.
+
+A relation is weakened or strengthened both ways in an equivalence and in the
+condition of a case. Elsewhere a weaker conclusion is a true one, and a stronger
+statement (a strict relation concluded, a weak one assumed, an implication made
+an equivalence) may be true too without the print's denying it: such a mutant
+is ``stronger``, and shows, where it is rejected, that the print is sharp.
+
+An equal rewriting (sums reversed, sides exchanged, names renamed) must change
 nothing.
 
 Main definitions
@@ -31,32 +39,39 @@ __all__ = ["Mutant", "mutants", "rewritings"]
 class Mutant:
     """One wrong neighbour.
 
-    ``path`` leads to the changed node of the conclusion; ``drops`` is the label of a dropped hypothesis, or ''.
+    ``path`` leads to the changed node of the conclusion; ``drops`` is the label of a dropped hypothesis, or '', and ``weaker`` what stands in
+    its place, if anything. One that is ``stronger`` says more than the original, which may be true.
     """
 
     kind: str
     says: Any
     path: tuple[int, ...] = ()
     drops: str = ""
+    weaker: Any = None
+    stronger: bool = False
 
 
 _TERM_RELATIONS = {"<": ">", ">": "<", "<=": ">=", ">=": "<="}
 _WEAKER = {"<": "<=", ">": ">=", "pd": "psd", "pos_circle": "nonneg_circle"}
+_STRONGER_KIND = "more claimed"
+_STRONGER = {weak: strict for strict, weak in _WEAKER.items()}
 _INDEX_ARGUMENTS = {"at": (2, 3, 4), "entry": (2, 3), "coeff": (2,), "laurent": (2,), "rev": (2,), "sum": (2, 3), "prod": (2, 3)}
 _BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1, "mat": 2}
 _NOT_TERMS = {"rat", "sym", "z", "prints"}
 
 
 def mutants(statement: dict) -> list[Mutant]:
-    """Every mutant of the conclusion, and one for each hypothesis that the statement says it needs."""
+    """Every mutant of the conclusion, and of each hypothesis that the statement says it needs: without it, and with a weaker relation in it."""
     made: list[Mutant] = []
     seen = {_key(statement["says"])}
-    for kind, says, path in _changes(statement["says"], False, False):
+    for kind, says, path in _changes(statement["says"], _Place()):
         if _key(says) not in seen:
             seen.add(_key(says))
-            made.append(Mutant(kind, says, path))
-    made.extend(Mutant(f"hypothesis {label!r} dropped", statement["says"], (), label)
-                for label, _, kind in statement["given"] if kind == "needed")
+            made.append(Mutant(kind, says, path, stronger=kind == _STRONGER_KIND))
+    for label, formula, kind in statement["given"]:
+        if kind == "needed":
+            made.append(Mutant(f"hypothesis {label!r} dropped", statement["says"], (), label))
+            made.extend(Mutant(f"hypothesis {label!r} weakened", statement["says"], (), label, weaker, True) for weaker in _weaker(formula))
     return made
 
 
@@ -64,23 +79,47 @@ def _key(tree: Any) -> str:
     return repr(tree)
 
 
-_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
+def _weaker(formula: Any) -> Iterator[Any]:
+    """A hypothesis with one strict relation weakened."""
+    for kind, new, _path in _changes(formula, _Place(side=-1)):
+        if kind == _STRONGER_KIND:
+            yield new
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a node stands. ``side`` is 1 for what is concluded, -1 for what is assumed, 0 for what is both, as in an equivalence."""
+
+    in_equivalence: bool = False
+    always: str = ""  # the index of a "for all t" around it
+    side: int = 1
+
+    def below(self, tree: list, k: int) -> _Place:
+        """The place of part ``k`` of a node."""
+        op = tree[0]
+        side = {"not": -self.side, "<=>": 0, "if": 0 if k == 1 else self.side, "=>": -self.side if k == 1 else self.side}.get(op, self.side)
+        return _Place(self.in_equivalence or op == "<=>", tree[1] if op == "always" else self.always, side)
+
+
+_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "observable", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
 _SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
 
 
-def _changes(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
+def _changes(tree: Any, place: _Place) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     """Changed copies of a tree with the path to the change."""
-    if isinstance(tree, list) and tree[0] in _PREDICATES and (always or not in_equivalence):
-        idle = (*(() if in_equivalence else _SIZE_CHANGES), *(("index shifted",) if always else ()))
-        yield from (c for c in _every_change(tree, in_equivalence, always) if c[0] not in idle)
+    if isinstance(tree, list) and tree[0] in _PREDICATES and (place.always or not place.in_equivalence):
+        idle = (*(() if place.in_equivalence else _SIZE_CHANGES), *(("index shifted",) if place.always else ()))
+        yield from (c for c in _every_change(tree, place) if c[0] not in idle)
+    elif isinstance(tree, list) and tree[0] == "=" and place.always and repr(tree).count(repr(["sym", place.always])) == 1:
+        yield from (c for c in _every_change(tree, place) if c[0] != "index shifted")
     else:
-        yield from _every_change(tree, in_equivalence, always or isinstance(tree, list) and tree[0] == "always")
+        yield from _every_change(tree, place)
 
 
-def _every_change(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
+def _every_change(tree: Any, place: _Place) -> Iterator[tuple[str, Any, tuple[int, ...]]]:
     if isinstance(tree, (int, str)):
         return
-    for kind, new in _here(tree, in_equivalence):
+    for kind, new in _here(tree, place):
         yield kind, new, ()
     op = tree[0]
     if op in _NOT_TERMS:
@@ -91,7 +130,7 @@ def _every_change(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tup
             continue
         if op in ("block", "rows"):
             for j, cell in enumerate(part):
-                for kind, new, path in _changes(cell, in_equivalence, always):
+                for kind, new, path in _changes(cell, place):
                     row = [*part[:j], new, *part[j + 1:]]
                     yield kind, [*tree[:k], row, *tree[k + 1:]], (k, j, *path)
             continue
@@ -105,7 +144,7 @@ def _every_change(tree: Any, in_equivalence: bool, always: bool) -> Iterator[tup
             elif op == "^":
                 yield "exponent shifted", [*tree[:k], part + 1, *tree[k + 1:]], ()
             continue
-        for kind, new, path in _changes(part, in_equivalence or op == "<=>", always):
+        for kind, new, path in _changes(part, place.below(tree, k)):
             yield kind, [*tree[:k], new, *tree[k + 1:]], (k, *path)
 
 
@@ -118,7 +157,7 @@ def _shifted(index: Any, by: int) -> Any:
     return ["+" if by > 0 else "-", index, 1]
 
 
-def _here(tree: list, in_equivalence: bool) -> Iterator[tuple[str, Any]]:
+def _here(tree: list, place: _Place) -> Iterator[tuple[str, Any]]:
     """Changes at the root of a tree."""
     op, args = tree[0], tree[1:]
     if op == "+":
@@ -162,8 +201,19 @@ def _here(tree: list, in_equivalence: bool) -> Iterator[tuple[str, Any]]:
         yield "hypothesis dropped", args[1]
     elif op == "prints":
         yield from _digits(tree)
-    if in_equivalence and op in _WEAKER:
-        yield "relation weakened", [_WEAKER[op], *args]
+    yield from _relations(op, args, place.side)
+
+
+def _relations(op: str, args: list, side: int) -> Iterator[tuple[str, Any]]:
+    """One relation for another that says more or less."""
+    if side <= 0 and op in _WEAKER:
+        yield _STRONGER_KIND if side else "relation weakened", [_WEAKER[op], *args]
+    if side >= 0 and op in _STRONGER:
+        yield _STRONGER_KIND if side else "relation strengthened", [_STRONGER[op], *args]
+    elif side >= 0 and op == "loewner":
+        yield _STRONGER_KIND if side else "relation strengthened", ["pd", ["-", *args]]
+    elif side > 0 and op == "=>" and "'always'" not in repr(args):  # that something is so for all t cannot be assumed: it is seen up to a horizon
+        yield _STRONGER_KIND, ["<=>", *args]
 
 
 def _digits(tree: list) -> Iterator[tuple[str, Any]]:

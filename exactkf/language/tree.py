@@ -42,8 +42,8 @@ __all__ = [
     "OPERATIONS", "Expr", "Identity", "T", "Z", "Zero", "always", "block", "bottom", "charpoly", "circle_roots",
     "coeff", "column", "coprime", "cospectral", "cospi", "defined", "degree", "det", "diag", "eq", "exists", "forall",
     "hstack", "iff", "inside_roots", "inv", "invertible", "kernel_basis", "laurent", "loewner", "matrix_of", "nonneg_on_circle",
-    "outside_roots", "pd", "pos_on_circle", "prints", "prod", "psd", "rank", "rational", "real_roots", "recip", "rev", "rows",
-    "schur", "similar", "size_of", "sqrt", "substitute", "sum_of", "sym", "symbols", "symmetric", "symplectic", "top",
+    "observable", "outside_roots", "pd", "pos_on_circle", "prints", "prod", "psd", "rank", "rational", "real_roots", "recip", "rev", "rows",
+    "schur", "similar", "size_of", "sqrt", "stein", "substitute", "sum_of", "sym", "symbols", "symmetric", "symplectic", "top",
     "to_expr", "trace", "vstack", "when",
 ]
 
@@ -53,13 +53,13 @@ OPERATIONS: dict[str, tuple[int, int | None]] = {
     "+": (2, None), "-": (2, 2), "neg": (1, 1), "*": (2, None), "/": (2, 2), "^": (2, 2), "sqrt": (1, 1), "cospi": (2, 2), "abs": (1, 1),
     "at": (2, None), "entry": (2, 3), "sum": (4, 4), "prod": (4, 4), "if": (3, 3),
     "mat": (5, 5), "col": (3, 3), "block": (1, None), "rows": (1, None), "diag": (1, None), "I": (1, 1), "O": (2, 2),
-    "T": (1, 1), "inv": (1, 1), "det": (1, 1), "tr": (1, 1), "rank": (1, 1), "charpoly": (1, 1), "kernel": (1, 1),
+    "T": (1, 1), "inv": (1, 1), "det": (1, 1), "tr": (1, 1), "rank": (1, 1), "charpoly": (1, 1), "kernel": (1, 1), "stein": (2, 2),
     "nrows": (1, 1), "ncols": (1, 1),
     "coeff": (2, 2), "deg": (1, 1), "rev": (2, 2), "recip": (1, 1), "subst": (2, 2), "laurent": (2, 2),
     "roots_in": (1, 1), "roots_on": (1, 1), "roots_out": (1, 1), "real_roots": (3, 3),
     "=": (2, None), "!=": (2, 2), "<": (2, None), "<=": (2, None), ">": (2, None), ">=": (2, None),
     "loewner": (2, 2), "psd": (1, 1), "pd": (1, 1), "symmetric": (1, 1), "invertible": (1, 1), "symplectic": (1, 1),
-    "similar": (2, 2), "cospectral": (2, 2), "coprime": (2, 2), "schur": (1, 1), "pos_circle": (1, 1), "nonneg_circle": (1, 1),
+    "similar": (2, 2), "cospectral": (2, 2), "coprime": (2, 2), "schur": (1, 1), "observable": (2, 2), "pos_circle": (1, 1), "nonneg_circle": (1, 1),
     "prints": (2, 2), "defined": (1, 1),
     "and": (1, None), "or": (1, None), "not": (1, 1), "=>": (2, 2), "<=>": (2, 2),
     "forall": (4, 4), "exists": (4, 4), "always": (2, 2),
@@ -263,6 +263,7 @@ det = _function("det", "Determinant.")
 trace = _function("tr", "Trace.")
 rank = _function("rank", "Rank.")
 charpoly = _function("charpoly", "det(zI - M), monic in z.")
+stein = _function("stein", "``stein(M, Q)``: the solution X of X = MXM' + Q, where there is one and no other.")
 kernel_basis = _function("kernel", "Matrix whose columns are a basis of the null space.")
 sqrt = _function("sqrt", "Square root, of squares of rational numbers; an instance with another says nothing.")
 coeff = _function("coeff", "coeff(p, k): coefficient of z^k of a (pseudo-)polynomial.")
@@ -287,6 +288,7 @@ symplectic = _function("symplectic", "M'JM = J with J = [[0, I], [-I, 0]].")
 similar = _function("similar", "Similar over the complex numbers.")
 cospectral = _function("cospectral", "Same characteristic polynomial.")
 coprime = _function("coprime", "No common root.")
+observable = _function("observable", "``observable(C, A)``: C annihilates no eigenvector of A, real or complex.")
 schur = _function("schur", "All roots (of a polynomial) or eigenvalues (of a matrix) in |z| < 1.")
 pos_on_circle = _function("pos_circle", "D(z, 1/z) > 0 for every |z| = 1.")
 nonneg_on_circle = _function("nonneg_circle", "D(z, 1/z) >= 0 for every |z| = 1.")

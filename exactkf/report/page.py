@@ -15,7 +15,7 @@ from markupsafe import Markup, escape
 
 from exactkf import __version__
 from exactkf.claims import Claim
-from exactkf.describe import instance_lines, sampled
+from exactkf.describe import instance_lines, not_wrong, wrong_made
 from exactkf.display import column_of, describe, heading, ranges
 from exactkf.files import write_text
 from exactkf.language import Statement
@@ -49,7 +49,7 @@ def render(results: Sequence[Mapping[str, Any]], claims: Mapping[str, Claim], pa
     environment = Environment(
         loader=PackageLoader("exactkf.report"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
         undefined=StrictUndefined)
-    environment.filters.update(formula=formula, sampled=sampled, describe=describe, ranges=ranges)
+    environment.filters.update(formula=formula, not_wrong=not_wrong, describe=describe, ranges=ranges)
     shown = {r["id"] for r in results}
     environment.filters["linked"] = lambda line: _linked(line, shown)
     papers = [_paper(key, rows, claims, package) for key, rows in _grouped(results, "paper")]
@@ -74,14 +74,9 @@ def _grouped(results: Iterable[Mapping[str, Any]], field: str) -> list[tuple[str
 def _totals(results: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     return {
         "claims": len(results), "checks": sum(r["checks"] for r in results), "counts": _counts(results),
-        "made": sum(_wrong(r) for r in results), "rejected": sum(r["mutants"]["rejected"] for r in results),
+        "made": sum(wrong_made(r["mutants"]) for r in results), "rejected": sum(r["mutants"]["rejected"] for r in results),
         "verdicts": {v: sum(r["verdict"] == v for r in results) for v in _MARKS},
     }
-
-
-def _wrong(result: Mapping[str, Any]) -> int:
-    """Mutants that say something else than the original."""
-    return result["mutants"]["made"] - result["mutants"].get("equal", 0)
 
 
 def _counts(results: Iterable[Mapping[str, Any]]) -> dict[str, int]:
@@ -115,7 +110,7 @@ def _claim(result: Mapping[str, Any], claim: Claim) -> dict[str, Any]:
         "standing": _standing(result), "column": column_of(result),
         "fixed": _correction(fixed, claim) if fixed and claim.repair else None,
         "witness": instance_lines(result["witness"]), "counterexample": instance_lines(result["counterexample"]),
-        "wrong_made": _wrong(result), "survivors": result["mutants"].get("survivors", []),
+        "wrong_made": wrong_made(result["mutants"]), "survivors": result["mutants"].get("survivors", []),
         "words": " ".join([result["id"], result["title"], result["verdict"], _standing(result),
                            (fixed or {}).get("kind") or ""]).lower(),
     }

@@ -11,6 +11,7 @@ Main definitions
 ``state_after``            the exact state :math:`(a(T), g(T))`
 ``power_modulo``           :math:`z^T` modulo an integer polynomial, without fractions
 ``symplectic_matrix_of``   the matrix `S` of a state
+``symplectic_rows``        its rows, over any field
 
 Main statements
 ---------------
@@ -44,6 +45,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from math import isqrt
+from typing import Any
 
 from flint import fmpq, fmpq_mat, fmpz, fmpz_mat, fmpz_poly, nmod_mat
 
@@ -51,12 +53,14 @@ from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
 from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
-from exactkf.theory.orbits import exact_orbit, first_escape
+from exactkf.theory.orbits import escape_before, exact_orbit
 
+_FARTHEST = 10**7  # steps: the state has about as many digits
+_MOST_BITS, _LARGE = 1 << 32, 10**4
 _PRIME = (1 << 61) - 1
 _MANY, _FEW = 1000, 4  # steps from which, and the order up to which, minors are quicker than stepping modulo a prime
 
-__all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of"]
+__all__ = ["Arrival", "power_modulo", "state_after", "symplectic_matrix_of", "symplectic_rows"]
 
 
 @dataclass(frozen=True)
@@ -94,15 +98,18 @@ def symplectic_matrix_of(a: Sequence[Scalar], g: Sequence[Scalar]) -> fmpq_mat:
     n = len(a)
     if a[-1] + g[-1] == 0:
         raise refused(f"a[{n - 1}] + g[{n - 1}]", fmpq(0), "S does not exist", "use state_after, which reduces n")
-    A = [[fmpq(int(j == i + 1)) for j in range(n)] for i in range(n)]
-    for i in range(n):
-        A[i][0] -= a[i] + g[i]
-    A_mat, g_mat = fmpq_mat(A), fmpq_mat([[x] for x in g])
-    hh = fmpq_mat([[int(i == j == 0) for j in range(n)] for i in range(n)])
-    inverse = A_mat.transpose().inv()
-    low = g_mat * g_mat.transpose() * inverse
-    top = [r + s for r, s in zip(inverse.tolist(), (-1 * inverse * hh).tolist(), strict=True)]
-    return fmpq_mat(top + [r + s for r, s in zip(low.tolist(), (A_mat - low * hh).tolist(), strict=True)])
+    return fmpq_mat(symplectic_rows([x + y for x, y in zip(a, g, strict=True)], g))
+
+
+def symplectic_rows(q: Sequence[Any], g: Sequence[Any]) -> list[list[Any]]:
+    """Return the rows of `S` for entries of any one field; the last of `q` is not zero."""
+    n, zero = len(q), 0 * q[-1]
+    # A = J - q h', so A' e_i = e_{i+1} - q_i e_1 and A' e_n = -q_n e_1
+    inverse = [[zero + int(j == i + 1) for j in range(n)] for i in range(n - 1)] + [[-x / q[-1] for x in (1 + zero, *q[:-1])]]
+    along = [sum((g[k] * inverse[k][j] for k in range(n)), zero) for j in range(n)]
+    low = [[x * y for y in along] for x in g]
+    top = [[*row, -row[0], *[zero] * (n - 1)] for row in inverse]
+    return top + [[*row, *((zero + int(j == i + 1)) - (q[i] + row[0] if j == 0 else zero) for j in range(n))] for i, row in enumerate(low)]
 
 
 def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
@@ -126,7 +133,7 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
     Raises
     ------
     BadInput
-        If `exponent` is negative or no integer, or `modulus` is no such polynomial.
+        If `exponent` is negative or no integer, the power too large for the memory, or `modulus` is no such polynomial.
 
     Examples
     --------
@@ -141,8 +148,10 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
         raise refused("modulus", modulus, "not an integer polynomial of degree at least one", "pass an fmpz_poly")
     degree, lead = modulus.degree(), modulus.leading_coefficient()
     value, e = fmpz_poly([1]), 0
-    for bit in bin(exponent)[2:]:
+    for place, bit in enumerate(bin(exponent)[2:], 1):
         value, e = value * value, 2 * e
+        if (height := value.height_bits()) > _LARGE and height << (exponent.bit_length() - place) > _MOST_BITS:  # it doubles in each turn from here on
+            raise refused("exponent", exponent, f"the power has more than {_MOST_BITS} bits", "pass a smaller one, or compute modulo a prime")
         if bit == "1":
             value = value.left_shift(1)
         while value.degree() >= degree:
@@ -249,7 +258,7 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ or `T` is negative.
+        If the entries are not rational, the lengths differ, or `T` is negative or more than 10,000,000.
 
     Examples
     --------
@@ -259,10 +268,10 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     (((0,), (0,)), 1)
     """
     start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", unify_pair(a=a, g=g)).tolist())
-    check_count("T", T)
+    check_count("T", T, 0, _FARTHEST, "exactkf.dynamics.digits_ahead gives the digits of the state")
     n = len(start)
     excluded = T > _MANY and n <= _FEW and start[-1] + g_start[-1] != 0 and _escape_excluded(start, g_start, T)
-    escape = None if excluded else first_escape(start, g_start, T)
+    escape = None if excluded else escape_before(start, g_start, T)
     if escape is not None:
         return Arrival(None, escape)
     if 2 * n >= T:
@@ -275,7 +284,7 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
 def _arrive_reduced(a: Vector, g: Vector, T: int) -> State:
     r"""Return the state after ``T > 2n`` steps when :math:`\alpha_n = 0`; no escape before `T` is assumed."""
     n = len(a)
-    if first_escape(a, g, T + n) is not None:  # the coordinates (alpha, gamma) do not exist at T
+    if escape_before(a, g, T + n) is not None:  # the coordinates (alpha, gamma) do not exist at T
         return exact_orbit(a, g, T).states[-1]
     alpha, gamma = alpha_gamma_from_ag(a, g)
     k = max((i + 1 for i, value in enumerate(alpha) if value != 0), default=0)

@@ -102,7 +102,7 @@ SMALL = {"d": (1, 2, 3), "p": (1, 2), "q": (1, 2)}
 
 claim("B93-S63", "the image of the identity",
       ((A * T(A) + S) * inv(Identity(d) + R * S + R * A * T(A)) == T0 * inv(Identity(d) + R * T0))
-      & (T0 * inv(Identity(d) + R * T0) == inv(inv(T0) + R)) & psd(T0 - inv(inv(T0) + R)),
+      & (T0 * inv(Identity(d) + R * T0) == inv(inv(T0) + R)) & loewner(T0, inv(inv(T0) + R)),
       sizes=["d", "p", "q"], over=SYSTEM, where=[*ONE_STEP, let(T0, A * T(A) + S)],
       by=[order([], [], [T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0]), instances(**SMALL)],
       note="T_0 stands for the T of the text.")

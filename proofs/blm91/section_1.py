@@ -18,12 +18,14 @@ from exactkf.language import *
 from proofs.blm91.lemmas_covariance import (
     BY_COVARIANCE,
     BY_RICCATI_OF_COVARIANCE,
+    BY_RICCATI_TRANSPOSED,
     COVARIANCE,
     COVARIANCE_LEMMAS,
     RICCATI_OF_COVARIANCE,
     SYMMETRIC,
     cov,
     moved,
+    stays_symmetric,
 )
 from proofs.blm91.lemmas_estimate import BY_ESTIMATE, CLOSED, ESTIMATE, ESTIMATE_LEMMAS, FILTER_WEIGHTS, KALMAN, PROJECTED, RICCATI_GAIN, SOME, filtered
 from proofs.blm91.lemmas_gain import BY_RICCATI, COEFFICIENTS, FORWARD, GAIN, MODELLED, REVERSED, RICCATI_LEMMAS, SOLUTION, SYSTEM, innovation, row, sums_with
@@ -57,7 +59,8 @@ _ESTIMATED = {"sizes": ["n"], "over": SYSTEM, "where": [*STATE, *ESTIMATE, *COVA
 _CLOSED = {"closed": [*CLOSED["closed"], moved]}
 claim("BLM91-E1.4", "the Riccati equation of the estimate",
       (cov(0) == Zero(n, n)) & always(t, cov(t + 1) == F * cov(t) * T(F) + (g - F * cov(t) * h) * T(g - F * cov(t) * h) / (1 - T(h) * cov(t) * h)), **_ESTIMATED,
-      by=[generic_index(*RICCATI_OF_COVARIANCE, **_CLOSED, uses=BY_RICCATI_OF_COVARIANCE), instances(n=(1, 2, 3), horizon=2)],
+      by=[generic_index(*RICCATI_OF_COVARIANCE, **_CLOSED, uses=BY_RICCATI_OF_COVARIANCE),
+          generic_index(*RICCATI_OF_COVARIANCE, stays_symmetric(42), **_CLOSED, uses=BY_RICCATI_TRANSPOSED), instances(n=(1, 2, 3), horizon=2)],  # and its transpose
       note="cov(t) is the covariance of the estimate. " + PROJECTED + " Pi_t, the solution from zero, K, U and F_g serve the proof alone.")
 claim("BLM91-S2", "Pi_t is the covariance of the estimate", always(t, Pi[t] == cov(t)), **_ESTIMATED,
       by=[generic_index(*COVARIANCE_LEMMAS, SYMMETRIC, **_CLOSED, uses=BY_COVARIANCE), instances(n=(1, 2, 3), horizon=2)], note=PROJECTED + " K, U and F_g serve the proof alone.")

@@ -26,12 +26,13 @@ gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, restated, steps, use
+from exactkf.evidence import example, fact, generic_index, induction, instances, lemma, restated, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_toeplitz import Toep, by_prediction, by_triangles, cc, predicted, triangular, yhat
 from proofs.blm91.notation import *
 
 chi, gz, num, Q, S, R, Mk, b, x, y, p = symbols("chi gz num Q S R M b x y p")
-cc, Toep, ip, Cof, sigma = symbols("cov T pairing x sigma")
+ip, Cof, sigma = symbols("pairing x sigma")
 
 # ---------------------------------------------------------------------- covariances of the model
 OWN_NOISE = (P - F * P * T(F), S, R)
@@ -51,7 +52,7 @@ claim("BLM91-E2.2", "covariances of the output",
       note="c_k is E{y_(t+k) y_t}, the same for every t; model as for (2.1).")
 
 upto, power = symbols("upto power")
-PHI = let(p, rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g)
+PHI = let(p, rational("1/2") + TRANSFER)
 claim("BLM91-E2.3", "Phi_+ has the covariances as its coefficients at infinity",
       always(t, Identity(1) / 2 + T(h) * inv(x * Identity(n) - F) * g == upto[t] + T(h) * inv(x * Identity(n) - F) * power[t]),
       sizes=["n"], over={F: matrix(n, n), h: vector(n), g: vector(n), x: nonzero()},
@@ -66,7 +67,7 @@ not_checked("BLM91-E2.4", "the Popov condition, and positive real functions", "a
 claim("BLM91-X.20", "the Popov condition, cleared of denominators",
       (p + recip(p)) * chi * recip(chi) == num, sizes=["n"],
       over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI, *POPOV],
-      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
+      by=[generic_index(RESOLVENT, in_values=True, uses=[use(0, t=0)]), instances(n=(1, 2, 3))],
       note="Not printed. As chi(z)chi(1/z) > 0 on the circle for a stability matrix F, the Popov condition says "
            "that the pseudo-polynomial chi(z)chi(1/z)(Phi_+(z) + Phi_+(1/z)) is positive there.")
 
@@ -197,10 +198,18 @@ BACK_AND_THERE = (
     rec(f, t, 1, Z * f[t] - gg[t] * fs[t]), rec(fs, t, 1, fs[t] - gg[t] * Z * f[t]), rec(w, t, 1, (1 - gg[t] ** 2) * w[t]),
     function(back, [t], gg[t - 1] * w[t - 1] - sum_of(k, 0, t - 2, coeff(f[t - 1], k) * back(k + 1))),
     *szego(back, (psi, psis, delta, rho)))
+# all covariances up to one are known at once, as they enter the next one in a sum; the other way round both recursions are the same
+RECOVERED = (
+    REVERSED, MONIC,
+    lemma(s, always(t, sum_of(k, 0, s, coeff(phi[t], k) * again(k + 1)) == sum_of(k, 0, s, coeff(phi[t], k) * cc(k + 1))) & (again(s + 1) == cc(s + 1)),
+          uses=[use(again, s + 2), use(gam, s + 1), use(2, s=s, t=t), use(2, s=s, t=s + 1), use(1, t=s + 1)], base=[use(again, 1), use(gam, 0)]),
+    lemma(t, fs[t] == rev(f[t], t), rule=True), lemma(t, coeff(f[t], t) == 1, uses=[use(4, t=t)]),
+    lemma(t, (psi[t] == f[t]) & (psis[t] == fs[t]) & (rho[t] == w[t]), rule=True, uses=[use(delta, t), use(back, t + 1), use(4, t=t)]))
 claim("BLM91-S15", "covariances and Schur parameters determine each other",
       forall(t, 1, n, (again(t) == cc(t)) & (delta(t - 1) == gg[t - 1])), sizes=["n"],
       over={c: sequence(1, n), gg: sequence(0, n - 1)}, where=[*THERE_AND_BACK, *BACK_AND_THERE],
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[generic_index(*RECOVERED, supported=[phi, phis, f, fs], closed=[gam, delta, again, back], whole=[r], shift=1,
+                        uses=[use(2, s=t - 1), use(delta, t - 1), use(back, t), use(4, t=t - 1)]), instances(n=range(1, 6))],
       note="Both compositions are the identity: c to gamma by (2.7) and back by solving (2.7) for its last covariance, and gamma to c and back.")
 
 Low = sym("R_n")
@@ -212,21 +221,30 @@ claim("BLM91-E2.9", "positive definite Toeplitz matrix and Schur parameters",
                       "positive exactly when all 1 - gamma_k^2 are, k < t"),
           instances(40, n=range(1, 5)), example(n=3, c=["1/2", "1/3", "1/4"]), example(n=2, c=["1/2", "-1/2"]), example(n=2, c=["1/2", "1"])])
 
+X = sum_of(k, 0, n, x[k] * Z**k)
 claim("BLM91-E2.10", "the second recursion is the reversal of the first",
       forall(t, 0, n, phis[t] == rev(phi[t], t))
-      & (rev(Z * x - y * rev(x, n), n + 1) == rev(x, n) - y * Z * x) & (rev(rev(x, n) - y * Z * x, n + 1) == Z * x - y * rev(x, n)),
-      sizes=["n"], over={**C, x: polynomial(n), y: scalar()}, where=SZEGO,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
-      note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial.")
+      & (rev(Z * X - y * rev(X, n), n + 1) == rev(X, n) - y * Z * X) & (rev(rev(X, n) - y * Z * X, n + 1) == Z * X - y * rev(X, n)),
+      sizes=["n"], over={**C, x: sequence(0, n), y: scalar()}, where=SZEGO,
+      by=[generic_index(REVERSED), instances(n=range(1, 6))],
+      note="The two last equations say that either recursion, reversed, is the other one, whatever the polynomial x_0 + .. + x_n z^n.")
 
 # ---------------------------------------------------------------------- prediction; y_0 .. y_t have covariance T_t
-yhat, err, Coe = symbols("y_hat err Phi_n")
-PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))),
-           let(yhat, matrix_of(i, j, n, 1, -coeff(phi[n], i - 1))),
-           function(err, [y], 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y))
+Coe = sym("Phi_n")
+PREDICT = (*SZEGO, TOEPLITZ, let(tau, matrix_of(i, j, n, 1, cc(n + 1 - i))), let(yhat, matrix_of(i, j, n, 1, -coeff(phi[n], i - 1))))
+
+
+def err(y):
+    """E(y_n - y_1 y_0 - .. - y_n y_(n-1))^2."""
+    return 1 - 2 * T(y) * tau + T(y) * Toep(n - 1) * y
+
+
+BY_NORMAL_EQUATIONS = generic_index(
+    REVERSED, MONIC, ORTHOGONAL_TO_POWERS, *predicted(Toep(n - 1), x, 3, flipped=False), *predicted(T(Toep(n - 1)), x, 10, flipped=True),
+    supported=[phi, phis], closed=[Toep, yhat], uses=[*by_prediction(3), *by_prediction(10)])
 claim("BLM91-E2.11", "the linear least-squares prediction",
       err(x) == err(yhat) + T(x - yhat) * Toep(n - 1) * (x - yhat), sizes=["n"], over={c: sequence(1, n), x: vector(n)}, where=PREDICT,
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      given=[standing("n >= 1", n >= 1)], by=[BY_NORMAL_EQUATIONS, instances(n=range(1, 6))],
       note="E(y_n - x_1 y_0 - .. - x_n y_(n-1))^2 is written out; it exceeds the value at the coefficients of (2.11) by a square in the "
            "form of T_(n-1), which is positive definite for a purely nondeterministic process. n is the t of the paper.")
 claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomial",
@@ -237,9 +255,12 @@ claim("BLM91-E2.12", "the innovation has the coefficients of the Szego polynomia
                         supported=[phi, phis], uses=[use(3, t=0, row=row, column=1), use(1, t=n)]), instances(n=range(1, 5))],
       note="Left: coefficients of y_0 .. y_n in y_n minus its projection on y_0 .. y_(n-1), by the normal equations; "
            "right: 1, phi_n1, .. phi_nn in the order of (2.12). The isometry z^k to y_k thus takes phi_n to the innovation.")
+BY_CONGRUENCE = generic_index(
+    REVERSED, MONIC, ORTHOGONAL_TO_POWERS, *triangular(Toep(n), Coe, 3, flipped=False), *triangular(T(Toep(n)), Coe, 8, flipped=True),
+    supported=[phi, phis], closed=[Toep, Coe], uses=[*by_triangles(3, row, col), *by_triangles(8, col, row)])
 claim("BLM91-E2.13", "innovations are orthogonal with variances r_t",
       Coe * Toep(n) * T(Coe) == Low, sizes=["n"], over={c: sequence(1, n)},
       where=[*SZEGO, TOEPLITZ, let(Coe, matrix_of(i, j, n + 1, n + 1, coeff(phi[i - 1], j - 1))),
              let(Low, matrix_of(i, j, n + 1, n + 1, when(i == j, r[i - 1], 0)))],
-      by=[identity(n=range(1, 6)), instances(n=range(1, 6))],
+      by=[BY_CONGRUENCE, instances(n=range(1, 6))],
       note="Row t of the first factor holds the coefficients of the innovation at time t over y_0 .. y_n.")

@@ -29,6 +29,7 @@ Q_(t+1) = Q_t - gamma_t z Q*_t have as many zeros in the disc, all of them.
 from exactkf.claims import claim, repair
 from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import *
+from proofs.blm91.lemmas_canonical import BY_CAYLEY, TO_CANONICAL, Fc, Lc, Tm
 from proofs.blm91.lemmas_estimate import PROJECTED, SOME, Gram, filtered, innovation_weights, xh
 from proofs.blm91.lemmas_gain import (
     BACKWARD,
@@ -129,21 +130,18 @@ claim("BLM91-S18", "eliminating the Schur parameters gives the fast algorithm",
       forall(t, 0, m, (fk[t] == kk(t)) & (fks[t] == ks(t)) & (size_of(vstack(fk[t], fks[t])) == 2 * n))
       & (sum_of(i, 1, n, sum_of(j, i, n, 1)) == rational("1/2") * n * (n + 1)),
       sizes=["n", "m"], over=FGH, where=[*GAINS, *FAST],
-      by=[identity(n=(1, 2), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      by=[generic_index(lemma(t, (fk[t] == kk(t)) & (fks[t] == ks(t)), rule=True),
+                        lemma(s, sum_of(i, 1, s, i) == rational("1/2") * s * (s + 1), uses=[use(1, s=s)]), supported=[phi, phis], uses=[use(1, s=n)]),
+          instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="(1.9) is run on its own and compared with the gains by Szego polynomials. The counts of equations, 2n against the n(n+1)/2 "
            "entries on and above the diagonal of a symmetric matrix, are as printed; the first is smaller only for n >= 4.")
 
 # ---------------------------------------------------------------------- canonical form
-Obs, Oc, Tm, Fc = symbols("O_F O_c T_c F_c")
 claim("BLM91-E2.22", "observable pairs can be brought to the canonical form",
-      (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
-      where=[let(a, matrix_of(i, j, n, 1, coeff(charpoly(F), n - i))), let(e, matrix_of(i, j, n, 1, when(i == 1, 1, 0))),
-             let(Fc, matrix_of(i, j, n, n, when(j == 1, -a[i], 0) + when(j == i + 1, 1, 0))),
-             let(Obs, matrix_of(i, j, n, n, (T(h) * F ** (i - 1))[1, j])), let(Oc, matrix_of(i, j, n, n, (T(e) * Fc ** (i - 1))[1, j])),
-             let(Tm, inv(Oc) * Obs)],
-      by=[identity(n=(1, 2, 3, 4)), instances(n=(1, 2, 3, 4))],
-      note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the quotient of the "
-           "two observability matrices carries (F, h) to it, and is invertible when (F, h) is observable.")
+      (Tm * F == Fc * Tm) & (T(e) * Tm == T(h)) & (charpoly(Fc) == polynomial_of(a)) & (det(Lc) == 1), sizes=["n"], over={F: matrix(n, n), h: vector(n)},
+      where=TO_CANONICAL, given=SOME, by=[BY_CAYLEY, instances(n=(1, 2, 3, 4))],
+      note="The display is a choice of coordinates. Checked is that it can be made: with a from the characteristic polynomial of F, the triangular Toeplitz matrix "
+           "L_a of 1, a_1, a_2, .. times the observability matrix O_F carries (F, h) to it, and is invertible when (F, h) is observable, as det L_a = 1.")
 FORM = (SHIFT, *CANONICAL)
 claim("BLM91-E2.23", "canonical form as a shift minus a rank-one matrix", F == J - a * T(h), sizes=["n"], over={a: vector(n)}, where=FORM,
       by=[generic_index(), instances(n=(1, 2, 3, 4))])
@@ -187,21 +185,27 @@ claim("BLM91-E2.28", "the invariant pseudo-polynomial",
       always(t, LEFT == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT], given=SOME,
       by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, LEFT == D, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
                         closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
+DENOMINATOR = 1 / (Qp(0) - Qs(0))
+BY_RESOLVENT = generic_index(
+    RESOLVENT, fact(t, "charpoly", charpoly(F) == Qp(0) - Qs(0), (j, Z ** (n - j))), fact(t, "charpoly", charpoly(F - g * T(h)) == Qp(0), (j, Z ** (n - j))),
+    closed=[Qp, Qs], in_values=True, uses=[use(0, t=0, times=DENOMINATOR), use(1, t=0, times=-(1 + TRANSFER) * DENOMINATOR), use(2, t=0, times=DENOMINATOR)])
 claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
-      rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      rational("1/2") + TRANSFER == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY], given=SOME,
+      by=[BY_RESOLVENT, instances(n=(1, 2, 3))])
 
-# h_i of (3.4) as functions of a point, and the step as a map
-hi, til, one, u, w, un, wn = symbols("h_i zero one u w u_next w_next")
+# h_i of (3.4) along an orbit; what a step multiplies r_t by it divides the sums by
+ht, num, til, one, u, w, oz, tz, sz = symbols("h_t sums zero one u w one_z zero_z sums_z")
+ON_ORBIT = (function(one, [t, i], when(i == 0, 1, q[t][i])), function(til, [t, i], when(i == 0, 0, qs[t][i])),
+            function(num, [t, i], sum_of(j, 0, n - i, one(t, j) * one(t, j + i) - til(t, j) * til(t, j + i))), function(ht, [t, i], num(t, i) / num(t, 0)))
+KEPT = lemma(t, forall(i, 0, n, r[t] * num(t, i) == num(0, i)), uses=[use(0, t=t, i=i)])
+SCALED = (function(oz, [i], when(i == 0, 1, u[i] / Z)), function(tz, [i], when(i == 0, 0, w[i] / Z)),
+          function(sz, [i], sum_of(j, 0, n - i, oz(j) * oz(j + i) - tz(j) * tz(j + i))))
 claim("BLM91-S21", "n independent first integrals",
-      forall(i, 1, n, (hi(i, un, wn) == hi(i, u, w)) & (laurent(hi(i, u / Z, w / Z), 1) == u[i])), sizes=["n"],
-      over={u: vector(n), w: vector(n)},
-      where=[SHIFT, function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
-             function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y))
-                      / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)),
-             let(un, 1 / (1 - w[1] ** 2) * (u - w[1] * (J * w))), let(wn, 1 / (1 - w[1] ** 2) * (J * w - w[1] * u))],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
-      note="One step of (2.25) from any point (u, w) keeps the n quotients of coefficients of (2.28). Scaling the point by 1/z, the quotients are "
+      always(t, forall(i, 1, n, ht(t, i) == ht(0, i))) & forall(i, 1, n, laurent(sz(i) / sz(0), 1) == u[i]), sizes=["n"],
+      over={u: vector(n), w: vector(n)}, where=[*stripped(u, w), *ON_ORBIT, *SCALED], given=SOME,
+      by=[generic_index(KEPT, fact(t, "laurent", forall(i, 1, n, forall(k, 0, 1, laurent(sz(i) / sz(0), k) == when(k == 1, u[i], 0))), 0),
+                        uses=[use(0, t=t, i=i), use(0, t=t, i=0), use(1, t=0, i=i, k=1)]), instances(n=(1, 2, 3), horizon=2)],
+      note="The n quotients of coefficients of (2.28) keep their values along the orbit of any point (u, w). For the point (u/z, w/z) the quotients are "
            "u_i/z + ..., so that their gradients at the origin are independent.")
 
 # ---------------------------------------------------------------------- positive real data

@@ -14,12 +14,12 @@ with real part (doubled) d/(a a*), d = D/r = (a b* + a* b)/2. Where d > 0 and a 
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
-from proofs.blm91.section_2_filtering import NEXT, SOME
+from proofs.blm91.section_2_filtering import KEPT, NEXT, ON_ORBIT, SOME, ht, one, til
 
-q0, qs0, qm, qsm, hi, til, one, x, y, un, wn, lev = symbols("q0 qs0 q_mirror qs_mirror h_i zero one x y u_next w_next h_m")
+q0, qs0, qm, qsm, hi, x, y, lev, row = symbols("q0 qs0 q_mirror qs_mirror h_i x y h_m row")
 av, bv, dv, pd_, Fa, dm, xt, p = symbols("a_poly b_poly d N F_a d_m x_orbit f")
 SX = sum_of(i, 1, n, abs(x[i]))
 POINT = {q0: vector(n), qs0: vector(n)}
@@ -61,19 +61,27 @@ MIRROR = (rec(qm, t, q0, 1 / (1 - qsm[t][1] ** 2) * (qm[t] - qsm[t][1] * (J * qs
           rec(qsm, t, -qs0, 1 / (1 - qsm[t][1] ** 2) * (J * qsm[t] - qsm[t][1] * qm[t])))
 claim("BLM91-E3.3", "mirror orbits", always(t, (qm[t] == q[t]) & (qsm[t] == -qs[t])), sizes=["n"], over=POINT, where=[*stripped(q0, qs0), *MIRROR],
       by=[generic_index(lemma(t, (qm[t] == q[t]) & (qsm[t] == -qs[t]), rule=True)), instances(n=(1, 2, 3))])
-STEP = (SHIFT, function(un, [x, y], 1 / (1 - y[1] ** 2) * (x - y[1] * (J * y))), function(wn, [x, y], 1 / (1 - y[1] ** 2) * (J * y - y[1] * x)))
+
+
+def after(x, y):
+    """The two components of the map (2.25) at a point."""
+    return 1 / (1 - y[1] ** 2) * (x - y[1] * (J * y)), 1 / (1 - y[1] ** 2) * (J * y - y[1] * x)
+
+
+NEXT_POINT, NEXT_MIRRORED = after(q0, qs0), after(q0, -qs0)
 claim("BLM91-T3.2.2", "the map commutes with (q, q*) -> (q, -q*)",
-      (un(q0, -qs0) == un(q0, qs0)) & (wn(q0, -qs0) == -wn(q0, qs0)), sizes=["n"], over=POINT, where=STEP,
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="un and wn are the two components of the map (2.25).")
+      (NEXT_MIRRORED[0] == NEXT_POINT[0]) & (NEXT_MIRRORED[1] == -NEXT_POINT[1]), sizes=["n"], over=POINT, where=[SHIFT], given=SOME,
+      by=[generic_index(), instances(n=(1, 2, 3))], note="Written out are the two components of the map (2.25), at (q0, -q*0) and at (q0, q*0).")
 HI = (function(one, [i, x], when(i == 0, 1, x[i])), function(til, [i, x], when(i == 0, 0, x[i])),
       function(hi, [i, x, y], sum_of(j, 0, n - i, one(j, x) * one(j + i, x) - til(j, y) * til(j + i, y)) / sum_of(j, 0, n, one(j, x) ** 2 - til(j, y) ** 2)))
 claim("BLM91-E3.4", "the quotients of coefficients of the invariant",
-      forall(t, 0, m, forall(i, 1, n, eq(hi(i, q[t], qs[t]), coeff(D, i) / coeff(D, 0), hi(i, q0, qs0)))), sizes=["n", "m"], over=POINT,
-      where=[*FROM, INVARIANT, *HI], by=[identity(n=(1, 2, 3, 4), m=(1, 2, 3)), instances(n=(1, 2, 3), m=(1, 2, 3))],
+      forall(t, 0, m, forall(i, 1, n, eq(ht(t, i), coeff(D, i) / coeff(D, 0), ht(0, i)))), sizes=["n", "m"], over=POINT, given=SOME,
+      where=[*FROM, INVARIANT, *ON_ORBIT], by=[generic_index(KEPT, uses=[use(0, t=t, i=i), use(0, t=t, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))],
       note="n + 1 equations for q_t, q*_t and r_t; the quotient removes r_t.")
 claim("BLM91-T3.2.1", "level sets of the integrals are invariant",
-      forall(i, 1, n, hi(i, un(q0, qs0), wn(q0, qs0)) == hi(i, q0, qs0)), sizes=["n"], over=POINT, where=[*STEP, *HI],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))], note="One step from any point keeps every h_i, so a common level set is mapped into itself.")
+      always(t, forall(i, 1, n, ht(t, i) == ht(0, i))), sizes=["n"], over=POINT, where=[*FROM, *ON_ORBIT], given=SOME,
+      by=[generic_index(KEPT, uses=[use(0, t=t, i=i), use(0, t=t, i=0)]), instances(n=(1, 2, 3), horizon=2)],
+      note="Every h_i keeps its value along the orbit of any point, so a common level set is mapped into itself.")
 up, down, first = symbols("h_up h_down h_0")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 claim("BLM91-T3.2.3", "the algorithm is not topologically transitive",
@@ -87,13 +95,13 @@ claim("BLM91-R3.1.3", "the algorithm is not topologically transitive",
       iff(first < 0, lev < 0) & (up > 0) & (down < 0), sizes=["n", "m"], over=POINT,
       where=[*stripped(q0, qs0), *HI, let(first, hi(1, q0, qs0)), let(lev, hi(1, q[m], qs[m])), let(up, hi(1, E1, 0 * E1)), let(down, hi(1, -E1, 0 * E1))],
       by=[steps("BLM91-T3.2.1", prose="as for Theorem 3.2"), instances(40, n=(1, 2, 3), m=(1, 2)), example(n=1, m=1, q0=[0], qs0=["1/2"])])
-HVEC = (let(first, matrix_of(i, j, n, 1, hi(i, q0, qs0))), let(lev, matrix_of(i, j, n, 1, hi(i, q[m], qs[m]))), let(p, vstack(q0, qs0)))
+HVEC = (let(first, matrix_of(i, j, n, 1, ht(0, i))), let(lev, matrix_of(i, j, n, 1, ht(m, i))), let(p, vstack(q0, qs0)))
 claim("BLM91-S31", "the vector of integrals separates orbits",
-      (size_of(p) == n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *HI, *HVEC],
+      (size_of(p) == n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *ON_ORBIT, *HVEC],
       by=[example(n=1, m=1, q0=[1], qs0=[0]), instances(n=(1, 2), m=(1, 2))],
       repair=repair("index", "h is a map from R^2n (where its common denominator is not zero) to R^n, not from R^n: its argument is the pair (q, q*)",
-                    (size_of(p) == 2 * n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *HI, *HVEC],
-                    by=[identity(n=(1, 2, 3), m=(1, 2)), instances(n=(1, 2, 3), m=(1, 2, 3))]),
+                    (size_of(p) == 2 * n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *ON_ORBIT, *HVEC], given=SOME,
+                    by=[generic_index(KEPT, uses=[use(0, t=m, i=row), use(0, t=m, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))]),
       note="As printed h maps R^n to R^n, so that its argument would have n entries. h being constant on orbits, preimages of disjoint sets "
            "are not joined by an orbit; m is the time.")
 
@@ -115,8 +123,8 @@ def by_invariant(times):
 
 claim("BLM91-E3.6", "the invariant in terms of a_t and b_t", always(t, INVARIANT_AB), sizes=["n"], over=POINT, where=ORBITS, given=SOME, by=[by_invariant(1), instances(n=(1, 2, 3))])
 claim("BLM91-E3.7", "the real part of b_t/(2 a_t)",
-      forall(t, 0, m, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n", "m"], over=POINT, where=ORBITS,
-      by=[identity(n=(1, 2, 3), m=(0, 1, 2)), instances(n=(1, 2, 3), m=(0, 1, 2))], note="d_t is written D/r_t.")
+      always(t, bv(t) / (2 * av(t)) + recip(bv(t)) / (2 * recip(av(t))) == 1 / r[t] * D / (av(t) * recip(av(t)))), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
+      by=[by_invariant(1 / (2 * r[t] * av(t) * recip(av(t)))), instances(n=(1, 2, 3), horizon=2)], note="d_t is written D/r_t.")
 claim("BLM91-E3.8", "d_t in terms of a_t and b_t",
       always(t, 1 / r[t] * D == av(t) * recip(bv(t)) + recip(av(t)) * bv(t)), sizes=["n"], over=POINT, where=ORBITS, given=SOME,
       by=[example(n=1, q0=[0], qs0=[0]), instances(n=(1, 2))],

@@ -91,11 +91,12 @@ claim("BLM91-S34", "hyperbolas and regions", SAYS34, over={**HYP, al0: nonzero()
       note="kappa^2 < 1 in the sign definite regions, kappa^2 > 1 in the corridors (where D has both signs), kappa^2 = 1 on the lines |gamma| = |1 - |alpha||, |gamma| = 1 + |alpha|. " + CROSSING)
 PAIR = dict(where=[let(kap, when(x == 0, rational("1/2"), 2)), let(D0, d_of(al0, ga0))], given=[ON])
 DRAWN = {al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * (2 / kap + 2 * y) / (1 - y**2)}
-claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", iff(x == 1, ~(SIGNDEF)), over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
+claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", substitute(D0, 1) * substitute(D0, -1) == when(x == 0, 12, -3) * al0**2, over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
       by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
                 prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
           instances(60, using={y: scalar()}, made_by=DRAWN)],
-      note="x = 0 stands for kappa = 1/2, in the sign definite regions, and x = 1 for kappa = 2, in the corridors. " + CROSSING)
+      note="x = 0 stands for kappa = 1/2, in the sign definite regions, where the extremes D(1) and D(-1) have one sign, and x = 1 for kappa = 2, in the "
+           "corridors, where they have two. " + CROSSING)
 claim("BLM91-S35", "the map commutes with gamma -> -gamma",
       always(t, (al[t] == bal[t]) & (ga[t] == -bga[t])), over=PLANE,
       where=[*ORBIT, rec(bal, t, al0, bal[t] / (1 - bga[t] ** 2)), rec(bga, t, -ga0, -bga[t] * bal[t] / (1 - bga[t] ** 2))],

@@ -18,9 +18,8 @@ same sum in one dimension less, with parameters shifted by one.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, fact, generic_index, identity, instances, lemma, use
+from exactkf.evidence import example, fact, generic_index, instances, lemma, use
 from exactkf.language import (
-    T,
     Z,
     Zero,
     always,
@@ -28,7 +27,6 @@ from exactkf.language import (
     column,
     eq,
     forall,
-    function,
     given,
     inv,
     let,
@@ -45,6 +43,7 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import FOUR, REVERSED, REVERSED_PSI, SHIFT_BACK, SHIFTED_MONIC, SHIFTED_SECOND, SHIFTED_SUMS, SUMS, z
 from proofs.blz94.lemmas import column as col
+from proofs.blz94.lemmas_double_sum import ABOVE, ABOVE_NEXT, DOUBLE_SUM, OPENED_FOR_SUMS, SHIFT
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, OPENED, SCHUR_0, SCHUR_LEMMAS, alpha1, schur
 from proofs.blz94.lemmas_orbit import (
     ALONG,
@@ -58,6 +57,8 @@ from proofs.blz94.lemmas_orbit import (
     TOP,
     row,
 )
+from proofs.blz94.lemmas_sigma import COLUMN, ENDS, FORMS, OPENED_FOR_SIGMA, SIGMA
+from proofs.blz94.lemmas_vanishing import EACH, HIGHER, INVERSE, NORM, TOGETHER, VANISHING
 from proofs.blz94.notation import (
     FAST,
     HALF,
@@ -69,6 +70,7 @@ from proofs.blz94.notation import (
     RHO,
     RHO_T,
     SHIFTED,
+    SHIFTED_FACTORS,
     VECTORS,
     A,
     D,
@@ -77,7 +79,6 @@ from proofs.blz94.notation import (
     a_of,
     alpha,
     alpha0,
-    b,
     b_of,
     co,
     cot,
@@ -102,9 +103,10 @@ from proofs.blz94.notation import (
     sigma,
     symmetric_part,
     t,
+    x,
 )
 
-B, d, l, x = symbols("B d l x")
+B, l = symbols("B l")
 VECTOR_POINT = {alpha0: vector(n), gamma0: vector(n)}
 GAMMA = {gamma: sequence(0, n)}
 
@@ -298,24 +300,22 @@ claim("BLZ94-SA6", "rho_t* is z^n rho_t(1/z)", forall(t, 0, n, rhos[t] == rev(rh
                                       uses=[use(0, t=t, z=z)]), instances(n=(2, 3, 4))]))
 
 _POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
-_D = (let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))),
-      let(b, psi(0, n) + sum_of(i, 1, n, alpha[i] * psi(0, n - i))),
-      let(D, symmetric_part(a, b)), function(x, [i], when(i == 0, 1, alpha[i])))
-_SIGMA = {"sizes": ["n"], "over": _POINT, "where": [*SHIFTED, *_D]}
+_SIGMA = {"sizes": ["n"], "over": _POINT, "where": [*SHIFTED, *SHIFTED_FACTORS]}
 claim("BLZ94-EA.15", "D as a double sum", D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, i, j))), **_SIGMA,
       by=[example(n=1, alpha=[2], gamma=["1/2"]), instances(n=(1, 2, 3))],
       note="x_i is alpha_i with alpha_0 = 1; sigma(0, i, j) is sigma_ij.",
       repair=repair("index", "a and b are sums of alpha_i phi_{n-i} and alpha_i psi_{n-i}, so the weight alpha_i "
                              "alpha_j belongs to sigma_{n-i,n-j}.",
                     D == sum_of(i, 0, n, sum_of(j, 0, n, x[i] * x[j] * sigma(0, n - i, n - j))), **_SIGMA,
-                    by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))]))
+                    by=[generic_index(in_values=True), instances(n=(1, 2, 3))]))
 
 claim("BLZ94-EA.17", "sigma_{i,i-j} is r_{i-j} times a polynomial in z and gamma_{i-j}, ..., gamma_{i-1}",
       forall(i, 1, n, (sigma(0, i, i) == r(0, i)) & (sigma(0, i, i - 1) == r(0, i - 1) * Z)
              & forall(j, 1, i, (sigma(0, i, i - j) == r(0, i - j) * pi(i - j, j))
                       & (pi(i - j, j) == Z**j + sum_of(k, 1, j - 1, coeff(pi(i - j, j), k) * Z**k)))),
-      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED],
-      by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))],
+      sizes=["n"], over={gamma: sequence(0, n - 1)}, where=[*SHIFTED, *FORMS],
+      by=[generic_index(*SIGMA, COLUMN(3), ENDS, **OPENED_FOR_SIGMA, in_values=[0, 1, 2], uses=[
+          use(2, j=i, s=0), use(3, m=1, s=0, j=i - 1), use(3, m=j, s=0, j=i - j), use(4, t=j, s=i - j)]), instances(n=(2, 3, 4))],
       note="pi(s, j), the polynomial pi_j for gamma_s, gamma_{s+1}, ..., is made of gamma_s, ..., gamma_{s+j-1} alone.")
 
 claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n split off",
@@ -324,26 +324,29 @@ claim("BLZ94-EA.19", "d_0, and the other d_i as sums, with the terms of alpha_n 
                                                        sum_of(j, i + 1, n, x[i] * x[j] * sigma(0, n - i, n - j))),
            sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
              + alpha[n] * sum_of(j, 1, n, x[n - j] * pi(0, j)))
-      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **_SIGMA, by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))])
+      & forall(j, 0, n, sigma(0, j, 0) == pi(0, j)), **{**_SIGMA, "where": [*_SIGMA["where"], *FORMS, *ABOVE]},
+      by=[generic_index(*DOUBLE_SUM, **OPENED_FOR_SUMS, in_values=[1, 2, 3], uses=[
+          use(5, k=0, z=0), use(7, k=n, u=n, l=0), use(8, k=0), use(9, k=n, u=n)]), instances(n=(2, 3, 4))],
+      note="tau, chi and w serve the proof alone.")
 
 claim("BLZ94-SA7", "raising both indices of sigma shifts the lists of the r and of the gammas by one",
       forall(k, 1, n - 1, forall(l, 0, k - 1, sigma(0, k + 1, l + 1) * r(1, l) == r(0, l + 1) * sigma(1, k, l)))
       & (sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1, x[i] * x[j] * sigma(0, n - i, n - j)))
          == (1 - gamma[0] ** 2) * sum_of(i, 0, n - 2, sum_of(j, i + 1, n - 1,
                                                              x[i] * x[j] * sigma(1, n - 1 - i, n - 1 - j))))
-      & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]), **_SIGMA,
-      by=[identity(n=range(2, 7)), instances(n=(2, 3, 4))],
+      & (coeff(symmetric_part(phi(0, 1) + alpha[1], psi(0, 1) + alpha[1]), 1) == alpha[1]),
+      **{**_SIGMA, "where": [*_SIGMA["where"], *FORMS, *ABOVE_NEXT]},
+      by=[generic_index(*SHIFT, supported=OPENED_FOR_SIGMA["supported"], in_values=[0, 1], uses=[
+          use(3, m=k - l, s=0, j=l + 1, times=r(1, l)), use(3, m=k - l, s=1, j=l, times=-r(0, l + 1)), *(use(y, k=n - 1, u=n - 1) for y in (4, 5, 8))]),
+          instances(n=(2, 3, 4))],
       note="sigma(1, ., .) and r(1, .) belong to gamma_1, gamma_2, .... The print lists the gammas twice; the first "
-           "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2.")
+           "list is read as the r. In the sum the shift of the r is the factor 1 - gamma_0^2. tau, chi, w and v serve the proof alone.")
 
-_WEIGHT = matrix_of(i, k, n, n, when(k < i, 0, prod(s, 0, n - k - 1, 1 - gamma[s] ** 2)
-                                     * sum_of(j, 1, k, x[k - j] * coeff(pi(n - k, j), i))))
-_HIGHER = given("d_1 = ... = d_n = 0", column(i, n, coeff(D, i)) == Zero(n, 1))
+_HIGHER = given(HIGHER, column(i, n, coeff(D, i)) == Zero(n, 1))
 claim("BLZ94-SA8", "if d_1, ..., d_n vanish, alpha is zero and d_0 = r_n",
-      (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)), **_SIGMA,
-      given=[_HIGHER, given("gamma_k^2 != 1", forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
-      by=[combination([[(inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)],
-                       [(T(column(i, n, alpha[i] * r(0, n - i))) * inv(_WEIGHT), "d_1 = ... = d_n = 0", 1)]],
-                       n=range(1, 7)),
+      (column(i, n, alpha[i]) == Zero(n, 1)) & (coeff(D, 0) == r(0, n)),
+      **{**_SIGMA, "where": [*SHIFTED[:6], INVERSE[0], SHIFTED[-1], *SHIFTED_FACTORS, *FORMS, *ABOVE, *INVERSE[1:]]},
+      given=[_HIGHER, given(NORM, forall(k, 0, n - 1, gamma[k] ** 2 != 1))],
+      by=[generic_index(*VANISHING, **OPENED_FOR_SUMS, uses=[*EACH, *TOGETHER]),
           instances(n=(1, 2, 3), made_by={alpha: column(i, n, 0)})],
       note="d_0 = r_n is a product of the 1 - gamma_k^2, none of which is zero.")

@@ -163,3 +163,9 @@ SHIFTED = (
     function(r, [s, t], prod(j, 0, t - 1, 1 - gamma[s + j] ** 2)),
     function(sigma, [s, i, j], HALF * (phi(s, i) * recip(psi(s, j)) + psi(s, i) * recip(phi(s, j)))),
 )
+#: alpha_i, with alpha_0 = 1; a(z), b(z) of (3.12) and their symmetric part
+x = sym("x")
+SHIFTED_FACTORS = (
+    let(a, phi(0, n) + sum_of(i, 1, n, alpha[i] * phi(0, n - i))), let(b, psi(0, n) + sum_of(i, 1, n, alpha[i] * psi(0, n - i))),
+    let(D, symmetric_part(a, b)), function(x, [i], when(i == 0, 1, alpha[i])),
+)

@@ -19,7 +19,7 @@ nothing keeps their zeros inside the unit circle.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, steps, use
 from exactkf.language import (
     Identity,
     T,
@@ -123,7 +123,7 @@ claim("BLZ94-E2.2", "a Riccati step takes symmetric matrices to symmetric matric
 claim("BLZ94-E2.3", "v(z) + v(1/z) is the symmetric part D over a(z)a(1/z), so it is real on the unit circle",
       eq(v + recip(v), D / (a * recip(a)), recip(v + recip(v))), sizes=["n"], over={a: monic(n), b: monic(n)},
       where=[let(v, b / (2 * a)), let(D, symmetric_part(a, b))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      by=[generic_index(in_values=True), instances(n=(1, 2, 3))],
       note="A definition; what is checked is that the inequality on the circle makes sense and reads D > 0.")
 
 claim("BLZ94-E2.4", "the covariances of a positive real function form positive definite Toeplitz matrices",
@@ -202,7 +202,7 @@ claim("BLZ94-E2.11", "the transfer function of the observer form",
 claim("BLZ94-E2.12", "v = b/(2a) with b = a + 2g monic",
       (HALF + strict_of(g) / monic_of(a) == HALF * ((monic_of(a) + 2 * strict_of(g)) / monic_of(a)))
       & (monic_of(a) + 2 * strict_of(g) == monic_of(a + 2 * g)),
-      sizes=["n"], over={a: vector(n), g: vector(n)}, by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      sizes=["n"], over={a: vector(n), g: vector(n)}, by=[generic_index(in_values=[0]), instances(n=(1, 2, 3))])
 
 a1, b1, d = symbols("a1 b1 d")
 claim("BLZ94-E2.13", "for positive real v of degree n, D is positive on the circle and a and b are stable",
@@ -235,8 +235,8 @@ claim("BLZ94-S5", "D > 0 on the circle and one of a, b stable: then v is positiv
 claim("BLZ94-E2.16", "the fast algorithm in terms of polynomials",
       (monic_of(a[1]) == (monic_of(a0) + (1 - Z) * strict_of(g0)) / (1 - g0[1]))
       & (strict_of(g[1]) == ((Z - g0[1]) * strict_of(g0) - g0[1] * monic_of(a0)) / (1 - g0[1] ** 2)),
-      sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      sizes=["n"], over={a0: vector(n), g0: vector(n)}, where=[*FAST], given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(), instances(n=(1, 2, 3))],
       note="A definition; what is checked is that a step of the vectors is a step of polynomials: a(z) stays monic of "
            "degree n, and the leading terms of (z - g_1)g(z) - g_1 a(z) cancel.")
 
@@ -256,11 +256,16 @@ claim("BLZ94-E2.17", "the fast algorithm gives the gain of the Riccati recursion
       note="The induction carries two more relations: P_{t+1} - P_t = r_t g(t)g(t)' and r_t = 1 - h'P_t h. Of J and h it uses nothing, "
            "so it is for every n.")
 
+_SUM, _GAP = HALF * (apoly[t] + bpoly[t]), HALF * (bpoly[t] - apoly[t])
+#: (2.16) for the polynomials
+_STEP_OF_FACTORS = lemma(t, (apoly[t + 1] == 1 / (1 - g[t][1]) * (_SUM - Z * _GAP)) & (bpoly[t + 1] == 1 / (1 + g[t][1]) * (_SUM + Z * _GAP)), direct=True)
 claim("BLZ94-E2.18", "the symmetric part of a_t(z)b_t(1/z) is preserved up to the factor r_t",
       always(t, r[t] * (apoly[t] * recip(bpoly[t]) + recip(apoly[t]) * bpoly[t]) == 2 * D), sizes=["n"],
       over={a0: vector(n), g0: vector(n)},
-      where=[*FAST, *SCALE, *POLYNOMIALS, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))],
-      by=[induction(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      where=[*FAST, *SCALE, *POLYNOMIALS, let(D, symmetric_part(apoly[0], bpoly[0]))], given=[standing("n >= 1", n >= 1)],
+      by=[generic_index(_STEP_OF_FACTORS, lemma(t, r[t] * (apoly[t] * recip(bpoly[t]) + recip(apoly[t]) * bpoly[t]) == 2 * D, in_values=True,
+                                                uses=[use(0, t=t), use(1, t=t, times=1)]),
+                        closed=[apoly, bpoly], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3, 4))])
 
 _PR = [given("v is analytic on |z| >= 1", schur(monic_of(a0))), given("v(z) + v(1/z) > 0 on |z| = 1", pos_on_circle(D))]
 _PR_INSTANCES = instances(n=(1, 2, 3), made_by={a0: column(i, n, x[i] / to_expr(4) ** i),

@@ -21,12 +21,11 @@ determined by a alone, since the phi_k are monic of different degrees.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import (
     Identity,
     T,
     Z,
-    Zero,
     always,
     coeff,
     column,
@@ -38,7 +37,6 @@ from exactkf.language import (
     function,
     given,
     iff,
-    inv,
     invertible,
     laurent,
     let,
@@ -80,6 +78,7 @@ from proofs.blz94.lemmas import (
     row,
 )
 from proofs.blz94.lemmas import column as col
+from proofs.blz94.lemmas_match import BY_MATRICES, CONCLUDED, MATCH, MATRICES, OPENED_FOR_MATCH, OPENED_FOR_MATRICES, PARTS
 from proofs.blz94.notation import (
     CORRELATIONS,
     HALF,
@@ -157,15 +156,18 @@ claim("BLZ94-S8", "positive real if and only if all Toeplitz matrices are positi
                                            b: substitute(x, 4 * Z) / to_expr(4) ** n})]))
 
 # ---------------------------------------------------------------------- Szego polynomials
+_AGAINST = lemma(t, forall(k, 0, t, y(t, k) == when(k == t, r[t], 0)), direct=True, uses=[use(y, t, k), use(2, t=t, k=k)])
+_ORTHOGONAL_PARTS = lemma(m, always(t, forall(s, m, t, sum_of(i, 0, m, coeff(phi[s], i) * y(t, i)) == when(m == t, r[t], 0))),
+                          uses=[use(4, m=m, t=t, s=s), use(3, t=t, k=m + 1), use(1, t=t)], base=[use(3, t=t, k=0), use(1, t=t)])
 claim("BLZ94-E3.5", "phi_t and phi_t* have the shape (3.3), (3.4), and the phi_t are orthogonal",
       forall(t, 0, n, (phi[t] == Z**t + sum_of(k, 1, t, co(phi, t, k) * Z ** (t - k)))
              & (phis[t] == sum_of(k, 1, t, co(phi, t, k) * Z**k) + 1)
-             & forall(s, 0, t, sum_of(i, 0, s, sum_of(j, 0, t, coeff(phi[s], i) * coeff(phi[t], j) * c[abs(i - j)]))
-                      == when(s == t, r[t], 0))),
-      sizes=["n"], over=GAMMA, where=[*CORRELATIONS],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))],
+             & forall(s, 0, t, sum_of(i, 0, s, coeff(phi[s], i) * y(t, i)) == when(s == t, r[t], 0))),
+      sizes=["n"], over=GAMMA, where=[*CORRELATIONS, function(y, [t, i], sum_of(j, 0, t, coeff(phi[t], j) * c[abs(i - j)]))],
+      by=[generic_index(REVERSED, MONIC, ORTHOGONAL, _AGAINST, _ORTHOGONAL_PARTS, **PAIR, closed=[c, y], uses=[use(1, t=t), use(4, m=s, t=t, s=s)]),
+          instances(n=(1, 2, 3, 4))],
       note="A definition; what is checked is that the recursion produces monic polynomials of the stated form, "
-           "orthogonal with respect to the sequence c of (3.10), with squared norms r_t.")
+           "orthogonal with respect to the sequence c of (3.10), with squared norms r_t. y(t, i) is the product of phi_t and z^i.")
 
 claim("BLZ94-E3.5b", "the second recursion gives the reversed polynomial",
       forall(t, 0, n, phis[t] == rev(phi[t], t)), sizes=["n"], over=GAMMA, where=[*PHI],
@@ -312,8 +314,8 @@ claim("BLZ94-S17", "the first normal equation and the value of rho_kk give (3.17
       repair=repair("cross-reference", "What the two equations give is (3.15) for t = k, the start of the induction; "
                                        "(3.17) is the recursion.",
                     coeff(rho, 0) == c[n] + sum_of(j, 1, n - 1, c[n - j] * coeff(phi, n - j)), sizes=["n"],
-                    over={c: sequence(1, n), phi: monic(n), rho: polynomial(n - 1)}, given=[_FIRST, _VALUE],
-                    by=[combination([(1, "value of rho_kk", 1), (-1, "first normal equation", 1)], n=range(1, 8)),
+                    over={c: sequence(1, n), phi: monic(n), rho: polynomial(n - 1)}, given=[_FIRST, _VALUE, standing("n >= 1", n >= 1)],
+                    by=[generic_index(uses=[use("value of rho_kk"), use("first normal equation")]),
                         instances(n=(2, 3, 4), using={x: polynomial(n - 1), y: vector(n)},
                                   made_by={rho: x - coeff(x, 0) - coeff(phi, 0),
                                            c: column(i, n, when(i == n,
@@ -349,7 +351,7 @@ claim("BLZ94-S20", "the step of the induction",
 # ---------------------------------------------------------------------- Theorem 3.2
 #: lower triangular Toeplitz matrix of the coefficients of a, 1, a_1, ..., a_{n-1}
 A_MATRIX = (let(A, matrix_of(i, j, n, n, coeff(a, n - i + j))),)
-_MATCH = given("(3.11)", column(k, n, laurent(b / (2 * a), k)) == column(k, n, c[k]))
+_MATCH = given("(3.11)", column(k, n, laurent(HALF * b / a, k)) == column(k, n, c[k]))
 _VECTOR = column(i, n + 1, when(i == 1, 1, alpha[i - 1]))
 _BETA = column(i, n + 1, when(i == 1, 1, beta[i - 1]))
 
@@ -357,26 +359,26 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
       (b == psi[n] + sum_of(i, 1, n, alpha[i] * psi[n - i])) & (a == phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i]))
         & (det(Phi) == 1),
       sizes=["n"], over={gamma: sequence(0, n - 1), a: monic(n), b: monic(n)},
-      where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *A_MATRIX,
+      where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PARTS,
              function(alpha, [k], coeff(a, n - k) - co(phi, n, k)
                       - sum_of(j, 1, k - 1, alpha[j] * coeff(phi[n - j], n - k)))],
       given=[_MATCH, standing("gamma_k^2 != 1", forall(k, 0, n - 2, gamma[k] ** 2 != 1))],
-      by=[combination([[(T(column(i, n, 2 * Z ** (n - i))) * A, "(3.11)", 1)], [], []], n=range(1, 7)),
+      by=[generic_index(*MATCH, **OPENED_FOR_MATCH, uses=[*CONCLUDED, use(1, t=n + 1 - col)]),
           instances(n=(1, 2, 3), made_by={b: Z**n + sum_of(k, 1, n, Z ** (n - k) * (coeff(a, n - k) + 2 * sum_of(
               j, 1, k, c[j] * coeff(a, n - k + j))))})],
       note="alpha is solved from a; det Phi = 1 says that it is the only one. The polynomials are needed for k = 0, "
-           "..., n, one more than the theorem lists.")
+           "..., n, one more than the theorem lists. The parts of a and b and the coefficients at infinity, here first, serve the proof alone.")
 
 claim("BLZ94-S21", "(3.11) as a relation of matrices, hence beta = alpha",
-      (Psi * _BETA == C * Phi * _VECTOR) & (column(i, n, beta[i]) == column(i, n, alpha[i])), sizes=["n"],
+      (Psi * _BETA == C * column(i, n + 1, y(i))) & (column(i, n, beta[i]) == column(i, n, alpha[i])), sizes=["n"],
       over={gamma: sequence(0, n - 1), alpha: sequence(1, n), beta: sequence(1, n)},
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX,
              let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])),
-             let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), *A_MATRIX],
+             let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), function(y, [k], (Phi * _VECTOR)[k]), *PARTS],
       given=[_MATCH],
-      by=[combination([[(vstack(Zero(1, n), 2 * A), "(3.11)", 1)],
-                       [(2 * inv(matrix_of(i, j, n, n, coeff(psi[n - j], n - i))) * A, "(3.11)", 1)]], n=range(1, 7)),
-          instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})])
+      by=[generic_index(*MATRICES, **OPENED_FOR_MATRICES, uses=BY_MATRICES),
+          instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})],
+      note="y(1), y(2), .. are the entries of Phi (1, alpha')'. The parts of a and b and the coefficients at infinity, here first, serve the proof alone.")
 
 claim("BLZ94-C3.4", "Psi(gamma) = Phi(-gamma), Phi(0) = Psi(0) = I, and (3.21)",
       (Psi == W) & (O == Identity(n + 1)) & (x == Identity(n + 1))

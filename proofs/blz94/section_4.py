@@ -21,7 +21,7 @@ gamma_{t-1} pi_{t+1} = (gamma_{t-1} z + gamma_t) pi_t + gamma_t (gamma_{t-1}^2 -
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, restated, steps, use
+from exactkf.evidence import evaluation, example, generic_index, identity, induction, instances, lemma, restated, steps, use
 from exactkf.language import (
     T,
     Z,
@@ -49,9 +49,11 @@ from exactkf.language import (
     recip,
     scalar,
     sequence,
+    size_of,
     standing,
     substitute,
     sum_of,
+    sym,
     symbols,
     vector,
     vstack,
@@ -59,10 +61,15 @@ from exactkf.language import (
 )
 from proofs.blz94.lemmas import REVERSED, REVERSED_PSI
 from proofs.blz94.lemmas_deletion import AT_START, AT_TIME, DELETION, OPENED_AT_BOTH, OPENED_AT_START, QUOTIENTS, e_of, later, schur
+from proofs.blz94.lemmas_double_sum import ABOVE, CONSTANT, DOUBLE_SUM, OPENED_FOR_RECURSION, OPENED_FOR_SUMS, OTHERS, RECURSION, d
 from proofs.blz94.lemmas_gain import FIRST, GAIN, OPENED_FOR_GAIN, RICCATI_FROM_ZERO, a_first
 from proofs.blz94.lemmas_inverse import COORDINATES_1, INVERSE_LEMMAS, ON_THE_LAST, OPENED, alpha1, cor, gamma1
 from proofs.blz94.lemmas_orbit import FOUR_ALPHA, INVARIANT, NEXT, ONE_STEP, row
+from proofs.blz94.lemmas_schur import CONCLUDED as AGAIN_CONCLUDED
+from proofs.blz94.lemmas_schur import FIRST as FIRST_COEFFICIENTS
+from proofs.blz94.lemmas_schur import again_lemmas, first
 from proofs.blz94.lemmas_shift import OPENED_FOR_SHIFT, SHIFT_LEMMAS
+from proofs.blz94.lemmas_sigma import FORMS
 from proofs.blz94.lemmas_update import ALPHA_NEXT, CONCLUDED, OPENED_FOR_UPDATE, PARTS, UPDATE, alpha_next
 from proofs.blz94.notation import (
     FACTORS_T,
@@ -78,6 +85,8 @@ from proofs.blz94.notation import (
     PSI,
     RHO_T,
     SCALE_T,
+    SHIFTED,
+    SHIFTED_FACTORS,
     VECTORS,
     A,
     D,
@@ -107,6 +116,7 @@ from proofs.blz94.notation import (
     monic_of,
     n,
     phi,
+    phis,
     pi,
     psi,
     r,
@@ -117,7 +127,7 @@ from proofs.blz94.notation import (
     u,
 )
 
-v, w, ws, x, y, q, d, l, eta, xi, G1 = symbols("v w ws x y q d l eta xi G1")
+v, w, ws, x, y, q, l, eta, xi, G1 = symbols("v w ws x y q l eta xi G1")
 Phi, Psi, Pi, T_line = symbols("Phi Psi Pi T_line")
 TOEPLITZ = (function(Toeplitz, [t], matrix_of(i, j, t + 1, t + 1, when(i == j, 1, c[abs(i - j)]))),)
 POINT = {alpha: sequence(1, n), gamma: sequence(0, n - 1)}
@@ -161,10 +171,12 @@ def _correlations(parameters, f, f_star, norm, name):
 
 claim("BLZ94-X.10", "every point of V_c is given by u and Schur parameters",
       (v == _from_coefficients(u, y)) & forall(k, 1, n, _again[k] == c[k]), sizes=["n"], over={u: monic(n), v: monic(n), c: sequence(1, n)},
-      where=[let(y, column(k, n, laurent(v / (2 * u), k))), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
-             *_correlations(gamma, _f, _fs, _q, _again)],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
-      note="v comes from u and the first n coefficients c_k of v/(2u), and these come by (3.10) from the Schur parameters (3.6), which exist where T_1, ..., T_{n-1} are nonsingular.")
+      where=[function(y, [k], laurent(HALF * v / u, k)), *PHI, *NORM, function(gamma, [t], 1 / r[t] * sum_of(k, 0, t, coeff(phi[t], k) * c[k + 1])),
+             *_correlations(gamma, _f, _fs, _q, _again), *FIRST_COEFFICIENTS(u, v)],
+      by=[generic_index(*again_lemmas(u, v, c, _again, (_f, _fs, _q), y), supported=[phi, phis], closed=[gamma, _again, y, first], uses=[
+          *AGAIN_CONCLUDED, use(_again, k)]), instances(n=(1, 2, 3))],
+      note="v comes from u and the first n coefficients c_k of v/(2u), and these come by (3.10) from the Schur parameters (3.6), which exist where T_1, ..., T_{n-1} are nonsingular. "
+           "The coefficients called first serve the proof alone.")
 
 #: gamma and alpha recovered from polynomials p, q
 f, fs, e, theta, tau, o, aa0 = symbols("f fs e theta tau o betabar")
@@ -260,20 +272,26 @@ claim("BLZ94-T4.3.5", "the gain in the new coordinates",
            "coordinates (alpha, gamma). The fast algorithm, rho, pi_k and r serve the proof alone.")
 
 # ---------------------------------------------------------------------- the invariants
+_r = sym("varrho")
 claim("BLZ94-E4.10", "D is d(z) + d(1/z)", D == d + recip(d), sizes=["n"], over={a: monic(n), b: monic(n)},
       where=[let(D, symmetric_part(a, b)), let(d, HALF * coeff(D, 0) + sum_of(i, 1, n, coeff(D, i) * Z**i))],
-      by=[identity(n=range(1, 8)), instances(n=(1, 2, 3))])
+      by=[generic_index(), instances(n=(1, 2, 3))])
 
 _D = (*KIMURA, let(D, symmetric_part(a, b)))
 claim("BLZ94-L4.4.1", "d_0 is a sum of squares times the r_i",
-      coeff(D, 0) == sum_of(i, 0, n - 1, r[i] * alpha[n - i] ** 2) + r[n], sizes=["n"], over=POINT, where=[*_D, *NORM],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3, 4))])
+      coeff(D, 0) == sum_of(i, 0, n - 1, _r[i] * alpha[n - i] ** 2) + _r[n], sizes=["n"], over=POINT,
+      where=[*SHIFTED, *SHIFTED_FACTORS, rec(_r, t, 1, (1 - gamma[t] ** 2) * _r[t]), *FORMS, *ABOVE],
+      by=[generic_index(*DOUBLE_SUM[:8], lemma(t, _r[t] == r(0, t), uses=[use(8, t=t), use(r, 0, t), use(r, 0, t + 1)], base=[use(r, 0, 0)]),
+                        lemma(k, sum_of(i, 0, k, _r[i] * alpha[n - i] ** 2) == sum_of(i, 0, k, r(0, i) * alpha[n - i] ** 2), uses=[use(9, k=k, times=1), use(8, t=k + 1)],
+                              base=[use(8, t=0)]),
+                        **OPENED_FOR_SUMS, uses=[*CONSTANT, use(9, k=n - 1), use(8, t=n)]), instances(n=(1, 2, 3, 4))],
+      note="varrho_i is r_i; x, r(s, i), tau, chi and w serve the proof alone.")
 
 
 def _recursion(polynomials):
-    """d(k, s, i) = d_i^(k) for the parameters gamma_s, gamma_{s+1}, ...; pi(s, j) the polynomials for these."""
+    """d(s, i, k) = d_i^(k) for the parameters gamma_s, gamma_{s+1}, ...; pi(s, j) the polynomials for these."""
     return (*polynomials,
-            function(d, [k, s, i], when(i == k, alpha[k], (1 - gamma[s] ** 2) * d(k - 1, s + 1, i)
+            function(d, [s, i, k], when(i == k, alpha[k], (1 - gamma[s] ** 2) * d(s + 1, i, k - 1)
                                         + alpha[k] * sum_of(j, 1, k,
                                                             when(j == k, 1, alpha[k - j]) * coeff(pi(s, j), i)))))
 
@@ -283,14 +301,14 @@ _PRINTED_PI = (function(pi, [s, t], when(t == 0, 1, when(t == 1, Z, (1 + Z) * pi
 _RIGHT_PI = (function(pi, [s, t], when(t == 0, 1, Z * pi(s, t - 1) + gamma[s + t - 1] * rhos(s, t - 1))),
              function(rhos, [s, t], when(t == 0, 0, rhos(s, t - 1) + gamma[s + t - 1] * Z * pi(s, t - 1))))
 claim("BLZ94-L4.4.2", "d_1, ..., d_n by recursion on n, with the polynomials of (4.12)",
-      forall(i, 1, n, coeff(D, i) == d(n, 0, i)), sizes=["n"], over=POINT, where=[*_D, *_recursion(_PRINTED_PI)],
+      forall(i, 1, n, coeff(D, i) == d(0, i, n)), sizes=["n"], over=POINT, where=[*_D, *_recursion(_PRINTED_PI)],
       by=[example(n=3, alpha=[0, 0, 1], gamma=["1/2", "1/2", 0]), instances(n=(1, 2, 3))],
       note="pi_{j,j-i} is the coefficient of z^i in pi_j, zero for i > j.",
       repair=repair("factor", "The recursion (4.12) does not give the polynomials (phi_j + psi_j)/2 for j >= 3; with "
                               "these the recursion for d_i holds.",
-                    forall(i, 1, n, coeff(D, i) == d(n, 0, i)), sizes=["n"], over=POINT,
-                    where=[*_D, *_recursion(_RIGHT_PI)],
-                    by=[identity(n=range(1, 7)), instances(n=(2, 3, 4))]))
+                    forall(i, 1, n, coeff(D, i) == d(0, i, n)), sizes=["n"], over=POINT,
+                    where=[*SHIFTED[:4], *SHIFTED[6:], *SHIFTED_FACTORS, *FORMS, *ABOVE, *_recursion(_RIGHT_PI)],
+                    by=[generic_index(*RECURSION, **OPENED_FOR_RECURSION, uses=[*OTHERS, use(11, k=n, u=n, i=i), use(r, 0, 0)]), instances(n=(2, 3, 4))]))
 
 claim("BLZ94-E4.12", "three-term recursion for pi_t",
       forall(t, 1, n - 1, pi[t + 1] == (1 + Z) * pi[t] + (gamma[t] * gamma[t - 1] - 1) * Z * pi[t - 1])
@@ -321,25 +339,30 @@ claim("BLZ94-L4.4.3", "at least one of d_0, ..., d_n is not zero",
           example(n=2, alpha=[0, "3/4"], gamma=[0, "5/4"]), example(n=2, alpha=[0, 0], gamma=["1/2", "1/2"])])
 
 _ORBIT_D = (*ORBIT, *VECTORS, *RHO_T, *PI_T, *SCALE_T, *FACTORS_T, *PRODUCT_T)
+_PROJECTIVE = generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly], uses=[use(9, t=t, z=row - 1)])
 claim("BLZ94-E4.13", "r_t d_i is invariant, i = 0, ..., n",
       always(t, column(i, n + 1, r[t] * coeff(D[t], i - 1)) == column(i, n + 1, coeff(D[0], i - 1))), sizes=["n"],
       over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
-      by=[generic_index(*ONE_STEP, NEXT, INVARIANT, supported=FOUR_ALPHA["supported"], whole=[alpha, D], closed=[apoly, bpoly],
-                        uses=[use(9, t=t, z=row - 1)]), instances(n=(1, 2, 3), horizon=3)],
+      by=[_PROJECTIVE, instances(n=(1, 2, 3), horizon=3)],
       note="For t >= 0; the equation for negative t, where the orbit can be continued backwards, is that of a later "
            "start.")
 
+
+
+def _functions(number, at):
+    """d_0, d_1, .. at a time."""
+    return column(i, number, coeff(D[at], i - 1))
+
+
 claim("BLZ94-S24", "the n + 1 functions d_0, ..., d_{n-1} are invariant up to a common factor",
-      always(t, (sum_of(i, 0, n - 1, 1) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1))
-                                                     == column(i, n, coeff(D[0], i - 1)))),
+      always(t, (size_of(_functions(n, t)) == n + 1) & (column(i, n, r[t] * coeff(D[t], i - 1)) == _functions(n, 0))),
       sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, by=[example(n=1, alphabar=[1], gammabar=["1/2"]),
                                                           instances(n=(1, 2), horizon=2)],
       note="The first equation counts the functions.",
       repair=repair("index", "The n + 1 functions are d_0, ..., d_n; d_n = alpha_n is left out by the printed range.",
-                    always(t, (sum_of(i, 0, n, 1) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1))
-                                                               == column(i, n + 1, coeff(D[0], i - 1)))),
-                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D,
-                    by=[induction(n=range(1, 7)), instances(n=(1, 2, 3), horizon=3)]))
+                    always(t, (size_of(_functions(n + 1, t)) == n + 1) & (column(i, n + 1, r[t] * coeff(D[t], i - 1)) == _functions(n + 1, 0))),
+                    sizes=["n"], over=VECTOR_POINT, where=_ORBIT_D, given=[standing("n >= 1", n >= 1)],
+                    by=[_PROJECTIVE, instances(n=(1, 2, 3), horizon=3)]))
 
 # ---------------------------------------------------------------------- the level sets
 V, K, M = symbols("V K M")

@@ -9,7 +9,7 @@ equilibrium is hyperbolic in the usual sense.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, part, steps
+from exactkf.evidence import example, generic_index, identity, induction, instances, lemma, part, steps, use
 from exactkf.language import (
     Identity,
     Z,
@@ -43,7 +43,7 @@ from exactkf.language import (
 )
 from proofs.blz94.notation import COMPANION, ORBIT, A, G, alpha, alpha0, gamma, gamma0, i, j, k, m, monic_of, n, t
 
-c, s, u, v, w, x, y, B, C, mu, f = symbols("c s u v w x y B C mu f")
+c, s, u, v, w, x, y, B, C, mu, f, row = symbols("c s u v w x y B C mu f row")
 _POINT = {"sizes": ["n"], "over": {alpha0: vector(n), gamma0: vector(n)}}
 
 #: f of (5.1b) at (alpha0, gamma0)
@@ -51,9 +51,12 @@ _F = (function(gamma, [t], gamma0), *COMPANION[:1], let(x, A[0] * alpha0), let(B
     let(y, B * gamma0))
 
 # ---------------------------------------------------------------------- the dynamical system
+_MOVED = lemma(k, forall(u, k, n - 1, alpha[1][k + 1] == x(k + 1)), direct=True, uses=[use(x, k + 1), use(alpha, 1, row=k + 1)])
+_SUMS = lemma(k, forall(u, k, n, sum_of(j, 1, k, x(n - j + 1) * gamma0[j]) == sum_of(j, 1, k, alpha[1][n - j + 1] * gamma0[j])),
+              uses=[use(1, k=k, u=u), use(0, k=n - k - 1, u=n - 1)])
 claim("BLZ94-E5.1", "a step of the algorithm is the map f", (alpha[1] == A[0] * alpha0) & (gamma[1] == B * gamma0), **_POINT,
-      where=[*ORBIT, let(x, A[0] * alpha0), let(B, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -x[n - j + 1])))],
-      by=[generic_index(), identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      where=[*ORBIT, function(x, [t], (A[0] * alpha0)[t]), let(B, matrix_of(i, j, n, n, when(i < n, when(j == i + 1, 1, 0), -x(n - j + 1))))],
+      by=[generic_index(_MOVED, _SUMS, closed=[x], whole=[alpha], uses=[use(alpha, 1, row=row), use(1, k=n, u=n)]), instances(n=(1, 2, 3))],
       note="B is G(A(gamma) alpha); the left sides are a step of (4.4). The step from t to t + 1 is the same.")
 
 not_checked("BLZ94-S27", "linear stability, and the decomposition into stable, unstable and central subspaces",

@@ -11,7 +11,7 @@ The increments are semidefinite of rank one or zero, but of the sign of r_t, whi
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, generic_index, identity, induction, instances, order, restated, steps, within
+from exactkf.evidence import example, generic_index, induction, instances, lemma, order, restated, steps, use, within
 from exactkf.language import (
     Identity,
     T,
@@ -78,7 +78,9 @@ from proofs.blz94.notation import (
     m,
     n,
     phi,
+    phis,
     psi,
+    psis,
     r,
     symmetric_part,
     t,
@@ -169,24 +171,31 @@ claim("BLZ94-S42", "if g = FPh, then alpha_n is a_n(1 - h'Ph)",
            "= a_n + g_n is (A-3).")
 
 # ---------------------------------------------------------------------- Lemmas 6.2 and 6.3
-f, fs, q, qs = symbols("f f_star q q_star")
+f, fs, q, qs, U, V = symbols("f f_star q q_star U V")
 
 
-def _next(parameters):
-    """alpha and gamma after a step of (4.4), for these Schur parameters."""
+def _next(parameters, moved):
+    """alpha, entry by entry, and gamma after a step of (4.4), for these Schur parameters."""
     matrix_a = matrix_of(i, j, n, n, when(i > j, 0, when(i == j, 1 / (1 - parameters[n - i] ** 2),
                                                          parameters[n - i] * parameters[n - j] / prod(k, i, j, 1 - parameters[n - k] ** 2))))
-    return matrix_a * column(i, n, alpha[i]), lambda moved: column(i, n, when(i < n, parameters[i], -sum_of(j, 1, n, moved[j] * parameters[n - j])))
+    return (function(moved, [t], (matrix_a * column(i, n, alpha[i]))[t]),
+            column(i, n, when(i < n, parameters[i], -sum_of(j, 1, n, moved(j) * parameters[n - j]))))
 
 
-_PLUS, _MINUS = _next(gamma), _next(delta)
+_PLUS, _MINUS = _next(gamma, x), _next(delta, w)
 _POINT = {"sizes": ["n"], "over": {alpha: sequence(1, n), gamma: sequence(0, n - 1)}}
-claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits differ by the sign of gamma", (u == b) & (v == a) & (w == x) & (y == -R), **_POINT,
+#: gamma_n of both, as a sum of no more than k terms
+_MOVED = lemma(k, forall(u, k, n - 1, w(k + 1) == x(k + 1)), direct=True, uses=[use(w, k + 1), use(x, k + 1)])
+_SUMS = lemma(k, forall(u, k, n, sum_of(j, 1, k, w(j) * delta(n - j)) == -sum_of(j, 1, k, x(j) * gamma[n - j])), uses=[use(3, k=k, u=u), use(2, k=k, u=k)])
+claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits differ by the sign of gamma", (U == b) & (V == a) & forall(i, 1, n, w(i) == x(i)) & (y == -R),
+      **_POINT,
       where=[*KIMURA, function(delta, [k], -gamma[k]), rec(f, t, 1, Z * f[t] - delta[t] * fs[t]), rec(fs, t, 1, fs[t] - delta[t] * Z * f[t]),
-             rec(q, t, 1, Z * q[t] + delta[t] * qs[t]), rec(qs, t, 1, qs[t] + delta[t] * Z * q[t]), let(u, f[n] + sum_of(i, 1, n, alpha[i] * f[n - i])),
-             let(v, q[n] + sum_of(i, 1, n, alpha[i] * q[n - i])), let(x, _PLUS[0]), let(R, _PLUS[1](x)), let(w, _MINUS[0]), let(y, _MINUS[1](w))],
-      by=[identity(n=range(1, 5)), instances(n=(1, 2, 3))],
-      note="delta = -gamma; (u, v) are the a and b of (alpha, delta), (w, y) and (x, R) are (alpha, delta) and (alpha, gamma) after one step. The next steps "
+             rec(q, t, 1, Z * q[t] + delta[t] * qs[t]), rec(qs, t, 1, qs[t] + delta[t] * Z * q[t]), let(U, f[n] + sum_of(i, 1, n, alpha[i] * f[n - i])),
+             let(V, q[n] + sum_of(i, 1, n, alpha[i] * q[n - i])), _PLUS[0], let(R, _PLUS[1]), _MINUS[0], let(y, _MINUS[1])],
+      by=[generic_index(lemma(t, (f[t] == psi[t]) & (fs[t] == psis[t]), rule=True), lemma(t, (q[t] == phi[t]) & (qs[t] == phis[t]), rule=True), _MOVED, _SUMS,
+                        closed=[w, x], uses=[use(w, i), use(x, i), use(3, k=n, u=n)]),
+          instances(n=(1, 2, 3))],
+      note="delta = -gamma; (U, V) are the a and b of (alpha, delta), (w, y) and (x, R) are (alpha, delta) and (alpha, gamma) after one step. The next steps "
            "are the same, so one orbit tends to (w, 0) if and only if the "
            "other does.")
 

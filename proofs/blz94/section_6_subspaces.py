@@ -11,7 +11,7 @@ then under R too, since the dimensions are finite.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, order, restated, steps
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, identity, induction, instances, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -34,6 +34,7 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     nonzero,
+    observable,
     prod,
     rank,
     rational,
@@ -41,6 +42,7 @@ from exactkf.language import (
     scalar,
     standing,
     substitute,
+    sym,
     symbols,
     vector,
     vstack,
@@ -153,16 +155,21 @@ claim("BLZ94-L6.8", "a Lagrangian invariant subspace meets Im(I; 0) and Im(0; I)
       note="alpha_n not zero is det A not zero. By (A-20) the intersection is invariant under S exactly if the null space of Y is "
            "invariant under R. K and L are bases of the null spaces of Y and X. By (A-28) invariance under S^(-1) is the same.")
 
+_ROW, _BOTH_PARTS, (_RE, _IM) = sym("row"), hstack(*EIGENVECTOR), EIGENVALUE
+#: an eigenvector of A with h'v = 0 is one of F = A + gh'
+_SO_IS_A = within(2, _BOTH_PARTS == 0 * _BOTH_PARTS, vector="right", kept=(_ROW, F, block([[_RE * Identity(1), _IM * Identity(1)], [-_IM * Identity(1), _RE * Identity(1)]])), on=0)
 claim("BLZ94-E6.21", "what invariance of Im(0; V) means",
-      (T(h) * V == Zero(1, k)) & (A * V == V * T_), sizes=["n", "k"], over={**LOOP, V: matrix(n, k), T_: matrix(k, k), q: scalar()}, where=[S_OF_LOOP],
+      (T(h) * V == Zero(1, k)) & (A * V == V * T_) & (observable(_ROW, F) >> (observable(_ROW, A) & (V == Zero(n, k)))), sizes=["n", "k"], over={**LOOP, V: matrix(n, k), T_: matrix(k, k), q: scalar()},
+      where=[S_OF_LOOP, let(F, A + g * T(h)), let(_ROW, T(h))],
       given=[given("S(0; V) = (0; V)T", S * vstack(Zero(n, k), V) == vstack(Zero(n, k), V) * T_), standing("h'h has an inverse q", q * (T(h) * h) == 1)],
-      by=[order(), example(n=2, k=1, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], V=[[0], [1]], Theta=[[3]], q=1), example(n=1, k=1, A=[[2]], g=[1], h=[0], V=[[1]], Theta=[[2]], q=0),
+      by=[order(inside=[_SO_IS_A, within(3, kept=(_ROW, A, T_))]), example(n=2, k=1, A=[[2, 0], [0, 3]], g=[1, 0], h=[1, 0], V=[[0], [1]], Theta=[[3]], q=1), example(n=1, k=1, A=[[2]], g=[1], h=[0], V=[[1]], Theta=[[2]], q=0),
           instances(n=(2, 3), k=(1, 2), using={E: nonsingular(n), Q: nonsingular(n), c: nonzero()},
                     made_by={A: E * matrix_of(i, j, n, n, when(i < n, when(j < n, when(i == j, c, 0), Q[i, j]), when(j == n, c + 1, 0))) * inv(E),
                              h: inv(T(E)) * column(i, n, when(i == n, 1, 0)), T_: c * Identity(k), q: 1 / (T(h) * h),
                              V: E * matrix_of(i, j, n, k, when(i == n, 0, Q[i, j]))}), instances(8, n=(1, 2), k=(1,), made_by={q: 1 / (T(h) * h)}),
-          restated("an invariant subspace on which h' vanishes is zero if (h, A) is observable")],
-      note="h'V = 0 and AV = VT make h'A^iV = 0 for all i, hence V = 0 if (h, A) is observable; an observable pair has h != 0.")
+          instances(8, n=(1, 2, 3), k=(1, 2), made_by={V: Zero(n, k), q: 1 / (T(h) * h)})],
+      note="(h, F) is observable if no eigenvector of F is annihilated by h'; an observable pair has h != 0. V has full column rank, so that "
+           "it has no columns if it is zero.")
 
 claim("BLZ94-L6.7", "X is nonsingular for every Lagrangian invariant subspace Im(X; Y)",
       invertible(X), sizes=["n"], over=_BASIS, where=[S_OF_LOOP],

@@ -169,14 +169,14 @@ claim("BLZ94-S60", "n = 1: the eigenvalues of S for each kappa",
       (charpoly(S) == Z**2 + 2 / kappa * Z + 1)
       & ((kappa**2 < 1) >> ((inside_roots(charpoly(S)) == 1) & (outside_roots(charpoly(S)) == 1)))
       & ((kappa == 1) >> (charpoly(S) == (Z + 1) ** 2)) & ((kappa == -1) >> (charpoly(S) == (Z - 1) ** 2))
-      & ((kappa**2 > 1) >> ((circle_roots(charpoly(S)) == 2) & ~DEFINITE)),
+      & ((kappa**2 > 1) >> ((circle_roots(charpoly(S)) == 2) & (substitute(D, 1) * substitute(D, -1) < 0))),
       over={al: nonzero(), ga: scalar(), kappa: nonzero()}, where=[*_S_ONE, *D_ONE], given=[given("(8.4)", 1 + al**2 - ga**2 == 2 / kappa * al)],
       by=[steps("BLZ94-C6.5", prose="A = F - gh' = -alpha. The trace of S is -(1 + alpha^2 - gamma^2)/alpha, its determinant is one; a root is "
                                     "-1/kappa plus or minus the root of 1/kappa^2 - 1."),
           instances(30, using={x: scalar()}, made_by={al: HALF * (x + (x / kappa - 1) / (x - 1 / kappa)), ga: HALF * ((x / kappa - 1) / (x - 1 / kappa) - x)}),
           example({al: 3, ga: 2, kappa: 1}), example({al: 3, ga: 4, kappa: -1}), example({al: 1, ga: 1, kappa: 2}), example({al: 2, ga: 0, kappa: "4/5"}),
           example({al: -1, ga: 1, kappa: -2})],
-      note="Nonconvergence is Corollary 5.3; there is no Theorem 5.34. kappa infinite means trace zero, eigenvalues i and -i.")
+      note="D is sign indefinite: D(1) and D(-1), its extreme values on the circle, have opposite signs. Nonconvergence is Corollary 5.3; there is no Theorem 5.34. kappa infinite means trace zero, eigenvalues i and -i.")
 
 claim("BLZ94-S61", "0 < kappa^2 < 1: the equilibria on the curve, and how they attract",
       (inside_roots(f) == 1) & (real_roots(f, -1, 1) == 1), over={kappa: nonzero()}, where=[let(f, Z**2 - 2 / kappa * Z + 1)],

@@ -19,6 +19,7 @@ from exactkf.language import (
     Zero,
     block,
     column,
+    forall,
     given,
     hstack,
     iff,
@@ -108,7 +109,7 @@ INVARIANT = solution(SAME - LEFT[_c, _a]*RIGHT[_d, _b])
 COMMUTING = solution(LEFT[_a, _c]*when(_b == _d, 1, 0) - when(_a == _c, 1, 0)*RIGHT[_d, _b])
 
 claim("D71-E3.90", "where a block of W is zero",
-      W == matrix_of(i, j, q, r, when(i + j > larger, W[i, j], 0)), sizes=["q", "r"], over={x: nonzero(), o: nonzero(), W: matrix(q, r)},
+      forall(i, 1, q, forall(j, 1, r, (i + j <= larger) >> (W[i, j] == 0))), sizes=["q", "r"], over={x: nonzero(), o: nonzero(), W: matrix(q, r)},
       where=[let(larger, when(q > r, q, r))], given=[given("(3.89)", W == T(LEFT)*W*RIGHT), standing("reciprocal eigenvalues", x*o == 1)],
       by=[*(example(q=q_, r=r_, x=1, o=1, W=[[int(k_ + l_ == 0) for l_ in range(r_)] for k_ in range(q_)]) for q_, r_ in ((1, 1), (2, 2), (2, 3))),
           instances(10, q=(1, 2, 3), r=(1, 2, 3), using={w: scalar()}, made_by={o: 1/x, W: INVARIANT})],

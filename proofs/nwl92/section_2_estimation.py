@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, null_vector, order, restated, steps, within
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -51,6 +51,7 @@ from exactkf.language import (
     invertible,
     kernel_basis,
     let,
+    loewner,
     matrix,
     nonsingular,
     positive_definite,
@@ -82,7 +83,6 @@ from proofs.nwl92.notation import (
     T2,
     TWO_BLOCK,
     U2,
-    UNBIASED,
     W2,
     G,
     H,
@@ -108,7 +108,6 @@ from proofs.nwl92.notation import (
     lower,
     made_inverse,
     n,
-    one_inverse,
     p,
     q,
     r,
@@ -133,27 +132,36 @@ claim("NWL92-E2.1", "the measurement y = Hx + v and the error of a linear estima
             "is LRL' if LH = I."))
 
 # ------------------------------------------------------------------ Bayesian estimation is a special case
-P, N, C, K, alpha, beta, m, z = symbols("P N C K alpha beta m z")
-BAYES = (let(H, vstack(Identity(n), C)), let(R, block([[P, Zero(n, p)], [Zero(p, n), N]])))
-I_n, UB, L1, L2 = Identity(n), sym("UB"), sym("L1"), sym("L2")
+P, N, C, K, m, z = symbols("P N C K m z")
+I_n, UB, K2, Va, Vb, a, b, wa, wb, mu, xh, wh = (Identity(n), *symbols("UB K2 Va Vb a b wa wb mu xh wh"))
+BAYES = (let(H, vstack(I_n, C)), let(R, block([[P, Zero(n, p)], [Zero(p, n), N]])))
 NOISE_BLOCK = block([[R, Zero(p, n)], [Zero(n, p), Zero(n, n)]])
-GAIN_LS = "gain of least squares"
+#: covariance of z, and z less its mean
+OF_Z, SURPRISE = C * P * T(C) + N, z - C * m
+WH_A, WH_B = -(T(Va) * T(C) * mu), T(Vb) * mu
+BAYES_LETS = [let(P, Va * T(Va)), let(N, Vb * T(Vb)), *BAYES, let(V, block([[Va, Zero(n, b)], [Zero(p, a), Vb]])), let(m, x0 + Va * wa),
+              let(z, C * x0 + Vb * wb), let(w0, vstack(wa, wb)), let(mu, G * SURPRISE), let(wh, vstack(WH_A, WH_B)), let(xh, m + K * SURPRISE),
+              let(UB, T(hstack(I_n - K * C, K)))]
+#: rows that annihilate the covariance of z
+SEEN = Identity(p) - OF_Z * G
+BAYES_PROOF = order([], [SEEN * C * Va * T(Va) * T(C) * T(SEEN), SEEN * Vb * T(Vb) * T(SEEN)], *([[]] * 6), [(K2 - K) * OF_Z * T(K2 - K)],
+                    lemmas=[SEEN * OF_Z * T(SEEN) * Identity(p) == Zero(p, p),
+                                                                  vstack(T(Va) * T(C) * T(SEEN), T(Vb) * T(SEEN)) == Zero(a + b, p)])
 claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2.2), with the same error covariance",
-      (T(UB) * R * UB == P - K * C * P) & (m + K * (z - C * m) == T(UB) * vstack(m, z))
-      & (L * R * UB == T(UB) * R * UB),
-      sizes=["n", "p"],
-      over={P: positive_semidefinite(n), N: positive_semidefinite(p), C: matrix(p, n), K: matrix(n, p), m: vector(n),
-            z: vector(p), L1: matrix(n, n), L2: matrix(n, p)},
-      where=[*BAYES, let(UB, T(hstack(I_n - K * C, K))), let(L, hstack(L1, L2))],
-      given=[given(GAIN_LS, K * (C * P * T(C) + N) == P * T(C)), UNBIASED],
-      by=[restated("the least squares estimate of jointly Gaussian x and z is m + K(z - Cm)", "the best linear unbiased estimate is the maximum likelihood estimate"), instances(made_by={"S0": one_inverse(C * P * T(C) + N),
-                             K: P * T(C) * sym("S0") + X * (Identity(p) - (C * P * T(C) + N) * sym("S0")),
-                             L1: I_n - L2 * C},
-                    using={X: matrix(n, p)}, n=(1, 2), p=(1, 2))],
-      note=("The least squares estimate of x from z is m + K(z - Cm) with any K that solves K(CPC' + N) = PC', its "
-            "error covariance P - KCP. It is linear and unbiased in (m, z), and its error has the covariance P - KCP "
-            "with the error of every other unbiased L(m; z), so none has a smaller error covariance: it is the maximum "
-            "likelihood estimate for (2.2)."))
+      likeliest(xh, wh, vstack(m, z), H, V, w0) & (x0 - xh == Va * (WH_A - wa)) & (xh == T(UB) * vstack(m, z)) & (T(UB) * H == I_n)
+      & (T(UB) * R * UB == P - K * C * P) & loewner((I_n - K2 * C) * P * T(I_n - K2 * C) + K2 * N * T(K2), P - K * C * P),
+      sizes=["n", "p", "a", "b"],
+      over={Va: matrix(n, a), Vb: matrix(p, b), C: matrix(p, n), K: matrix(n, p), G: symmetric_matrix(p), x0: vector(n), wa: vector(a), wb: vector(b),
+            K2: matrix(n, p)},
+      where=BAYES_LETS,
+      given=[given("gain of least squares", K * OF_Z == P * T(C)), given("(1)-inverse of the covariance of z", OF_Z * G * OF_Z == OF_Z)],
+      by=[BAYES_PROOF,
+          instances(made_by={G: any_one_inverse(OF_Z, Y), K: P * T(C) * G + X * (Identity(p) - OF_Z * G)},
+                    using={X: matrix(n, p), Y: matrix(p, p)}, n=(1, 2), p=(1, 2), a=(1, 2), b=(1, 2))],
+      note=("P = VaVa' and N = VbVb' with any square roots; m = x0 + Va wa, z = Cx0 + Vb wb are any data with (m, z) in the range of [R H]. The least squares "
+            "estimate is xh = m + K(z - Cm) with a K that makes its error uncorrelated with z, K(CPC' + N) = PC'; its error covariance is P - KCP, and that "
+            "of any other gain K2 is larger. For Gaussian vectors an error uncorrelated with z is independent of it, so that no other function of z does better "
+            "either. Of all (x0, w0) that explain the data (xh, wh) has the smallest w'w, and no other x0 goes with wh: xh is the ML estimate for (2.2)."))
 
 claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),

@@ -175,6 +175,7 @@ claim("NWL92-E4.21", "the first covariance is not smaller than zero",
 
 not_checked("NWL92-E4.22", "the induction hypothesis", "the hypothesis of an induction, assumed and not asserted")
 
+STATES, FIRST_PART = vstack(A, Zero(p, n)), hstack(Identity(l), Zero(l, p))
 M1, M2, xa, xb, xh, nu, u, r, y = symbols("M1 M2 xa xb xh nu u r y")
 MEASURED = {**STEP, xa: vector(n), xb: vector(n), xh: vector(n), nu: vector(n), u: vector(l), r: vector(p), y: vector(p), M1: matrix(n, l), M2: matrix(n, p)}
 ONE_MEASUREMENT = vstack(A * xh, y) == F_BLOCK * xb + vstack(A * nu - u, r)
@@ -190,10 +191,13 @@ OTHER_FREE = {X1: matrix(n, l), X2: matrix(n, p)}
 DATA_MADE = {u: E * xb - A * xa, y: C * xb + r, xh: xa + nu, **OTHER_MADE}
 DATA_ONES = {**SMALL, xa: [0], xb: [0], xh: [0], nu: [0], u: [0], r: [0], y: [0], M1: [[1]], M2: [[0]]}
 DATA_FOILS = [example({**DATA_ONES, **change}) for change in ({U1: [[2]]}, {xb: [1]}, {y: [1]}, {xh: [1]}, {M1: [[0]]})]
+#: the bound is one as well if either of the parts of the noise, which are nonnegative, enters it with the other sign
+WEAKER_BOUNDS = [filter_identities([], [], [error_of(OTHER_GAIN - GAIN, P), 2 * GAIN * part * T(GAIN)], []) for part in (
+    STATES * P * T(STATES), T(FIRST_PART) * FIRST_PART * COVARIANCE * T(FIRST_PART) * FIRST_PART)]
 claim("NWL92-E4.23", "P_j is the error covariance of the estimate of x(j) from one measurement",
       ONE_MEASUREMENT & (NOISE_MAP * JOINT * T(NOISE_MAP) == noise(P)) & BEST_GAIN & (GAIN * noise(P) * T(GAIN) == NEXT), sizes=["l", "n", "p"], over=MEASURED,
       where=[OMEGA, OMEGA_INVERSE], given=[ONE_INVERSE, NOISE, IMPLIED_RANK, *DATA, OTHER_UNBIASED],
-      by=[filter_identities([], [], [error_of(OTHER_GAIN - GAIN, P)], []), *DATA_FOILS, drawn(made_by=DATA_MADE, using=OTHER_FREE)],
+      by=[filter_identities([], [], [error_of(OTHER_GAIN - GAIN, P)], []), *WEAKER_BOUNDS, *DATA_FOILS, drawn(made_by=DATA_MADE, using=OTHER_FREE)],
       note=("xa, xb are x(j-1), x(j), P is P_(j-1), xh = x(j-1) + nu its estimate. The gain of the (1)-inverse has the smallest error covariance of all unbiased ones, "
             "(M1 M2), and that is the right side of (4.20)."))
 
@@ -228,7 +232,6 @@ FROM_ONE = rec(Py, t, next_covariance(NOTHING), next_covariance(Py[t]))
 TWO = ((Pa, INVERSE), (Pb, OTHER_INVERSE))
 COVARIANCE_A, COVARIANCE_B = symbols("Ca Cb")
 GAIN_A, GAIN_B = hstack(T(INVERSE[3]), T(INVERSE[4])), hstack(T(OTHER_INVERSE[3]), T(OTHER_INVERSE[4]))
-STATES = vstack(A, Zero(p, n))
 #: by how much the second covariance is larger if P is
 UPPER_TERMS = [GAIN_B * STATES * (Pb - Pa) * T(STATES) * T(GAIN_B), error_of(GAIN_B - GAIN_A, Pa)]
 AFTER_LETS = [let(Oma, three_block(Pa)), let(Oia, inverse_blocks()), let(Omb, three_block(Pb)), let(Oib, inverse_blocks(OTHER_INVERSE)),
@@ -302,6 +305,7 @@ claim("NWL92-S30", "the covariances of the stable filter bound those of the opti
       given=[ONE_INVERSE, NOISE, IMPLIED_RANK, UNBIASED, given("P_k <= P_s(k)", loewner(Wn, P)), OBSERVED],
       by=[restated("induction on k", "the powers of a stable matrix tend to zero"),
           filter_identities([CLOSED * (Wn - P) * T(CLOSED), error_of(hstack(L, K) - GAIN, P)], []),
+          filter_identities([CLOSED * (Wn - P) * T(CLOSED), error_of(hstack(L, K), P), error_of(GAIN, P)], []),  # for a bound of the other sign
           *[example({**BOUND_ONES, **change}) for change in ({INVERSE[5]: [[-2]]}, {L: [[0]], Ps: [[0]]}, {P: [[4]], INVERSE[5]: [["-4/5"]], Wn: [["1/2"]], INVERSE[0]: [["1/5"]],
                                                               INVERSE[1]: [["-1/5"]], INVERSE[2]: [["1/5"]], U1: [["1/5"]], U2: [["4/5"]]}, {K: [[1]], L: [[0]], Ps: [[2]]})],
           drawn(10, before=NO_MEMORY, made_by={Wn: P + D0}, using={D1: matrix(n, l), D2: matrix(n, p), D0: positive_semidefinite(n)}),

@@ -29,7 +29,7 @@ is said through a left inverse, full row rank through a right inverse.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, restated, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, identity, instances, null_vector, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -51,6 +51,7 @@ from exactkf.language import (
     matrix,
     nonsingular,
     nonzero,
+    observable,
     positive_definite,
     positive_semidefinite,
     psd,
@@ -388,16 +389,17 @@ claim("NWL92-E5.13", "the matrices of p(s, t) and p(t, s) are equal up to scalin
 
 #: both sides of (5.13) have one determinant, and so have the members of (5.11), up to that of the exchange
 SCALED = scaled(1, t) * inner(s, t) * scaled(1 / t, 1)
-BOTH_DETERMINANTS = order(factors=[(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
-                                   TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])])
+DETERMINANTS = [(SCALED, [scaled(1, t), inner(s, t), scaled(1 / t, 1)]), (SCALED, [scaled(1, s), T(inner(t, s)), scaled(1 / s, 1)]),
+                TURNED_TWICE, (inner(s, t), [EXCHANGE, s * M_PENCIL + t * N_PENCIL]), (inner(t, s), [EXCHANGE, t * M_PENCIL + s * N_PENCIL])]
 claim("NWL92-E5.14", "determinants of (5.13)",
       t ** k * first(s, t) * t ** (-n) == s ** k * first(t, s) * s ** (-n), sizes=["k", "n"], over=NONZERO,
-      by=[BOTH_DETERMINANTS, instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
+      by=[order(factors=DETERMINANTS), instances(**SIZES)], note="The sign in (5.11) is the same on both sides.")
 
 claim("NWL92-E5.15", "p(s, t) and p(t, s)",
-      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), sizes=["k", "n"], over=NONZERO,
-      by=[restated("polynomials that agree where s and t are not zero agree"), BOTH_DETERMINANTS, instances(**SIZES)],
-      note="For s and t other than zero, as in (5.14); for k >= n both sides are polynomials in s and t, which then agree everywhere.")
+      t ** (k - n) * first(s, t) == s ** (k - n) * first(t, s), **ANY_POINT,
+      by=[order(factors=DETERMINANTS, away_from_zero=[s, t]), example({"k": 2, "n": 1, F: [[1], [0]], K: [[0], [1]], G: [[1, 0], [0, 1]], s: 1, t: 0}),
+          instances(**SIZES)],
+      note="For all s and t for which both sides have a value: those other than zero, and for k >= n zero too, where both sides are polynomials.")
 
 # ------------------------------------------------------------------ the stable eigenspace
 EIGENSPACE = {**PENCIL, X: matrix(n, n), Y: matrix(k, n), J: matrix(n, n)}
@@ -489,32 +491,20 @@ claim("NWL92-E5.31", "the null space of F'Y is J-invariant",
           instances(made_by={w: h - one_inverse(T(Y) * Y) * T(Y) * Y * h, K: T(T(F) * Y * J * one_inverse(T(Y) * Y) * T(Y))}, using={h: vector(n)}, k=(1, 2), n=(2, 3))],
       note="By (5.30) a null vector of F'Y is one of Y.")
 
-M, Nb, Mb, J1, y1, y2, q = symbols("M Nb Mb J1 y1 y2 q")
-PAIR_1, PAIR_2 = a * y1 - b * y2, b * y1 + a * y2
-#: the complement of the null space in random coordinates
-OFF = Identity(n) - Nb * Mb
-
-
-def null_spaces(inner, y, **sizes):
-    """M with a null space of dimension q that is invariant under J, which acts on it as ``inner``, with an eigenvector there."""
-    return instances(made_by={Mb: inv(T(Nb) * Nb) * T(Nb), M: X1 * OFF, Y: OFF * inv(X1), J: Nb * B0 * inner * inv(B0) * Mb + X2 * OFF, y1: B0 * y[0],
-                              y2: B0 * y[1]}, using={X1: nonsingular(n), X2: matrix(n, n), B0: nonsingular(q)}, **sizes)
-
-
-PLANE = {"n": 2, "q": 1, M: [[0, 1], [0, 0]], J: [[1, 0], [0, 1]], Nb: [[1], [0]], Mb: [[1, 0]], Y: [[0, 0], [1, 0]], a: 1, b: 0, y1: [1], y2: [1]}
-claim("NWL92-E5.32", "an eigenvector of J on the invariant null space is one of J in the null space",
-      (M * (Nb * y1) == Zero(n, 1)) & (M * (Nb * y2) == Zero(n, 1)) & (J * (Nb * y1) == a * (Nb * y1) - b * (Nb * y2))
-      & (J * (Nb * y2) == b * (Nb * y1) + a * (Nb * y2)) & (hstack(Nb * y1, Nb * y2) != Zero(n, 2)), sizes=["n", "q"],
-      over={M: matrix(n, n), J: matrix(n, n), Nb: matrix(n, q), Mb: matrix(q, n), Y: matrix(n, n), a: scalar(), b: scalar(), y1: vector(q), y2: vector(q)},
-      where=[let(J1, Mb * J * Nb)],
-      given=[given("basis of the null space", (M * Nb == Zero(n, q)) & (Mb * Nb == Identity(q)) & (Y * M + Nb * Mb == Identity(n))),
-             given("invariant", M * J * Nb == Zero(n, q)), given("eigenvector, real part", J1 * y1 == PAIR_1),
-             given("eigenvector, imaginary part", J1 * y2 == PAIR_2), given("not zero", hstack(y1, y2) != Zero(q, 2))],
-      by=[restated("every square matrix with at least one row has a complex eigenvector"), order(), example(PLANE), *[example({**PLANE, **change}) for change in (
-              {J: [[1, 0], [1, 1]]}, {y1: [0], y2: [0]}, {J: [[2, 0], [0, 1]], y2: [0]}, {J: [[2, 0], [0, 1]], y1: [0]}, {M: [[1, 0], [0, 0]]})],
-          null_spaces(block([[a, -b], [b, a]]), (vstack(1, 0), vstack(0, -1)), n=(2, 3), q=2)],
-      note=("M stands for F'Y; the columns of Nb are a basis of its null space: Mb is a left inverse of Nb and every v is NbMb v + YMv. J acts on it as J1. "
-            "J1 has a complex eigenvector y1 + iy2 with an eigenvalue a + ib, as every square matrix with at least one row has; it gives the w of (5.32)."))
+NULL, Nb, Mb, OFF = symbols("N Nb Mb Off")
+FY = T(F) * Y
+#: the matrix of J in the columns of N, which span the null space of F'Y
+IN_NULL = inv(T(NULL) * NULL) * T(NULL) * J * NULL
+claim("NWL92-E5.32", "if F'Y is singular, J has an eigenvector in its null space",
+      observable(FY, J) >> invertible(FY), sizes=["k", "n"], over={F: matrix(k, n), Y: matrix(k, n), J: matrix(n, n)},
+      where=[let(NULL, kernel_basis(FY))], given=[given("the null space is J-invariant", FY * J * NULL == 0 * (T(F) * Y * NULL))],
+      by=[order([T(NULL) * NULL], [IN_NULL], [], lemmas=[invertible(T(NULL) * NULL)], inside=[within(1, NULL == 0 * NULL, vector="right", kept=(FY, J, IN_NULL), on=0)]),
+          example({"k": 2, "n": 2, F: [[1, 0], [0, 1]], Y: [[1, 0], [0, 0]], J: [[0, 1], [1, 0]]}),
+          instances(k=(1, 2), n=(1, 2)),
+          *(instances(made_by={Mb: inv(T(Nb) * Nb) * T(Nb), OFF: Identity(n) - Nb * Mb, Y: X1 * OFF, J: Nb * B0 * Mb + X2 * OFF},
+                      using={Nb: matrix(n, q), B0: matrix(q, q), X1: matrix(k, n), X2: matrix(n, n)}, k=(2, 3), n=(2, 3)) for q in (1, 2))],
+      note=("Said the other way round: if no eigenvector of J, real or complex, lies in the null space of F'Y, then F'Y is nonsingular. (F'Y, J) observable means "
+            "that there is no such w, and the columns of N are a basis of the null space."))
 
 w1, w2 = symbols("w1 w2")
 EIGEN = [given("(5.32), real part", J * w1 == a * w1 - b * w2), given("(5.32), imaginary part", J * w2 == b * w1 + a * w2)]

@@ -16,7 +16,7 @@ gives the adjusted estimate, and minus its last block the error covariance.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import Evidence, example, instances, order, restated
+from exactkf.evidence import Evidence, example, instances, order
 from exactkf.language import (
     Identity,
     T,
@@ -36,7 +36,7 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92 import notation_system as system
-from proofs.nwl92.notation import any_one_inverse, block_identities
+from proofs.nwl92.notation import any_one_inverse, block_identities, chained, likeliest, root_identities
 
 # ------------------------------------------------------------------ the estimate from past data as a measurement
 x, v, r = symbols("x v r")
@@ -67,8 +67,8 @@ claim("NWL92-E6.25", "past and future as one measurement",
       note="The covariance of -w is that of w, so that (6.26) and (6.27) stand. (3.3) and (6.1) have the sign of u right.")
 
 Zm, Zi, W1, W2, W3, U1, U2, Tb, Y0, M1, M2, X2 = symbols("Zm Zi W1 W2 W3 U1 U2 T Y0 M1 M2 X2")
-OVER = {P: positive_semidefinite(n), V: positive_semidefinite(g), F: matrix(g, n), W1: symmetric_matrix(n), W2: matrix(n, g), W3: symmetric_matrix(g),
-        U1: matrix(n, n), U2: matrix(g, n), Tb: symmetric_matrix(n)}
+BLOCKS = {F: matrix(g, n), W1: symmetric_matrix(n), W2: matrix(n, g), W3: symmetric_matrix(g), U1: matrix(n, n), U2: matrix(g, n), Tb: symmetric_matrix(n)}
+OVER = {P: positive_semidefinite(n), V: positive_semidefinite(g), **BLOCKS}
 LETS = [let(Zm, block([[P, Zero(n, g), Identity(n)], [Zero(g, n), V, F], [Identity(n), T(F), Zero(n, n)]])),
         let(Zi, block([[W1, W2, U1], [T(W2), W3, U2], [T(U1), T(U2), Tb]]))]
 ONE_INVERSE = given("(2.20)", Zm * Zi * Zm == Zm)
@@ -89,22 +89,41 @@ def proof(*sums: list) -> Evidence:
 KERNEL, WHOLE = symbols("ker all")
 PARTS = [vstack(Identity(n), Zero(g + n, n)), vstack(Zero(n, g), Identity(g), Zero(n, g)), vstack(Zero(n + g, n), Identity(n))]
 CORNERS = [T(PARTS[i]) * WHOLE * PARTS[j] for i, j in ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))]
-DRAWN = instances(made_by={KERNEL: kernel_basis(Zm), WHOLE: any_one_inverse(Zm, Y0, KERNEL), **dict(zip((W1, W2, W3, U1, U2, Tb), CORNERS, strict=True)),
-                           M1: Identity(n) - X2 * F, M2: X2},
-                  using={Y0: matrix(n + g + n, n + g + n), X2: matrix(n, g)}, n=(1, 2), g=(1, 2))
+MADE = {KERNEL: kernel_basis(Zm), WHOLE: any_one_inverse(Zm, Y0, KERNEL), **dict(zip((W1, W2, W3, U1, U2, Tb), CORNERS, strict=True)),
+        M1: Identity(n) - X2 * F, M2: X2}
+FREE = {Y0: matrix(n + g + n, n + g + n), X2: matrix(n, g)}
+DRAWN = instances(made_by=MADE, using=FREE, n=(1, 2), g=(1, 2))
 UNBIASED = given("M1 xh + M2 0 is unbiased", M1 + M2 * F == Identity(n))
-ONES = {"n": 1, "g": 1, P: [[1]], V: [[1]], F: [[0]], xh: [1], W1: [[0]], W2: [[0]], W3: [[1]], U1: [[1]], U2: [[0]], Tb: [[-1]], M1: [[1]], M2: [[0]]}
-FOILS = [example({**ONES, U1: [[2]]}), example({**ONES, M1: [[0]]})]
+ONES = {"n": 1, "g": 1, F: [[0]], W1: [[0]], W2: [[0]], W3: [[1]], U1: [[1]], U2: [[0]], Tb: [[-1]]}
 LARGER = loewner(hstack(M1, M2) * NOISE * vstack(T(M1), T(M2)), BEST * NOISE * T(BEST))
 EXCESS = (hstack(M1, M2) - BEST) * BY_FORM * T(hstack(M1, M2) - BEST)
-NOTE = ("The identity matrix in the upper right corner is scanned as a small letter. No linear unbiased estimate M1 xh + M2 0 has a smaller error "
-        "covariance; that (6.3) holds all that future dynamics say is the compatibility assumption (6.20).")
+NOTE = ("The identity matrix in the upper right corner is scanned as a small letter. P = RpRp' and V = RvRv' with any square roots; the data are any that (6.25) "
+        "allows, with nu = Rp wp and w = Rv wv. Of all (x0, w0) that explain them the adjusted estimate and wh have the smallest w'w, and no other x0 goes with "
+        "wh: it is the most likely one. No linear unbiased estimate M1 xh + M2 0 has a smaller error covariance. That (6.25) holds what past and future say of "
+        "x(j) is NWL92-L2.3 and NWL92-E6.3.")
+Rp, Rv, p, q, x0, wp, wv, w0, wh, xc, X0 = symbols("Rp Rv p q x0 wp wv w0 wh xc X0")
+BOTH_ROWS, ROOT, INNER = vstack(Identity(n), F), block([[Rp, Zero(n, q)], [Zero(g, p), Rv]]), block([[W1, W2], [T(W2), W3]])
+DATA = vstack(xh, Zero(g, 1))
+ROOTS = root_identities(ROOT * T(ROOT), ROOT, BOTH_ROWS, INNER, vstack(U1, U2), n + g)
+SOURCES = [let(P, Rp * T(Rp)), let(V, Rv * T(Rv)), *LETS, let(xh, x0 + Rp * wp), let(w0, vstack(wp, wv)), let(xc, LAST * Zi * vstack(DATA, Zero(n, 1))),
+           let(wh, T(ROOT) * INNER * DATA)]
+PROVED = chained(block_identities(ROOT * T(ROOT), BOTH_ROWS, INNER, vstack(U1, U2), Tb, n, n + g, Identity(n) + T(F) * F), ROOTS,
+                 ([DATA == BOTH_ROWS * xc + ROOT * wh], [[]]), sums=(*([[]] * 5), [EXCESS]))
+ONE_DATUM = {**ONES, "p": 1, "q": 1, Rp: [[1]], Rv: [[1]], x0: [1], wp: [0], wv: [0], M1: [[1]], M2: [[0]]}
+FOILS = [example({**ONE_DATUM, U1: [[2]]}), example({**ONE_DATUM, M1: [[0]]}), example({**ONE_DATUM, wv: [1]})]
+OFF_X0 = 1 / (T(x0) * x0)
+DATA_DRAWN = instances(made_by={F: X0 * (Identity(n) - x0 * T(x0) * OFF_X0) - Rv * wv * T(x0) * OFF_X0, **MADE}, using={**FREE, X0: matrix(g, n)},
+                       n=(1, 2), g=(1, 2), p=(1, 2), q=(1, 2))
+DATA_GIVEN = given("second row of (6.25)", F * x0 + Rv * wv == Zero(g, 1))
 claim("NWL92-E6.26", "the adjusted estimate",
-      (LAST * Zi * vstack(xh, Zero(g, 1), Zero(n, 1)) == T(U1) * xh) & (T(U1) + T(U2) * F == Identity(n)) & LARGER,
-      sizes=["n", "g"], over={**OVER, xh: vector(n), M1: matrix(n, n), M2: matrix(n, g)}, where=LETS, given=[ONE_INVERSE, UNBIASED],
-      by=[restated("the best linear unbiased estimate is the maximum likelihood estimate", "future dynamics say what (6.3) says (NWL92-E6.3)"), proof([], [], [EXCESS]), *FOILS, DRAWN], note=NOTE)
+      likeliest(xc, wh, DATA, BOTH_ROWS, ROOT, w0) & (x0 - xc == Rp * (T(Rp) * W1 * xh - wp)) & (xc == T(U1) * xh) & (T(U1) + T(U2) * F == Identity(n)) & LARGER,
+      sizes=["n", "g", "p", "q"],
+      over={Rp: matrix(n, p), Rv: matrix(g, q), **BLOCKS, x0: vector(n), wp: vector(p), wv: vector(q),
+            M1: matrix(n, n), M2: matrix(n, g)},
+      where=SOURCES, given=[ONE_INVERSE, DATA_GIVEN, UNBIASED],
+      by=[PROVED, *FOILS, DATA_DRAWN], note=NOTE)
 
 claim("NWL92-E6.27", "error covariance of the adjusted estimate",
       BEST * NOISE * T(BEST) == -(LAST * Zi * vstack(Zero(n, n), Zero(g, n), Identity(n))),
-      sizes=["n", "g"], over=OVER, where=LETS, given=[ONE_INVERSE], by=[proof(), example({**ONES, U1: [[2]]}), DRAWN],
+      sizes=["n", "g"], over=OVER, where=LETS, given=[ONE_INVERSE], by=[proof(), example({**ONES, P: [[1]], V: [[1]], U1: [[2]]}), DRAWN],
       note="The error of the adjusted estimate is the gain times the noise (nu; w).")

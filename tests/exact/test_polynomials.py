@@ -10,7 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from exactkf._errors import BadInput
-from exactkf.exact.circle import PseudoPolynomial, circle_zeros, sign_on_circle
+from exactkf.dynamics.zeros import circle_points
+from exactkf.exact.circle import PseudoPolynomial, sign_on_circle
 from exactkf.exact.matrices import inertia, zero
 from exactkf.exact.polynomials import (
     SturmSequence,
@@ -326,10 +327,10 @@ def test_sign_of_known_factors(factors, scale):
             "nonpositive": "nonnegative",
         }[expected]
     )
-    zeros = circle_zeros(D)
+    zeros = circle_points(D.shifted().coeffs())
     degrees = {"in": 2, "end": 2, "out": 0}
     on = sum(degrees[f[1]] * (f[0].degree() if f[1] == "in" else 1) * m for f, m in factors)
-    assert sum(z.multiplicity * (1 if z.x.lo == z.x.hi and abs(z.x.lo) == 2 else 2) for z in zeros) == on
+    assert sum(z.multiplicity * (1 if z.two_cos in ("2", "-2") else 2) for z in zeros) == on
     assert count_roots(D.shifted()).on == on
 
 
@@ -360,10 +361,7 @@ def test_sign_degenerate():
     assert sign_on_circle([0, 0]) == sign_on_circle([]) == "zero"
     assert sign_on_circle([3]) == "positive" and sign_on_circle([-3]) == "negative"
     assert sign_on_circle([2, -1]) == "nonnegative" and sign_on_circle([0, 1]) == "indefinite"
-    (found,) = circle_zeros([2, -1])
-    assert found.multiplicity == 2 and found.x.lo == found.x.hi == 2
-    with pytest.raises(BadInput, match="argument 'D'"):
-        circle_zeros([0])
+    assert circle_points([fmpq(-1), fmpq(2), fmpq(-1)]) == [("2", 2)]
 
 
 def test_toeplitz_oracle():

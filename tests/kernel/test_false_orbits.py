@@ -13,6 +13,7 @@ import pytest
 from flint import fmpq, fmpq_poly
 
 from exactkf.dynamics import decide_order_one, decide_riccati_one
+from exactkf.dynamics.certified import certify_ahead
 from exactkf.dynamics.every_order import decide
 from exactkf.exact import sqrt_field
 from exactkf.exact.balls import precision
@@ -20,7 +21,7 @@ from exactkf.kernel.orbit_sieve import intersected
 from exactkf.kernel.replay import Rejected, digest, replay, seal
 from exactkf.kernel.rotation import _Residues
 from tests.dynamics.starts import algebraic_start, before, on_hyperbola, rational_start
-from tests.dynamics.test_every_order import start
+from tests.dynamics.test_every_order import self_product, start, times, with_spectrum
 
 BEHAVIOURS = ("converges", "escapes", "periodic", "eventually periodic", "dense", "undecided", "not convergent, not periodic")
 WANDERS = "not convergent, not periodic"
@@ -50,6 +51,8 @@ def others(key, value):
         return [b for b in BEHAVIOURS if b != value]
     if key == "region":
         return ["I+", "", "corridor"]
+    if key == "sign":
+        return [x for x in ("positive", "nonnegative", "zero", "nonpositive", "negative", "indefinite", "") if x != value]
     if key == "system":
         return ["filter", "riccati", ""]
     if value is None or isinstance(value, bool):
@@ -90,7 +93,11 @@ def is_true(made, original, path, old):
     if path[1] == "answer":
         if path[2] == "torus_dimension":
             return answer["torus_dimension"] is None
-        if path[2] not in ("limit", "rate"):
+        if path[2:] == ("structure", "jordan") and answer["structure"]["jordan"] == old[::-1]:  # the same blocks
+            return True
+        if path[2:] == ("structure", "field"):  # numbers without the generator need no field
+            return answer["structure"]["field"] is None
+        if path[2] not in ("limit", "rate", "structure"):
             return False
         if answer["limit"] is None and "a" in question:  # less is said
             return True
@@ -107,7 +114,7 @@ def is_true(made, original, path, old):
         found = decide_riccati_one(*(x for (x,) in read), fmpq(*map(int, question["pi"].split("/"))))
     else:
         found = decide_order_one(*(x for (x,) in read))
-    said = json.loads(json.dumps(found.decided() if "a" not in question else found.certificate["statement"]["answer"]))
+    said = json.loads(json.dumps(found.certificate["statement"]["answer"]))
     return {k: v for k, v in said.items() if k not in ("limit", "rate")} == {k: v for k, v in answer.items() if k not in ("limit", "rate")}
 
 
@@ -154,7 +161,7 @@ def test_a_late_escape_is_not_hidden():
             assert not accepted(changed(certificate, ("statement", "answer", "escape"), new))
         near = decide_order_one(*(x + fmpq(1, 10**200) for x in before(alpha, fmpq(1), 60)))
         assert near.escape is None
-        assert not accepted({**certificate, "statement": {**certificate["statement"], "answer": json.loads(json.dumps(near.decided()))}})
+        assert not accepted({**certificate, "statement": {**certificate["statement"], "answer": near.certificate["statement"]["answer"]}})
 
 
 def test_roots_of_unity_and_their_neighbours():
@@ -280,3 +287,155 @@ def test_products_of_residues():
             for j, c in enumerate(modulus):
                 out[len(out) - d + j] -= top * c
         assert _Residues([Fraction(c) for c in [*modulus, 1]], q).multiply(u, v) == [c % q for c in out]
+
+
+# ---------------------------------------------------------------------- structure, speed and the state far ahead
+def slowly():
+    """An orbit whose D has double zeros on the circle, at -1 and at the sixth roots of unity, and another pair."""
+    rng, w = random.Random(5), times(times([fmpq(1), fmpq(1)], [fmpq(1), fmpq(-1), fmpq(1)]), [fmpq(1), fmpq(1, 2)])
+    starts = (with_spectrum(rng, self_product(w)) for _ in range(100))
+    return next(x for x in (decide(*found) for found in starts if found) if x.behaviour == "converges")
+
+
+R3 = sqrt_field(3).gen()
+#: answers of every kind that have parts to be edited, and the steps after which the state is said
+PARTS = {
+    "converges": (decide([fmpq(1), fmpq(-1)], [fmpq(2), fmpq(0)]), 1000), "slow": (decide_order_one("5/2", "3/2"), 10**6),
+    "double zeros on the circle": (slowly(), 60), "rests": (decide([fmpq(0), fmpq(-1, 2)], [fmpq(0), fmpq(1, 2)]), 77),
+    "wanders": (decide([fmpq(1, 2), fmpq(1, 3), fmpq(1, 4)], [fmpq(1, 3), fmpq(-1, 2), fmpq(1, 4)]), 10**12),
+    "over a field": (decide([R3 / 4, R3 / 8], [R3 / 16, R3 - R3]), 100), "period over a field": (decide_order_one(-2 + 0 * R3, R3), 10**9 + 1),
+    "order one": (decide_order_one(3, "1/2"), 12), "common factor": (decide([fmpq(1, 2), fmpq(-1)], [fmpq(1, 3), fmpq(2, 3)]), 99),
+}
+
+
+def altered(certificate, most):
+    """So many edits of the parts of the statement of a certificate, and whether they are accepted."""
+    edits = []
+    for path, old in leaves(certificate["statement"]):
+        if path[0] == "ahead" or path[:2] in (("answer", "structure"), ("answer", "rate"), ("answer", "slow")):
+            hexadecimal = path[:2] == ("ahead", "exact") and isinstance(old, str)
+            choices = [f"{x:x}" for x in (int(old, 16) + 1, int(old, 16) - 1, -int(old, 16), 2 * int(old, 16), 0)] + ["x", ""] if hexadecimal else \
+                others(path[-1], old)
+            edits += [(path, old, new) for new in choices if new != old or type(new) is not type(old)]
+    for path, old, new in random.Random(most).sample(edits, min(most, len(edits))):
+        made = changed(certificate, ("statement", *path), new)
+        yield path, old, new, made, accepted(made)
+
+
+@pytest.mark.parametrize("name", PARTS)
+def test_no_entry_of_a_part_can_be_another(name):
+    """Each coefficient, multiplicity, size, sign, end of an interval and digit of the structure, the rate and the state far ahead."""
+    answer, T = PARTS[name]
+    tried = 0
+    for exact in (False, True) if name not in ("over a field", "period over a field", "wanders", "slow") else (False,):
+        certificate = json.loads(json.dumps(certify_ahead(answer, T, 20, exact=exact)))
+        assert accepted(certificate)
+        for path, old, new, made, taken in altered(certificate, 120):
+            tried += 1
+            if taken and name == "rests" and path == ("ahead", "steps"):
+                assert new > 2
+            elif taken and path[0] == "ahead":  # an interval that is wider
+                assert path[-2] == "interval", (path, old, new)
+                mine, wider = (at(c, path[:-2]) for c in (certificate["statement"], made["statement"]))
+                lo, hi = map(Fraction, wider["interval"])
+                assert same_number(mine, wider) or name == "rests" and lo <= 0 <= hi, (path, old, new)
+            elif taken:
+                assert is_true(made, certificate, ("statement", *path), old), (path, old, new)
+    assert tried > 100
+
+
+def at(found, path):
+    """What stands at a place."""
+    for key in path:
+        found = found[key]
+    return found
+
+
+def test_parts_of_other_answers_are_refused():
+    """Structure, speed and state of one answer in another; what is left out is not said, and the rest holds."""
+    whole = {name: json.loads(json.dumps(certify_ahead(*pair, 20))) for name, pair in PARTS.items()}
+    tried = 0
+    for mine in whole.values():
+        for other in whole.values():
+            if mine is other:
+                continue
+            for part in ("structure", "slow", "rate"):
+                if mine["statement"]["answer"][part] != other["statement"]["answer"][part]:
+                    tried += 1
+                    assert not accepted(changed(mine, ("statement", "answer", part), other["statement"]["answer"][part]))
+            foreign = changed(mine, ("statement", "ahead"), other["statement"]["ahead"])
+            assert not accepted(foreign)
+            assert not accepted({**foreign, "evidence": {**foreign["evidence"], **{k: v for k, v in other["evidence"].items() if k == "ahead"}}})
+        for parts in ((("ahead",),), (("answer", "structure"),)):
+            less = copy.deepcopy(mine)
+            for path in parts:
+                del at(less["statement"], path[:-1])[path[-1]]
+            assert accepted(less)
+        for path, key in ((("answer", "structure"), "jordan"), (("answer", "structure"), "kappa"), (("ahead",), "certain"), (("ahead",), "state")):
+            less = copy.deepcopy(mine)
+            del at(less["statement"], path)[key]
+            assert not accepted(less)
+    assert tried > 120
+
+
+def test_a_rate_is_not_another_zero():
+    """Of D with zeros of moduli 1/3, 1/2 and 9/10 the rate is 81/100: neither a rate of another zero nor a product of two moduli passes, whatever the ends."""
+    w = times(times([fmpq(1), fmpq(-1, 3)], [fmpq(1), fmpq(1, 2)]), [fmpq(1), fmpq(9, 10)])
+    rng = random.Random(3)
+    answer = next(x for x in (decide(*found) for found in (with_spectrum(rng, self_product(w)) for _ in range(50)) if found) if x.behaviour == "converges")
+    assert answer.rate == "81/100"
+    certificate = json.loads(json.dumps(answer.certificate))
+    assert accepted(certificate)
+    for rate in ("1/9", "1/4", "9/20", "3/10", "9/10", "100/81", "81/1000", "8100001/10000000"):
+        lie = changed(certificate, ("statement", "answer", "rate"), rate)
+        for width in (Fraction(1, 10**9), Fraction(1, 10)):
+            ends = [str(max(Fraction(rate) - width, Fraction(0))), str(Fraction(rate) + width)]
+            assert not accepted(lie) and not accepted(changed(lie, ("evidence", "speed", "ends"), ends))
+    assert not accepted(changed(certificate, ("evidence", "speed", "norms"), [["-1", "3"]]))
+    enclosed = changed(certificate, ("statement", "answer", "rate"), {"interval": ["809/1000", "811/1000"]})
+    del enclosed["evidence"]["speed"]["ends"]
+    assert accepted(enclosed)
+    for lo, hi in (("82/100", "83/100"), ("1/2", "8/10"), ("0", "1/2"), ("81/100", "82/100"), ("-1", "1"), ("0", "2")):
+        assert not accepted(changed(enclosed, ("statement", "answer", "rate"), {"interval": [lo, hi]})) or lo == "81/100"
+
+
+def test_a_state_after_an_escape_is_refused():
+    """Behind an escape there is no state, whatever is named; before it there is one."""
+    answer = decide_order_one(*before(fmpq(7, 2), fmpq(1), 30))
+    for T in (29, 30, 31, 40):
+        certificate = json.loads(json.dumps(certify_ahead(answer, T)))
+        assert accepted(certificate) and (certificate["statement"]["ahead"]["escape"] is None) == (T <= 30)
+        for steps in (0, 29, 30, 31, 32, 40):
+            if steps != T:
+                taken = accepted(changed(certificate, ("statement", "ahead", "steps"), steps))
+                assert not taken or min(T, steps) > 30  # no state in either case
+        assert not accepted(changed(certificate, ("statement", "ahead", "state"), {"a": ["1"], "g": ["1/2"]}))
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_exact_states_far_ahead(n):
+    """The state is accepted after T steps, not after T - 1, nor with a numerator that differs by one, nor with a multiple of one of its rows."""
+    rng, tried = random.Random(n), 0
+    while tried < 4:
+        pair = start(rng, n)
+        answer = pair and decide(*pair, max_steps=40)
+        if not answer or answer.escape is not None:
+            continue
+        T = rng.choice((7, 64, 333))
+        certificate = json.loads(json.dumps(certify_ahead(answer, T, exact=True)))
+        assert accepted(certificate)
+        said = certificate["statement"]["ahead"]["exact"]
+        moving = answer.period is None or T % answer.period
+        for shifted in (T - 1, T + 1):
+            later = certify_ahead(answer, shifted, exact=True)["statement"]["ahead"]["exact"]
+            if later != said:
+                assert not accepted(changed(certificate, ("statement", "ahead", "steps"), shifted)), (pair, T)
+        for key in "ag":
+            for k in range(n):
+                made = changed(certificate, ("statement", "ahead", "exact", key, k), f"{int(said[key][k], 16) + 1:x}")
+                assert not accepted(made)
+        assert not accepted(changed(certificate, ("statement", "ahead", "exact", "g"), [f"{2 * int(x, 16):x}" for x in said["g"]])) or answer.period == 1 \
+            or not any(int(x, 16) for x in said["g"])
+        doubled = {"denominator": f"{2 * int(said['denominator'], 16):x}", **{k: [f"{2 * int(x, 16):x}" for x in said[k]] for k in "ag"}}
+        assert accepted(changed(certificate, ("statement", "ahead", "exact"), doubled))  # the same numbers
+        tried += bool(moving)

@@ -29,6 +29,7 @@ from exactkf.language import (
     matrix_of,
     prod,
     rec,
+    recip,
     scalar,
     sequence,
     signal,
@@ -290,3 +291,75 @@ def test_terms_are_told_apart_by_their_indices():
 
 def _lists(tree):
     return [_lists(v) for v in tree] if isinstance(tree, tuple) else tree
+
+
+# ---------------------------------------------------------------------- the theorem of Cayley and Hamilton
+def test_a_matrix_is_a_zero_of_its_characteristic_polynomial():
+    """h'chi(F) g = 0 gives h'F^n g; nothing else of the same look is granted."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), M: matrix(n, n), h: vector(n), g: vector(n)}, "given": SOME}
+
+    def seen(A, last, power):
+        return sum_of(k, 0, last, coeff(charpoly(F), k) * (T(h) * A**power * g))
+
+    def said(total, zero, leading):
+        return fact(t, "cayley", (total == zero) & (leading == 1))
+
+    goal = (T(h) * F**n * g)[1, 1] == -sum_of(k, 0, n - 1, coeff(charpoly(F), k) * (T(h) * F**k * g)[1, 1])
+    one, leading, uses = Zero(1, 1), coeff(charpoly(F), n), [use(0, t=0, row=1, column=1)]
+    assert accepts(goal, generic_index(said(seen(F, n, k), one, leading), uses=uses), **made)
+    wrong = [said(seen(F, n + 1, k), one, coeff(charpoly(F), n + 1)), said(seen(M, n, k), one, leading), said(seen(F, n, k + 1), one, leading),
+             said(seen(F, n, k), Zero(1, n), leading), said(seen(F, n, k), one, coeff(charpoly(F), n - 1)), said(seen(F, n, k), one, coeff(charpoly(M), n)),
+             said(sum_of(k, 1, n, coeff(charpoly(F), k) * (T(h) * F**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (T(h) * F**k * M**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (T(h) * F**k * F**k * g)), one, leading),
+             said(sum_of(k, 0, n, coeff(charpoly(F), k) * (k * F**k)), Zero(n, n), leading), said(sum_of(k, 0, n, 1), one, leading),
+             fact(t, "cayley", (seen(F, n, k) == one) & (leading == 2)), fact(t, "cayley", seen(F, n, k) == one)]
+    for lemma_ in wrong:
+        assert not accepts(goal, generic_index(lemma_, uses=uses), **made), lemma_
+    assert not accepts(leading == 0, generic_index(said(seen(F, n, k), one, leading), uses=uses), **made)
+
+
+# ---------------------------------------------------------------------- the matrix determinant lemma
+def test_a_transfer_function_is_a_quotient_of_characteristic_polynomials():
+    """For matrices without z, of fitting sizes; nothing else of the same look is granted."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), M: matrix(n, n), h: vector(n), g: vector(n)}, "given": SOME}
+
+    def transfer(A, u=h, v=g):
+        return T(u) * inv(Identity(n) * Z - A) * v
+
+    def said(left, right):
+        return fact(t, "resolvent", left == right)
+
+    right = charpoly(F - g * T(h)) - charpoly(F)
+    goal = transfer(F) == right / charpoly(F)
+    by = {"in_values": True, "uses": [use(0, t=0)]}
+    true = said(charpoly(F) * transfer(F), right)
+    assert accepts(goal, generic_index(true, **by), **made)
+    assert not accepts(transfer(F) == right / charpoly(M), generic_index(true, **by), **made)
+    assert not accepts(transfer(F) == -right / charpoly(F), generic_index(true, **by), **made)
+    row_ = T(h) * inv(Identity(n) * Z + F) * g
+    wrong = [said(charpoly(M) * transfer(F), right), said(charpoly(F) * transfer(M), right), said(charpoly(F) * transfer(F, g, h), right),
+             said(charpoly(F) * row_, right), said(charpoly(F) * transfer(F), charpoly(F + g * T(h)) - charpoly(F)),
+             said(charpoly(F) * transfer(F), charpoly(F - h * T(g)) - charpoly(F)), said(charpoly(F) * transfer(F), charpoly(F) - charpoly(F - g * T(h))),
+             said(charpoly(F) * transfer(F), charpoly(F - g * T(h)) - charpoly(M)), said(transfer(F), right), said(charpoly(F), right),
+             said(charpoly(F) * transfer(Z * F), right), said(charpoly(F) * (T(h) * inv(Identity(n + 1) * Z - F) * g), right),
+             said(charpoly(F) * (T(h) * inv(Identity(n) - F) * g), right), said(Z, Z), said(charpoly(F) * transfer(F), 0 * Z)]
+    for lemma_ in wrong:
+        assert not accepts(goal, generic_index(lemma_, **by), **made), lemma_
+    z_inside = said(charpoly(Z * F) * transfer(Z * F), charpoly(Z * F - g * T(h)) - charpoly(Z * F))
+    assert not accepts(transfer(Z * F) == charpoly(Z * F - g * T(h)) / charpoly(Z * F) - 1, generic_index(z_inside, **by), **made)
+    wide = {"sizes": ["n"], "over": {F: matrix(n, n), h: matrix(n, 2), g: matrix(n, 2)}, "given": SOME}  # then it is no number
+    assert not accepts(charpoly(F) * transfer(F) == right, generic_index(true, **by), **wide)
+
+
+def test_functions_of_z_that_are_not_opened():
+    """At 1/z they have other values; a characteristic polynomial is not zero, a transfer function may be."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), h: vector(n), g: vector(n), c: scalar()}, "given": SOME}
+    transfer = T(h) * inv(Identity(n) * Z - F) * g
+    assert accepts(c * transfer == transfer * c, generic_index(in_values=True), **made)
+    for says in (transfer == recip(transfer), charpoly(F) == recip(charpoly(F)), charpoly(F) == charpoly(T(F)),
+                 transfer == T(g) * inv(Identity(n) * Z - F) * h):
+        assert not accepts(says, generic_index(in_values=True), **made)
+    assert accepts(c / charpoly(F) * charpoly(F) == c, generic_index(in_values=True), **made)
+    assert not accepts(c / transfer * transfer == c, generic_index(in_values=True), **made)
+    assert not accepts(c / (charpoly(F) - 1) * (charpoly(F) - 1) == c, generic_index(in_values=True), **made)

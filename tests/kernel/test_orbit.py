@@ -163,8 +163,13 @@ def test_an_answer_to_another_question_is_rejected():
         for _ in range(12):
             entry = random.choice([k for k in ("alpha", "gamma", "pi") if k in answer.certificate["statement"]["question"]])
             new = str(small(random))
-            edited = resealed(answer.certificate, lambda s, e=entry, n=new: s["question"].__setitem__(e, n if e == "pi" else [n]))
-            same = json.loads(json.dumps(asked(edited["statement"]["question"]).decided())) == edited["statement"]["answer"]
+            whole = resealed(answer.certificate, lambda s, e=entry, n=new: s["question"].__setitem__(e, n if e == "pi" else [n]))
+            edited = resealed(whole, lambda s: s["answer"].pop("structure"))
+            asked_for = asked(edited["statement"]["question"]).certificate["statement"]["answer"]
+            if asked_for != whole["statement"]["answer"]:
+                with pytest.raises(Rejected):
+                    replay(whole)
+            same = {k: v for k, v in asked_for.items() if k != "structure"} == edited["statement"]["answer"]
             outcomes.append(same)
             if same:
                 assert replay(edited) == []
@@ -201,7 +206,7 @@ def test_a_reducible_field_polynomial_is_no_loophole():
     """theta = sqrt(2) as a root of (x^2 - 2)(x^2 - 3): zeros at other roots do not count, neither as escapes nor as periods."""
     certificate = KINDS["dense in a field"].certificate
     field = [["6", "0", "-5", "0", "1"], "7/5", "3/2"]
-    assert replay(resealed(certificate, lambda s: s["question"].update(field=field))) == []
+    assert replay(resealed(certificate, lambda s: (s["question"].update(field=field), s["answer"]["structure"].update(field=field)))) == []
     # x = theta^2 - 2 vanishes at sqrt(2), a rotation of order 4 there, of none at sqrt(3)
     k = AlgebraicField([Fraction(c) for c in field[0]], Fraction(7, 5), Fraction(3, 2))
     assert order(k.element([Fraction(-2), Fraction(0), Fraction(1)]), k) == 4

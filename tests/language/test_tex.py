@@ -8,7 +8,7 @@ import pytest
 from exactkf import claims
 from exactkf._errors import BadInput
 from exactkf.claims import claim, repair
-from exactkf.engine import verify_claim
+from exactkf.engine import mutate_claim, verify_claim
 from exactkf.evidence import identity, instances
 from exactkf.language import scalar, symbols
 
@@ -23,17 +23,19 @@ def _no_claim_stays(monkeypatch):
 
 def test_verdict_and_mutants_print_the_name():
     """A claim that holds is printed with the paper's name in its statement and in each mutant that has it."""
-    result = verify_claim(claim("T-1", "square of a sum", (x + y)**2 == x**2 + 2*x*y + y**2, over=OVER, tex=TEX, by=[identity(), instances()]))
+    made = claim("T-1", "square of a sum", (x + y)**2 == x**2 + 2*x*y + y**2, over=OVER, tex=TEX, by=[identity(), instances()])
+    result, rows = verify_claim(made), mutate_claim(made)["rows"]
     assert result["verdict"] == "holds" and r"\bar{\xi}" in result["statement_latex"]
-    assert result["mutant_rows"] and all(r"\bar{\xi}" in row["latex"] for row in result["mutant_rows"] if "x" in row["text"])
+    assert rows and all(r"\bar{\xi}" in row["latex"] for row in rows if "x" in row["text"])
 
 
 def test_a_repair_prints_the_name():
     """The corrected statement has names of its own."""
     fixed = repair("sign", "A sign was lost.", (x - y)**2 == x**2 - 2*x*y + y**2, over=OVER, tex={x: r"\hat{x}"}, by=[identity(), instances()])
-    result = verify_claim(claim("T-2", "square", (x - y)**2 == x**2 + 2*x*y + y**2, over=OVER, tex=TEX, by=[instances()], repair=fixed))
+    made = claim("T-2", "square", (x - y)**2 == x**2 + 2*x*y + y**2, over=OVER, tex=TEX, by=[instances()], repair=fixed)
+    result = verify_claim(made)
     assert result["verdict"] == "fails" and r"\bar{\xi}" in result["statement_latex"]
-    assert r"\hat{x}" in result["repair"]["statement_latex"] and any(r"\hat{x}" in row["latex"] for row in result["mutant_rows"])
+    assert r"\hat{x}" in result["repair"]["statement_latex"] and any(r"\hat{x}" in row["latex"] for row in mutate_claim(made)["rows"])
 
 
 def test_an_unknown_name_is_refused():

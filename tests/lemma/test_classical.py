@@ -59,6 +59,18 @@ PROVED = {
     "and in information form": (
         "sizes n p\nmatrix P, Q n n pd\nmatrix M p n\nmatrix R p p pd\nassume P >= Q\n"
         "claim inv(inv(P) + M'*inv(R)*M) >= inv(inv(Q) + M'*inv(R)*M)", {"sum", "congruence", "inverse"}),
+    "a covariance falls by an observation": (PSD + "claim P >= P*inv(I + Q*P)", {"sum", "congruence", "null space"}),
+    "from the left": (PSD + "claim P >= inv(I + P*Q)*P and inv(I + P*Q)*P >= 0", {"sum", "congruence"}),
+    "with Q = M'M": ("sizes n p\nmatrix P n n psd\nmatrix M p n\nclaim P >= P*inv(I + M'*M*P) and P*inv(I + M'*M*P) >= 0", {"sum", "congruence"}),
+    "strictly for definite ones": (PD + "claim P > P*inv(I + Q*P)", {"congruence", "nonsingular"}),
+    "not by more than PQP": (PSD + "claim P*inv(I + Q*P) >= P - P*Q*P", {"sum", "congruence"}),
+    "and so carried on": (PSD + "matrix F n n\nclaim F*P*F' + Q >= F*P*inv(I + Q*P)*F'", {"sum", "congruence"}),
+    "the update with the best gain": (
+        "sizes n p\nmatrix P n n psd\nmatrix M p n\nmatrix V p p psd\nlet S = M*P*M' + V\nlet K = P*M'*inv(S)\nassume S invertible\n"
+        "claim P - K*M*P >= 0 and P >= P - K*M*P", {"sum", "congruence"}),
+    "no other gain does better": (
+        "sizes n p\nmatrix P n n psd\nmatrix M p n\nmatrix V p p pd\nmatrix L n p\nlet K = P*M'*inv(M*P*M' + V)\n"
+        "claim (I - L*M)*P*(I - L*M)' + L*V*L' >= P - K*M*P", {"congruence"}),
 }
 
 NOT = {
@@ -76,6 +88,11 @@ NOT = {
     "a corner is definite": "sizes n m\nmatrix A n n symmetric\nmatrix B n m\nmatrix C m m symmetric\nassume [A, B; B', C] >= 0\nclaim A > 0",
     "congruence keeps strict order": "sizes n p\nmatrix P, Q n n symmetric\nmatrix F p n\nassume P > Q\nclaim F*P*F' > F*Q*F'",
     "a sum that vanishes": SYM + "assume A + B == 0\nclaim A == 0",
+    "a covariance falls strictly": PSD + "claim P > P*inv(I + Q*P)",
+    "it does not grow": PSD + "claim P*inv(I + Q*P) >= P",
+    "by more than PQP": PSD + "claim P - P*Q*P >= P*inv(I + Q*P)",
+    "the wrong side": PSD + "claim P >= inv(I + Q*P)*P",
+    "Q need not be semidefinite": PSD.replace("P, Q n n psd", "P n n psd\nmatrix Q n n symmetric") + "assume (I + Q*P) invertible\nclaim P >= P*inv(I + Q*P)",
     "no number says that it is positive": SYM + "scalar a\nassume A >= B\nclaim a*A >= a*B",
 }
 
