@@ -167,8 +167,9 @@ NEXT_QUADRATIC = A + B*(P + U) + (P + U1)*C == (P + U1)*D*(P + U)
 BOTH_QUADRATIC = [first(QUADRATIC, base=order(inside=[within(0, P == step())])), first(NEXT_QUADRATIC, base=order(inside=[
     within(0, A + B*(P + U) + step(P + U)*C == step(P + U)*D*(P + U), P + U1 == step(P + U))]))]
 BY_EQUILIBRIUM = order(inside=[within(0, QUADRATIC, NEXT_QUADRATIC, U1*((D*P - C) + D*U) == (B - P*D)*U)])
-ADJOINT = [(T(B - P*D)*(D*P - C) == I, []), ((D*P - C)*T(B - P*D) == I, []), (inv(D*P - C) == T(SLOPE), [])]
+BOTH_SIDES = [T(B - P*D)*(D*P - C) == I, (D*P - C)*T(B - P*D) == I]
 AT_K = T(SLOPE)*(D*P - C) == I
+ADJOINT = [(formula, []) for formula in (*BOTH_SIDES, AT_K, inv(D*P - C) == T(SLOPE))]
 INVERSE_OF = within(2, AT_K)
 GROWTH = within(0, T(g1)*SLOPE == al*T(g1) - be*T(g2), T(g2)*SLOPE == be*T(g1) + al*T(g2), _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2))
 PAIR = rows([[al, be], [-be, al]])
@@ -183,6 +184,9 @@ ENLARGED = 1/(1 - al**2 - be**2)
 #: one dimension: nothing is driven or measured, and K = Phi = 1/2
 ONE = {"n": 1, "p": 1, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "P": [[0]], "U": [[1]], "U1": [["1/4"]], "K": [["1/2"]], "Q": [[1]],
        "Z": [["4/3"]], "R": [["16/9"]], "g1": [0], "g2": [0], "alpha": 1, "beta": 0}
+#: an equilibrium that is not symmetric
+NOT_HERMITIAN = {**SKEW, "U1": [[-3, "27/2"], [1, -3]], "K": [[2, -1], [0, "1/2"]], "Q": [[26, 12], [12, 18]], "Z": [["14/3", 16], [16, 24]],
+                 "R": [["146/9", "64/3"], ["64/3", 32]], "g1": [0, 0], "g2": [0, 0], "alpha": 1, "beta": 0}
 CHANGES = [{"U1": [[1]]}, {"Q": [[0]], "Z": [[0]], "R": [[0]]}, {"Z": [[0]], "R": [[0]]}, {"R": [[0]]}, {"g1": [1]}, {"K": [[0]], "Z": [[1]], "R": [[1]]},
            {"H": [[1]], "U1": [["5/4"]], "M": [[1]]}]
 
@@ -198,29 +202,32 @@ claim("D71-E3.151", "the linear equation",
       & ((symmetric(P) & schur(SLOPE)) >> always(t, psd(block([[R, N[t]*Y[t]], [N[t]*T(Y[t]), R]]))))
       & always(t, _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2)),
       sizes=["n", "p"],
-      over={**ANY, U: matrix(n, n), U1: matrix(n, n), Q: positive_semidefinite(n), g1: vector(n), g2: vector(n), al: scalar(), be: scalar(), SLOPE: matrix(n, n), **LINEAR.over},
-      where=[*COEFFICIENTS, rec(Y, t, U, (B - P*D)*Y[t]*inv(D*P - C)), rec(X, t, U, SLOPE*X[t]*T(SLOPE)), rec(rho, t, 1, (al**2 + be**2)*rho[t]), *LINEAR.where],
-      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", SLOPE == B - P*D), given("Q bounds U_0", IN_BLOCKS), *LINEAR.given,
-             given("eigenvector of K'", (T(SLOPE)*g1 == al*g1 - be*g2) & (T(SLOPE)*g2 == be*g1 + al*g2))],
+      over={**ANY, U: matrix(n, n), U1: matrix(n, n), Q: positive_semidefinite(n), g1: vector(n), g2: vector(n), al: scalar(), be: scalar(),
+            SLOPE: matrix(n, n), **LINEAR.over},
+      where=[*COEFFICIENTS, rec(Y, t, U, (B - P*D)*Y[t]*inv(D*P - C)), rec(X, t, U, SLOPE*X[t]*T(SLOPE)), rec(rho, t, 1, (al**2 + be**2)*rho[t]),
+             *LINEAR.where],
+      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", SLOPE == B - P*D), given("Q bounds U_0", IN_BLOCKS),
+             *LINEAR.given, given("eigenvector of K'", (T(SLOPE)*g1 == al*g1 - be*g2) & (T(SLOPE)*g2 == be*g1 + al*g2))],
       by=[induction(before=BOTH_QUADRATIC, also=[[], [], [], [*LINEAR.also, LINEAR.bound, Y[t] == Pi[t]*U*T(Pi[t])], []],
-                    base=[BY_EQUILIBRIUM, order(lemmas=[ADJOINT[0][0], ADJOINT[1][0]]), order(lemmas=[ADJOINT[0][0], ADJOINT[1][0]], inside=[INVERSE_OF]), LINEAR.begins(LINEAR.first, [], _within_bound(t)), order()],
-                    step=[order(), order(), order(), LINEAR.goes_on(LINEAR.then, [], _within_bound(t + 1), before=[*ADJOINT[:2], (AT_K, []), ADJOINT[2]], inside=[within(3, AT_K)]),
+                    base=[BY_EQUILIBRIUM, order(lemmas=BOTH_SIDES), order(lemmas=BOTH_SIDES, inside=[INVERSE_OF]),
+                          LINEAR.begins(LINEAR.first, [], _within_bound(t)), order()],
+                    step=[order(), order(), order(), LINEAR.goes_on(LINEAR.then, [], _within_bound(t + 1), before=ADJOINT, inside=[within(3, AT_K)]),
                           order(inside=[GROWTH])]),
           instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n), y: matrix(n, n)},
                     made_by={**NOTHING, Phi: _in_basis(RATIO*(1 + when(i <= p, e[i]**2, 0)))*inv(E), P: _in_basis(e[i]**2)*T(E),
-                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, SLOPE: B - P*D, Q: _in_basis((1 - RATIO**2)**2)*T(E),
-                             R: E*T(E), Z: _in_basis(1 - RATIO**2)*T(E), U: _in_basis(1 - RATIO**2)*BALL*T(_in_basis(1 - RATIO**2)), U1: step(P + U) - P}),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, SLOPE: B - P*D,
+                             Q: _in_basis((1 - RATIO**2)**2)*T(E), R: E*T(E), Z: _in_basis(1 - RATIO**2)*T(E), U: _in_basis(1 - RATIO**2)*BALL*T(_in_basis(1 - RATIO**2)), U1: step(P + U) - P}),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={E: nonsingular(2), e: vector(2), y: matrix(2, 2)},
                     made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]]),
                              SLOPE: B - P*D, U: FRAME*y*T(FRAME), U1: step(P + U) - P, Q: (1 + trace(y*T(y)))*FRAME*T(FRAME),
                              Z: ENLARGED*Q, R: ENLARGED**2*Q}),
-          *(example({**ONE, **change}) for change in CHANGES)],
-      note="K is B - PD. The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, DP - C is the inverse of K', so "
-           "that the eigenvalues of K are the conjugate reciprocals of those of J. If K is inside the unit circle (J outside), the solution Y_k of (3.151) from any "
-           "start U is at most R/(k + 1) in absolute value, in the sense of the block matrix, with R the same for all k: it tends to zero. Here Q is any "
-           "matrix that bounds U so, and the equations of Z and R have solutions. Last, U -> KUK' is (3.151) for a Hermitian P, by the second part. If psi = alpha + i beta is "
-           "an eigenvalue of K', with the eigenvector g = g1 + i g2, then g*X_k g is |psi|^(2k) g*Ug: it grows beyond all bounds where psi is outside the circle, "
-           "and so an eigenvalue of J inside. g = 0 is allowed, so that nothing is assumed by this for the rest.")
+          *(example({**ONE, **change}) for change in CHANGES), example(NOT_HERMITIAN)],
+      note="K is B - PD. The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, DP - C is the inverse of "
+           "K', so that the eigenvalues of K are the conjugate reciprocals of those of J. If K is inside the unit circle (J outside), the solution Y_k of "
+           "(3.151) from any start U is at most R/(k + 1) in absolute value, in the sense of the block matrix, with R the same for all k: it tends to zero. "
+           "Here Q is any matrix that bounds U so, and the equations of Z and R have solutions. Last, U -> KUK' is (3.151) for a Hermitian P, by the second "
+           "part. If psi = alpha + i beta is an eigenvalue of K', with the eigenvector g = g1 + i g2, then g*X_k g is |psi|^(2k) g*Ug: it grows beyond all "
+           "bounds where psi is outside the circle, and so an eigenvalue of J inside. g = 0 is allowed, so that nothing is assumed by this for the rest.")
 
 
 CLOSED = K_*U*T(K_)*inv(I + D*U*T(K_))
