@@ -12,7 +12,7 @@ and R_k = K^k R (K^k)', for which Z_k - Z_{k+1} = W_k and R_k - R_{k+1} = Z_k; t
 k Z_k + R_k decreases, from R, by (k + 1) W_k at each step.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from exactkf.evidence import Evidence, order, within
 from exactkf.language import Expr, Identity, T, Zero, given, inv, loewner, matrix_of, psd, rec, symbols, symmetric_matrix, when
@@ -51,14 +51,15 @@ class Fading:
         """The order at t = 0: terms for what comes after ``also``; lemmas with their terms and `within` that come before all."""
         return self._order(before, [*self._base, *terms])
 
-    def goes_on(self, *terms: list, before: Sequence[tuple] = ()) -> Evidence:
-        """The order from t to t + 1."""
-        return self._order(before, [*self._step, *terms])
+    def goes_on(self, *terms: list, before: Sequence[tuple] = (), inside: Sequence[Mapping] = ()) -> Evidence:
+        """The order from t to t + 1; ``inside`` is for equations among the lemmas before, whose own lemmas need no terms."""
+        k = sum(len(w["lemmas"]) for w in inside)
+        return self._order([*before[:-1], *k*[(None, [])], *before[-1:]] if k else before, [*self._step, *terms], inside)
 
-    def _order(self, before: Sequence[tuple], terms: list) -> Evidence:
-        k = len(before)
-        return order(*(t for _, t in before), *self._sums, *terms, lemmas=[*(formula for formula, _ in before), psd(Z), psd(R)],
-                     inside=[within(m, stein=self._stable) for m in range(k + 2)])
+    def _order(self, before: Sequence[tuple], terms: list, inside: Sequence[Mapping] = ()) -> Evidence:
+        lemmas = [*(formula for formula, _ in before if formula is not None), psd(Z), psd(R)]
+        return order(*(t for _, t in before), *self._sums, *terms, lemmas=lemmas,
+                     inside=[*inside, *(within(m, stein=self._stable) for m, formula in enumerate(lemmas) if formula.tree[0] == "psd")])
 
 
 def eigenvalues(E: Expr, ratio: Expr, K: Expr, U0: Expr) -> dict:

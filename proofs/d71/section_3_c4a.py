@@ -13,11 +13,13 @@ J, are outside the unit circle.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, instances, order, restated
+from exactkf.evidence import example, first, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
     Zero,
+    always,
+    block,
     eq,
     given,
     iff,
@@ -26,17 +28,27 @@ from exactkf.language import (
     let,
     loewner,
     matrix,
+    matrix_of,
     nonneg,
     nonsingular,
     pd,
     positive_definite,
+    positive_semidefinite,
+    psd,
+    rec,
+    rows,
+    scalar,
+    schur,
     sym,
     symbols,
     symmetric,
     symmetric_matrix,
     trace,
+    vector,
+    when,
 )
-from proofs.d71.notation import H, M, P, Phi, V, gram, n, p, step, update
+from proofs.d71.fading import Fading, N, Pi, R, Z
+from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
 
 q, S, A, B, C, D, U, U1, P1, x, y, v, W, X = symbols("q S A B C D U U1 P1 x y v W X")
 I, Zn = Identity(n), Zero(n, n)
@@ -133,14 +145,90 @@ claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
       sizes=["n", "p"], over=HERMITIAN, where=COEFFICIENTS, given=[EQUILIBRIUM], by=[instances(**MORE, made_by=SOLVED)],
       note="P is Hermitian, which the theorem does not say of its equilibrium; see the example of D71-E3.166.")
 
+Y, Q, t, g1, g2, al, be, rho, E, a, e = symbols("Y Q t g1 g2 alpha beta rho E a e")
+SLOPE = K_
+LINEAR = Fading(SLOPE, Q)
+IN_BLOCKS = psd(block([[Q, U], [T(U), Q]]))
+
+
+def _within_bound(s) -> list:
+    """The terms of [[R, N U_s], [N U_s', R]], with N = s + 1."""
+    now, twice = N[s]*(Pi[s]*Q*T(Pi[s])), block([[Pi[s], Zn], [Zn, Pi[s]]])
+    return [block([[R - now, Zn], [Zn, R - now]]), N[s]*twice*block([[Q, U], [T(U), Q]])*T(twice)]
+
+
+def _size(s):
+    """g*X_s g for g = g1 + i g2, its real part."""
+    return T(g1)*X[s]*g1 + T(g2)*X[s]*g2
+
+
+QUADRATIC = A + B*P + P*C == P*D*P
+NEXT_QUADRATIC = A + B*(P + U) + (P + U1)*C == (P + U1)*D*(P + U)
+BOTH_QUADRATIC = [first(QUADRATIC, base=order(inside=[within(0, P == step())])), first(NEXT_QUADRATIC, base=order(inside=[
+    within(0, A + B*(P + U) + step(P + U)*C == step(P + U)*D*(P + U), P + U1 == step(P + U))]))]
+BY_EQUILIBRIUM = order(inside=[within(0, QUADRATIC, NEXT_QUADRATIC, U1*((D*P - C) + D*U) == (B - P*D)*U)])
+BOTH_SIDES = [T(B - P*D)*(D*P - C) == I, (D*P - C)*T(B - P*D) == I]
+AT_K = T(SLOPE)*(D*P - C) == I
+ADJOINT = [(formula, []) for formula in (*BOTH_SIDES, AT_K, inv(D*P - C) == T(SLOPE))]
+INVERSE_OF = within(2, AT_K)
+GROWTH = within(0, T(g1)*SLOPE == al*T(g1) - be*T(g2), T(g2)*SLOPE == be*T(g1) + al*T(g2), _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2))
+PAIR = rows([[al, be], [-be, al]])
+NOTHING = {g1: Zero(n, 1), g2: Zero(n, 1), al: 1, be: 0}
+RATIO = 1/(2 + a[i]**2)
+BALL = (1/(1 + trace(y*T(y))))*y
+
+
+#: the basis in which K is a rotation times 1/|psi|, and the solutions of Z - KZK' = Q there
+FRAME = inv(T(E))
+ENLARGED = 1/(1 - al**2 - be**2)
+#: one dimension: nothing is driven or measured, and K = Phi = 1/2
+ONE = {"n": 1, "p": 1, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "P": [[0]], "U": [[1]], "U1": [["1/4"]], "K": [["1/2"]], "Q": [[1]],
+       "Z": [["4/3"]], "R": [["16/9"]], "g1": [0], "g2": [0], "alpha": 1, "beta": 0}
+#: an equilibrium that is not symmetric
+NOT_HERMITIAN = {**SKEW, "U1": [[-3, "27/2"], [1, -3]], "K": [[2, -1], [0, "1/2"]], "Q": [[26, 12], [12, 18]], "Z": [["14/3", 16], [16, 24]],
+                 "R": [["146/9", "64/3"], ["64/3", 32]], "g1": [0, 0], "g2": [0, 0], "alpha": 1, "beta": 0}
+CHANGES = [{"U1": [[1]]}, {"Q": [[0]], "Z": [[0]], "R": [[0]]}, {"Z": [[0]], "R": [[0]]}, {"R": [[0]]}, {"g1": [1]}, {"K": [[0]], "Z": [[1]], "R": [[1]]},
+           {"H": [[1]], "U1": [["5/4"]], "M": [[1]]}]
+
+
+def _in_basis(entry):
+    """E G for the diagonal matrix G of these entries."""
+    return E*matrix_of(i, j, n, n, when(i == j, entry, 0))
+
+
 claim("D71-E3.151", "the linear equation",
       (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C))
-      & (symmetric(P) >> ((T(B - P*D)*(D*P - C) == I) & (inv(D*P - C) == T(B - P*D)))),
-      sizes=["n", "p"], over={**ANY, U: matrix(n, n)}, where=[*COEFFICIENTS, NEXT], given=[EQUILIBRIUM],
-      by=[restated("U -> KUK' is stable if the eigenvalues of K are inside the unit circle, and unstable if one is outside."), example(SKEW), SOLVING],
-      note="The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, (3.151) is U -> K U K* with K = "
-           "B - PD = (DP - C)^{-*}, whose eigenvalues are the conjugate reciprocals of those of J. Its powers tend to zero if J is outside the circle, and "
-           "grow if J has an eigenvalue inside.")
+      & (symmetric(P) >> ((T(SLOPE)*(D*P - C) == I) & (inv(D*P - C) == T(SLOPE))))
+      & ((symmetric(P) & schur(SLOPE)) >> always(t, psd(block([[R, N[t]*Y[t]], [N[t]*T(Y[t]), R]]))))
+      & always(t, _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2)),
+      sizes=["n", "p"],
+      over={**ANY, U: matrix(n, n), U1: matrix(n, n), Q: positive_semidefinite(n), g1: vector(n), g2: vector(n), al: scalar(), be: scalar(),
+            SLOPE: matrix(n, n), **LINEAR.over},
+      where=[*COEFFICIENTS, rec(Y, t, U, (B - P*D)*Y[t]*inv(D*P - C)), rec(X, t, U, SLOPE*X[t]*T(SLOPE)), rec(rho, t, 1, (al**2 + be**2)*rho[t]),
+             *LINEAR.where],
+      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", SLOPE == B - P*D), given("Q bounds U_0", IN_BLOCKS),
+             *LINEAR.given, given("eigenvector of K'", (T(SLOPE)*g1 == al*g1 - be*g2) & (T(SLOPE)*g2 == be*g1 + al*g2))],
+      by=[induction(before=BOTH_QUADRATIC, also=[[], [], [], [*LINEAR.also, LINEAR.bound, Y[t] == Pi[t]*U*T(Pi[t])], []],
+                    base=[BY_EQUILIBRIUM, order(lemmas=BOTH_SIDES), order(lemmas=BOTH_SIDES, inside=[INVERSE_OF]),
+                          LINEAR.begins(LINEAR.first, [], _within_bound(t)), order()],
+                    step=[order(), order(), order(), LINEAR.goes_on(LINEAR.then, [], _within_bound(t + 1), before=ADJOINT, inside=[within(3, AT_K)]),
+                          order(inside=[GROWTH])]),
+          instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n), y: matrix(n, n)},
+                    made_by={**NOTHING, Phi: _in_basis(RATIO*(1 + when(i <= p, e[i]**2, 0)))*inv(E), P: _in_basis(e[i]**2)*T(E),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, SLOPE: B - P*D,
+                             Q: _in_basis((1 - RATIO**2)**2)*T(E), R: E*T(E), Z: _in_basis(1 - RATIO**2)*T(E), U: _in_basis(1 - RATIO**2)*BALL*T(_in_basis(1 - RATIO**2)), U1: step(P + U) - P}),
+          instances(8, n=(2,), p=(1, 2), horizon=2, using={E: nonsingular(2), e: vector(2), y: matrix(2, 2)},
+                    made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]]),
+                             SLOPE: B - P*D, U: FRAME*y*T(FRAME), U1: step(P + U) - P, Q: (1 + trace(y*T(y)))*FRAME*T(FRAME),
+                             Z: ENLARGED*Q, R: ENLARGED**2*Q}),
+          *(example({**ONE, **change}) for change in CHANGES), example(NOT_HERMITIAN)],
+      note="K is B - PD. The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, DP - C is the inverse of "
+           "K', so that the eigenvalues of K are the conjugate reciprocals of those of J. If K is inside the unit circle (J outside), the solution Y_k of "
+           "(3.151) from any start U is at most R/(k + 1) in absolute value, in the sense of the block matrix, with R the same for all k: it tends to zero. "
+           "Here Q is any matrix that bounds U so, and the equations of Z and R have solutions. Last, U -> KUK' is (3.151) for a Hermitian P, by the second "
+           "part. If psi = alpha + i beta is an eigenvalue of K', with the eigenvector g = g1 + i g2, then g*X_k g is |psi|^(2k) g*Ug: it grows beyond all "
+           "bounds where psi is outside the circle, and so an eigenvalue of J inside. g = 0 is allowed, so that nothing is assumed by this for the rest.")
+
 
 CLOSED = K_*U*T(K_)*inv(I + D*U*T(K_))
 

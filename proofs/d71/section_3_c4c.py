@@ -136,7 +136,9 @@ TOWARDS = [
     *((S*P*g == Zero(n, 1), SPREAD) for g in (g1, g2)), *((H*g == Zero(n, 1), SPREAD) for g in (g1, g2))]
 #: that g*P is psi g* times the rest is enough for the two forms
 NEAREST = [within(0, P == step()), within(3, CLOSED*T(Acl) == I), within(4, P == step(), T(Phi) == (I + S*P)*T(Acl)),
-           within(5, P == Phi*P*T(Acl) + H, T(Phi) == (I + S*P)*T(Acl)), *(within(8 + m, T(g)*Acl == T(turned), P*g == Acl*(P + P*S*P)*turned + H*g) for m, (g, turned) in enumerate(((g1, TURNED_1), (g2, TURNED_2))))]
+           within(5, P == Phi*P*T(Acl) + H, T(Phi) == (I + S*P)*T(Acl)),
+           *(within(8 + m, T(g)*Acl == T(turned), P*g == Acl*(P + P*S*P)*turned + H*g) for m, (g, turned) in enumerate(
+               ((g1, TURNED_1), (g2, TURNED_2))))]
 BETWEEN = Fading(Acl, Pa0 + Pae)
 gap, DISTANCE = sym("gap"), Pa[t] - Pae
 APART = [2*N[t + 1]*(Pi[t + 1]*x*T(Pi[t + 1])) for x in (Pae, Pa0)]
@@ -162,10 +164,12 @@ claim("D71-E3.246", "the actual error covariance has a limit",
       by=[induction(also=[[], [*BETWEEN.also, DISTANCE == Pi[t]*(Pa0 - Pae)*T(Pi[t]), BETWEEN.bound, *BELOW]],
                     base=[order(*[[]]*20, *(terms for _, terms in TOWARDS[10:]), lemmas=[lemma for lemma, _ in TOWARDS], inside=NEAREST),
                           BETWEEN.begins([], BETWEEN.first, [R - BETWEEN.now, 2*Pae], [R - BETWEEN.now, 2*Pa0], _between(t), before=ACTUAL_SUM)],
-                    step=[order(), BETWEEN.goes_on([], BETWEEN.then, [R - BETWEEN.later, APART[0]], [R - BETWEEN.later, APART[1]], _between(t + 1), before=ACTUAL_SUM)]),
+                    step=[order(), BETWEEN.goes_on([], BETWEEN.then, *([R - BETWEEN.later, apart] for apart in APART), _between(t + 1),
+                                                   before=ACTUAL_SUM)]),
           # P is no equilibrium; a driven mode, and one that is stable; wrong P_ae, Z and R
-          example({**ONE, "H": [["1/2"]], "alpha": "3/2", "Acl": [["3/2"]]}), example({**ONE, "alpha": 2, "Acl": [[2]]}), example({**ONE, **DRIVEN}), example({**ONE, **DRIVEN, "Pae": [[1]]}),
-          example({**ONE, **DRIVEN, "Z": [[0]], "R": [[0]]}), example({**ONE, **DRIVEN, "R": [[0]]}), example({**ONE, "Phi": [["1/2"]], "Acl": [["1/2"]], **SPENT}),
+          example({**ONE, "H": [["1/2"]], "alpha": "3/2", "Acl": [["3/2"]]}), example({**ONE, "alpha": 2, "Acl": [[2]]}), example({**ONE, **DRIVEN}),
+          example({**ONE, **DRIVEN, "Pae": [[1]]}), example({**ONE, **DRIVEN, "Z": [[0]], "R": [[0]]}), example({**ONE, **DRIVEN, "R": [[0]]}),
+          example({**ONE, "Phi": [["1/2"]], "Acl": [["1/2"]], **SPENT}),
           example({**ONE, "Phi": [[2]], "Acl": [[2]], "g1": [0], "Z": [["-1/3"]], "R": [["1/9"]]}),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={e: vector(2), E: nonsingular(2)},
                     made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, Ha: Zn, Pae: Zn, Pa0: Zn, Acl: B - P*D, Z: Zn, R: Zn,
@@ -181,4 +185,5 @@ claim("D71-E3.246", "the actual error covariance has a limit",
            "so that nothing is assumed by this for the second part. "
            "P is a computed covariance and so nonnegative definite; at an equilibrium that is not, such as P = -1/2 for Phi = M = V = 1 and H = 1/2, B - PD "
            "may be outside the circle. The second part: for such a B - PD, (3.246) and the equations of Z and R have solutions, "
-           "and the distance of P_a(t_k) from P_ae is between -R/(k + 1) and R/(k + 1), which the block matrix says, with R the same for all k: it tends to zero.")
+           "and the distance of P_a(t_k) from P_ae is between -R/(k + 1) and R/(k + 1), which the block matrix says, with R the "
+           "same for all k: it tends to zero.")
