@@ -156,7 +156,7 @@ def _only_scalars(data: dict, mutant: Mutant, world: World) -> bool:
 def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
     """A proof of the same kind proves the changed statement: both are theorems. Of an order there may be several, for what follows from the original."""
     orders = [e for e in by if e.kind == "order"]
-    ways = [[e for e in by if e.kind != "order" or e is one] for one in orders or [None]]
+    ways = [[e for e in by if e.kind != "order" or e is one] for one in orders or by[:1]]
     tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)),
                   *(every_size("mutant", changed, way, 1.0) for way in ways))
     for certificate in tries:
