@@ -32,7 +32,7 @@ from typing import Any
 
 from exactkf.kernel.chains import Chains
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known
+from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
