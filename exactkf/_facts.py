@@ -14,7 +14,7 @@ from typing import Any
 
 from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.definite import _by_hypothesis, _is_number, definiteness
-from exactkf.kernel.every_size import _HELP
+from exactkf.kernel.every_size import _HELP, _parts
 from exactkf.kernel.order import FACTS, Leaf, leaves
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.recursion import Induction, along, before, inductions
@@ -39,6 +39,9 @@ def _orders(certificate: Mapping[str, Any]) -> Iterator[tuple[Mapping[str, Any],
     statement, evidence = certificate["statement"], certificate["evidence"]
     if certificate["kind"] == "order":
         yield statement, evidence
+    if certificate["kind"] == "conjunction":
+        for part, (kind, own) in zip(_parts(statement["says"]), evidence["parts"], strict=True):
+            yield from _orders({"kind": kind, "statement": {**statement, "says": part}, "evidence": own})
     if certificate["kind"] != "word induction":
         return
     for lemma in evidence.get("before", ()):

@@ -19,7 +19,8 @@ from exactkf.progress import Meter
 __all__ = ["check_paths", "read_certificate"]
 
 _MOST_BYTES = 256 << 20
-_PROOFS = ("evaluation", "identity", "combination", "induction", "membership", "order", "word induction", "generic index", "positivity")
+_PROOFS = ("evaluation", "identity", "combination", "induction", "membership", "order", "word induction", "generic index", "arithmetic", "conjunction",
+           "positivity")
 
 
 def check_paths(paths: Iterable[Path], seconds: float = SECONDS) -> int:

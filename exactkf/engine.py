@@ -346,7 +346,7 @@ def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
 
 def _every_size(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None:
     """A proof in words of letters holds for every size at once."""
-    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index") for e in by) else 2.0
+    seconds = 5.0 if any(e.kind in ("identity", "combination", "order", "induction", "generic index", "arithmetic") for e in by) else 2.0
     for certificate in every_size(id, data, by, seconds):
         if _accept(certificate, found):
             found.strength, found.sizes = "proved", None

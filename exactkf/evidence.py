@@ -14,6 +14,7 @@ evidence            what it shows                                              b
 `generic_index`     the same for coefficients, sums and entries, every size      proved
 `positivity`        difference = sum of c q^2 (hypotheses), c >= 0             proved, proved-sizes
 `order`             order, invertibility and equations for every size          proved
+`arithmetic`        statements about integers of any size                        proved
 `evaluation`        a closed statement, or every case of a finite one          proved
 `steps`             displayed steps proved; glue in prose; instances           steps
 `instances`         exact instances, random and degenerate                     instances
@@ -33,8 +34,9 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "combination", "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances",
-    "lemma", "null_vector", "order", "part", "positivity", "restated", "steps", "use", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination",
+    "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances", "lemma", "multiplied", "null_vector",
+    "order", "part", "positivity", "restated", "shown_first", "steps", "unfolded", "use", "within",
 ]
 
 
@@ -200,6 +202,8 @@ def fact(index: Expr, kind: str, says: Expr, by: Any = None, *, start: int = 0, 
     ``product``                             sum_of(k, 1, p, A[i, k] * B[k, j]) == (A * B)[i, j], for i, j between bounds
     ``cayley``                              (sum_of(k, 0, n, coeff(charpoly(A), k) * (U * A**k * V)) == Zero(p, q)) &
                                             (coeff(charpoly(A), n) == 1)
+    ``resolvent``                           charpoly(A) * (T(h) * inv(Identity(n) * Z - A) * g) ==
+                                            charpoly(A - g * T(h)) - charpoly(A)
     ======================================  ========================================================  ================================
 
     See `exactkf.kernel.generic_facts` for why they hold.
@@ -222,6 +226,66 @@ def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: An
         return {"definition": _name(number), "at": [to_expr(x).tree for x in args], **place}
     more = {} if times is None else {"times": to_expr(times).tree}
     return {"given" if isinstance(number, str) else "lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
+
+
+def arithmetic(*hints: Sequence[Any]) -> Evidence:
+    """A statement about integers of any size follows from the rules of arithmetic (see `exactkf.kernel.arithmetic`).
+
+    The statement is denied, and every case of that has to contradict itself. What exists is named like its index (``i``, and ``i1``,
+    ``i2`` .. after that), and the hints may use these names. They are taken in their order, each as soon as all its names are there:
+    `by_rests`, `at_index`, `by_cases`, `by_induction`, `shown_first`, `unfolded`, `angles`, `multiplied`.
+    """
+    return Evidence("arithmetic", {"proof": tuple(hints)})
+
+
+def by_rests(x: Any, by: int, name: Expr, hints: Sequence[Sequence[Any]] = ()) -> tuple:
+    """x = by * name + r for r = 0, .., by - 1, with hints for each r."""
+    return ("divide", to_expr(x).tree, by, _name(name), tuple(map(tuple, hints)))
+
+
+def at_index(index: Expr, term: Any) -> tuple:
+    """What is known for all ``index`` is known at this term."""
+    return ("at", _name(index), to_expr(term).tree)
+
+
+def by_cases(formula: Any, holds: Sequence[Any] = (), fails: Sequence[Any] = ()) -> tuple:
+    """A formula holds or does not, with hints for either case."""
+    return ("cut", to_expr(formula).tree, (tuple(holds), tuple(fails)))
+
+
+def shown_first(formula: Any, hints: Sequence[Any] = ()) -> tuple:
+    """A lemma, with the hints for its proof."""
+    return ("lemma", to_expr(formula).tree, ((), tuple(hints)))
+
+
+def multiplied(term: Any) -> tuple:
+    """Equations may be multiplied by this term."""
+    return ("multiply", to_expr(term).tree)
+
+
+def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (), step: Sequence[Any] = ()) -> tuple:
+    """The formula is shown for all ``name`` >= start, with hints for base and step."""
+    return ("induct", _name(name), to_expr(start).tree, to_expr(formula).tree, (tuple(base), tuple(step), ()))
+
+
+def unfolded(name: Expr, at: Any) -> tuple:
+    """The value of a recursion at a term, by its definition."""
+    return ("unfold", _name(name), to_expr(at).tree)
+
+
+def angles(kind: str, *terms: Any) -> tuple:
+    """About cos(pi a/n), or a quotient.
+
+    ===============  ===========  ===============================================
+    kind             terms        says
+    ===============  ===========  ===============================================
+    ``product``      a, b, n      2 cos(pi a/n) cos(pi b/n) as a sum of two cosines
+    ``cosines``      a, b, n      when cos(pi a/n) and cos(pi b/n) are equal
+    ``right``        n            cos(pi n/(2n)) = 0
+    ``quotient``     x, y         (x/y) y = x
+    ===============  ===========  ===============================================
+    """
+    return (kind, *(to_expr(x).tree for x in terms))
 
 
 def positivity(terms: Sequence[tuple[Any, Any, Sequence[str]]], **sizes: Iterable[int] | int) -> Evidence:

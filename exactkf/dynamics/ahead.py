@@ -44,7 +44,7 @@ from flint import arb, arb_mat, ctx, fmpq
 from exactkf._errors import Unsupported
 from exactkf.dynamics.answer import Answer
 from exactkf.dynamics.every_order import decide
-from exactkf.exact._messages import bad, check_count
+from exactkf.exact._messages import MOST_DIGITS, bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.orbit_n import reduce_pair
@@ -57,6 +57,7 @@ __all__ = ["DigitsAhead", "ahead_data", "ahead_lines", "digits_ahead", "rounded"
 
 _BOUND = 1 << 17
 _SHORT = 50  # steps
+_FARTHEST = 10**100
 _LONGEST = 60  # characters of a fraction
 
 
@@ -98,7 +99,7 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     Raises
     ------
     BadInput
-        If the entries are not in one field, the lengths differ, `T` is negative or `digits` is not positive.
+        If the entries are not in one field, the lengths differ, `T` is negative or above 10**100, or `digits` is not between 1 and 100,000.
     Unsupported
         If the precision needed is above 2**17 bits and 32 times the digits, as for a state at or next to an escape.
 
@@ -107,8 +108,8 @@ def digits_ahead(a: Sequence[Scalar], g: Sequence[Scalar], T: int, digits: int =
     >>> digits_ahead([0], [2], 2, 5).g[0].str(5, radius=False)
     '-1.1429'
     """
-    check_count("T", T)
-    check_count("digits", digits, 1)
+    check_count("T", T, 0, _FARTHEST, "pass T <= 10**100")
+    check_count("digits", digits, 1, MOST_DIGITS)
     if answer is not None and not isinstance(answer, Answer):
         raise bad("answer", "is not an Answer", answer, "pass what decide returns, or None")
     a, g = unify_pair(a=a, g=g)

@@ -34,14 +34,13 @@ from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_ahead import state_within
 from exactkf.kernel.orbit_answer import pair_of
-from exactkf.kernel.orbit_n import is_around
+from exactkf.kernel.orbit_n import is_around, reduce_pair
 from exactkf.kernel.orbit_speed import check_rate
 from exactkf.kernel.orbit_structure import check_cyclic
 from exactkf.kernel.replay import seal
 
 __all__ = ["certify_ahead", "parts", "structure_of", "with_ahead"]
 
-_BOUND = 1 << 15
 _SMALLEST = 50  # digits after the point, besides those asked for
 
 
@@ -88,8 +87,9 @@ def _structure_hints(found: Structure) -> dict[str, Any]:
     if found.S is None:
         return {}
     D, *rows = for_checker([_spectrum(found), *found.S.rows])
-    vectors = ([Random(k).randint(-9, 9) for _ in rows] for k in range(_BOUND))
-    hint = _tried(((v, 128 << k // 2) for k, v in zip(range(16), vectors, strict=False)), lambda x: check_cyclic(D, rows, *x), "cyclic vector of S")
+    random = Random(len(rows))
+    vectors = (([random.randint(-9, 9) for _ in rows], 128 << k // 2) for k in range(16))
+    hint = _tried(vectors, lambda x: check_cyclic(D, rows, *x), "cyclic vector of S")
     return {"cyclic": hint[0], "bits": hint[1], "factor": found.evidence}
 
 
@@ -174,7 +174,7 @@ def with_ahead(answer: Answer, data: Mapping[str, Any]) -> dict[str, Any]:
     claimed = said["state"] = {name: [_shown(x) for x in data[name]] for name in "ag"}
     numbers = [*claimed["a"], *claimed["g"]]
     Q, S = pair_of(answer.certificate["statement"]["question"])
-    if any(isinstance(x, str) for x in numbers):
+    if any(isinstance(x, str) for x in numbers) or data["steps"] <= reduce_pair(Q, S).start:  # the checker steps
         return _extended(answer, said, {})
 
     def accepts(bits: int) -> None:

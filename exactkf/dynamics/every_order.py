@@ -73,7 +73,7 @@ from exactkf.dynamics.wandering import (
     primes,
 )
 from exactkf.dynamics.zeros import circle_points
-from exactkf.exact._messages import bad, check_count
+from exactkf.exact._messages import MOST_DIGITS, bad, check_count
 from exactkf.exact.balls import precision
 from exactkf.exact.circle import sign_on_circle
 from exactkf.exact.numberfield import RealField, RealNumber
@@ -90,6 +90,7 @@ from exactkf.theory.orbits import first_escape, integer_orbit
 __all__ = ["LimitDigits", "ball_between", "decide", "limit_digits", "rate_digits", "state_of"]
 
 MAX_STEPS = 2000
+_MOST_STEPS = 10**7
 _FEW = 60
 _MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
 _LARGE, _BILLION = ((1 << 61) - 1, (1 << 89) - 1), 10**9
@@ -143,7 +144,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     >>> decide([0, 1], [0, 0]).period
     1
     """
-    check_count("max_steps", max_steps)
+    check_count("max_steps", max_steps, 0, _MOST_STEPS, "what is settled does not need them; more than 10^4 help seldom")
     case = _case(a, g)
     reduced = case.reduced
     if reduced.escape is not None:
@@ -629,7 +630,7 @@ def rate_digits(answer: Answer, digits: int) -> arb:
 def _check_asked(answer: Any, digits: Any) -> None:
     if not isinstance(answer, Answer):
         raise bad("answer", "is not an Answer", answer, "pass what decide returns")
-    check_count("digits", digits, 1)
+    check_count("digits", digits, 1, MOST_DIGITS)
 
 
 def ball_between(lo: int, hi: int, bits: int) -> arb:

@@ -20,6 +20,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from exactkf.exact._messages import check_count
+
 __all__ = ["EXAMPLES", "Example", "verdict_of_doubles"]
 
 
@@ -81,6 +83,7 @@ def verdict_of_doubles(alpha0: str, gamma0: str, steps: int = 10_000) -> str:
         ``escapes at t`` where `1 - gamma**2` is zero; ``period p`` for the least p up to 12 after which 100 late states come
         back to ten digits; ``converges to x`` where the last step moves alpha by less than 1e-10; else ``wanders``.
     """
+    check_count("steps", steps, 1, 10**6)
     x, y = float(Fraction(alpha0)), float(Fraction(gamma0))
     states = [(x, y)]
     for t in range(steps):

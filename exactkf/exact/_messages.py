@@ -33,13 +33,21 @@ def bad(name: str, problem: str, value: Any, remedy: str) -> BadInput:
     return BadInput(f"argument '{name}' {problem}: {shown(value)}; {remedy}")
 
 
-def check_count(name: str, value: Any, least: int = 0) -> None:
+#: decimal digits that may be asked for
+MOST_DIGITS = 10**5
+
+
+def check_count(name: str, value: Any, least: int = 0, most: int | None = None, remedy: str = "") -> None:
     """Refuse `value` unless it is an integer and at least `least`: a number of steps, a size, an exponent.
+
+    With ``most`` it is at most that, as nobody could wait for more, or no memory would hold it; ``remedy`` says what to do instead.
 
     Raises
     ------
     BadInput
-        If it is less, or anything else, a truth value included.
+        If it is less, more, or anything else, a truth value included.
     """
+    if most is not None and isinstance(value, int) and value > most:
+        raise bad(name, f"is more than {most}, which takes too long or fills the memory", value, remedy or f"pass {name} <= {most}")
     if isinstance(value, bool) or not isinstance(value, int) or value < least:
         raise bad(name, f"is not an integer of at least {least}", value, f"pass {name} >= {least}")

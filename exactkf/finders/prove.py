@@ -11,14 +11,16 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import combinations, product
+from itertools import chain, combinations, product
 from typing import Any
 
 from exactkf.evidence import Evidence
+from exactkf.finders.arithmetic import find_arithmetic
 from exactkf.finders.membership import find_induction, find_membership, find_order
 from exactkf.kernel.continuity import away_from_zero
+from exactkf.kernel.every_size import _parts
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.replay import seal
+from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 
 __all__ = ["PROOFS", "candidates", "every_size"]
 
@@ -54,6 +56,8 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     for e in by:
         if e.kind == "generic index":
             yield seal(id, "generic index", statement, e.hints)
+        if e.kind == "arithmetic" and (proof := find_arithmetic(statement, json.loads(json.dumps(e.hints["proof"])), 10 * seconds)) is not None:
+            yield seal(id, "arithmetic", statement, {"proof": proof})
     if not statement["sizes"]:
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
@@ -68,6 +72,7 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
         ways.append(partial(_by_induction, led=led))
     for way in ways:
         yield from way(id, statement, asked, seconds, degree)
+    yield from _by_members(id, statement, by, seconds, degree)
 
 
 def _by_induction(id: str, statement: dict, _asked: Mapping[str, Any], seconds: float, _degree: int, led: Mapping[str, Any]) -> Iterator[dict]:
@@ -92,6 +97,31 @@ def _by_order(id: str, statement: dict, asked: Mapping[str, Any], seconds: float
         return
     if parts is not None:
         yield seal(id, "order", statement, {"parts": parts, "lemmas": lemmas, **more})
+
+
+def _by_members(id: str, statement: dict, by: Sequence[Evidence], seconds: float, degree: int) -> Iterator[dict]:
+    """Each member of a conjunction in its own way, where some are about entries and some about words."""
+    generic = [e for e in by if e.kind == "generic index"]
+    if statement["says"][0] != "and" or not generic:
+        return
+    parts = []
+    for member in _parts(statement["says"]):
+        own = {**statement, "says": member}
+        words = (way(id, own, {}, seconds, degree) for way in (_by_membership, _by_order))
+        tried = chain((seal(id, "generic index", own, e.hints) for e in generic), *words)
+        proof = next((c for c in tried if _replays(c)), None)
+        if proof is None:
+            return
+        parts.append([proof["kind"], proof["evidence"]])
+    yield seal(id, "conjunction", statement, {"parts": parts})
+
+
+def _replays(certificate: dict) -> bool:
+    try:
+        replay(certificate)
+    except (Rejected, NotACertificate):
+        return False
+    return True
 
 
 def _has_index(tree: Any) -> bool:

@@ -219,7 +219,8 @@ class Chains:
         if len(word) == 1 and word[0][3] == _ONE and (tree := json.loads(word[0][0]))[0] == "sym" and tree[1] in self.sequences:
             return self.atom(("at", tree[1], form_key(j if word[0][2] else i)))
         ways = [(*_written(word), form_key(i), form_key(j)), (*_written(self._transposed(word)), form_key(j), form_key(i))]
-        return self.atom(("word", *min(ways, key=lambda way: (way[0].count('["T", '), way[0]))))  # not by indices, which move in a sum
+        moves = any(name.startswith("#") for place in ways[0][1:] for name, _ in place)  # then indices are no reason, as they move in a sum
+        return self.atom(("word", *min(ways, key=lambda way: (way[0].count('["T", '), *(way[:1] if moves else way)))))
 
     def _transposed(self, word: list[tuple[str, list[Form], bool, Form]]) -> list[tuple[str, list[Form], bool, Form]]:
         return [(text, forms, self._flipped(text, not flip), power) for text, forms, flip, power in reversed(word)]

@@ -163,12 +163,12 @@ class Witness:
             key = terms.atoms[min(atoms)]
             if key[0] == "at" and (key[1] == "z" or key[1] in self.numbers | self.entries):
                 return True
-            if key[0] in ("value", "value at 1/z") and len(p) == 1 and key[1] in self.monic:  # a power of a polynomial that is not zero
+            if key[0] in _IN_Z and len(p) == 1 and (key[1] in self.monic or key[1].startswith('["charpoly", ')):  # a power of a polynomial that is not zero
                 return True
             if key[0] == "prod" and len(p) == 1:  # no factor is zero, and so the product is not
                 variables = len(key[1]) == 1 and all(x[0] == "at" and x[1] in self.numbers | self.entries for x, _ in key[1][0][0])
                 return len(p) == 1 and (variables or bool(self._number(key[1])))
-        self.z = Fraction(1) if any(terms.atoms[place][0] in (*_IN_Z, "power") for place in atoms) else _Z
+        self.z = Fraction(1) if any(_has_functions(terms.atoms[place]) for place in atoms) else _Z
         try:
             values = {place: self.value(terms.atoms[place]) for place in atoms}
         except (Unknown, Undefined):
@@ -306,6 +306,11 @@ class Witness:
                 if terms.field.factors or constant and any(x.num):
                     raise Unknown("no number")
                 yield Fraction(x.num.get(0, 0), x.q)
+
+
+def _has_functions(key: Any) -> bool:
+    """Whether an atom is a function of z as it is or a power of z, or a sum or a product of such."""
+    return key in (*_IN_Z, "power") if not isinstance(key, tuple) else any(_has_functions(x) for x in key)
 
 
 def _at_one(tree: Any) -> Any:

@@ -9,6 +9,10 @@
     base and step, each by an ``order``
 ``generic index``
     recursions of growing degree: lemmas by induction, then the conclusion
+``arithmetic``
+    integers: the denied statement contradicts itself in every case
+``conjunction``
+    the members of a conjunction, each by one of these
 
 Main definitions
 ----------------
@@ -22,6 +26,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
+from exactkf.kernel.arithmetic import arithmetic
 from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.index_induction import generic_index
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown, fraction
@@ -173,4 +178,22 @@ def _by_cases(name: str, made: Induction, proofs: list, denominators: list[str])
             raise Rejected(f"{name}, {which}: {error}") from error
 
 
-KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index}
+def _conjunction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
+    """Each member by a proof of its own kind.
+
+    A conjunction is looked at in order: where it is false on an instance, so is one of its members, which has a value there; and
+    that member has been shown of all instances of the same hypotheses.
+    """
+    members, denominators = _parts(statement["says"]), dict[str, None]()
+    _need(statement["says"][0] == "and" and len(members) == len(evidence["parts"]), "as many proofs as members of the conjunction are needed")
+    for place, (member, (kind, own)) in enumerate(zip(members, evidence["parts"], strict=True), 1):
+        _need(kind in KINDS and kind != "conjunction", f"member {place}: a kind of proof for every size is needed")
+        try:
+            denominators.update(dict.fromkeys(KINDS[kind]({**statement, "says": member}, own)))
+        except (Rejected, Undefined, Unknown) as error:
+            raise Rejected(f"member {place}: {error}") from error
+    return list(denominators)
+
+
+KINDS = {"membership": _membership, "order": _order, "word induction": _word_induction, "generic index": generic_index,
+         "arithmetic": arithmetic, "conjunction": _conjunction}

@@ -347,6 +347,15 @@ class Terms(Indefinite, Chains):
             return self.at_z(tree[1], env, not flip)
         if op == "neg":
             return -self.at_z(tree[1], env, flip)
+        if op == "charpoly" and not self.has_z(tree[1]):
+            return self._function(tree, env, flip)
+        if op == "*" and any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[1:]):
+            scalars, chain = self._factors(tree, env)
+            out = self.number(1)
+            for part in (*scalars, chain):
+                x = ["*", *part] if len(part) > 1 else part[0] if part else 1
+                out = out * (self._function(x, env, flip) if len(part) > 1 and self.has_z(x) else self.at_z(x, env, flip))
+            return out
         if op in ("+", "-", "*", "/"):
             out = self.at_z(tree[1], env, flip)
             for part in tree[2:]:
@@ -368,6 +377,15 @@ class Terms(Indefinite, Chains):
         if op in ("sym", "at"):
             return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
         raise Unknown(f"{op!r} as a function of z")
+
+    def _function(self, tree: Any, env: Mapping[str, Form], flip: bool) -> Symbolic:
+        """A function of z as it is: a characteristic polynomial, or a product of matrices that is a number."""
+        text, forms = opaque(tree, env, self.index)
+        if self.within is not None:
+            raise Unknown("a recursion made of functions of z that are not opened")
+        if self.inverts(tree):
+            self._meet(text, forms)
+        return self.atom(("value at 1/z" if flip else "value", text, *(form_key(self.region.reduce(x)) for x in forms)))
 
     def power_of_z(self, form: Form) -> Symbolic:
         """z to an index: a power of z itself for the constant, and for each parameter a power of z^parameter; z^(c j) as it is for the index j of a sum."""
@@ -506,7 +524,8 @@ class Terms(Indefinite, Chains):
     def defining(self, name: str, args: tuple[Form, ...], places: Mapping[str, Form]) -> Symbolic:
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
-        if d is None or name not in self.recursive | self.closed or name in self.unused or not (args or name in self.letters):
+        kept = name in self.letters or name in self.whole & self.in_z  # without indices too
+        if d is None or name not in self.recursive | self.closed | self.whole or name in self.unused or not (args or kept):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")

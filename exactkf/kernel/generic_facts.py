@@ -18,6 +18,8 @@ fact           follows from
 ``product``    A_i1 B_1j + .. + A_ip B_pj = (AB)_ij, if A has p columns and B as many rows, at places that AB has
 ``cayley``     c_0 U V + c_1 U A V + .. + c_n U A^n V = 0 and c_n = 1 for c_k = coeff(charpoly(A), k) and A of size n: the theorem of Cayley
                and Hamilton, and charpoly(A) is monic
+``resolvent``  charpoly(A) h'(z - A)^(-1) g = charpoly(A - gh') - charpoly(A), for A, g, h without z: det(z - A + gh') is
+               det(z - A) times det(1 + (z - A)^(-1) gh'), which is 1 + h'(z - A)^(-1) g; z - A has an inverse, as charpoly(A) is monic
 =============  ==========================================================================================================
 
 For ``charpoly`` let B be z - A with its last row replaced by (p, 0, .., 0): that adds multiples of rows above to the last
@@ -247,31 +249,43 @@ def _product(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region:
 
 def _cayley(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
     """A theorem: what is looked at is that it says no more."""
-    fault = Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
-    says = lemma["says"]
-    if says[0] != "and" or len(says) != 3 or any(part[0] != "=" or len(part) != 3 for part in says[1:]):
-        raise fault
-    (_, total, zero), (_, leading, one) = says[1:]
-    if [_operation(x) for x in (total, zero, leading)] != ["sum", "O", "coeff"] or _operation(leading[1]) != "charpoly" or type(one) is not int or one != 1:
-        raise fault
-    _, k, low, high, body = total
-    charpoly, matrix, last, power = leading[1], leading[1][1], leading[2], ["^", leading[1][1], ["sym", k]]
-    if type(low) is not int or low or high != last or _operation(body) != "*" or body[1] != ["coeff", charpoly, ["sym", k]] or proof.is_bound(k, env):
-        raise fault
-    factors = body[2][1:] if len(body) == 3 and _operation(body[2]) == "*" else body[2:]
-    others = [x for x in factors if x != power]
-    if len(others) + 1 != len(factors) or k in _mentioned([matrix, last, others, zero]):
-        raise fault
+    match lemma["says"]:
+        case ["and", ["=", ["sum", k, low, high, ["*", ["coeff", ["charpoly", matrix], index], *rest]], ["O", *_] as zero],
+              ["=", ["coeff", ["charpoly", same], last], one]] if rest:
+            factors = rest[0][1:] if len(rest) == 1 and isinstance(rest[0], list) and rest[0][0] == "*" else rest
+        case _:
+            raise Rejected(f"{name}: the fact is sum(k, 0, n, coeff(charpoly(A), k)*(U*A^k*V)) == O, and coeff(charpoly(A), n) == 1")
+    others = [x for x in factors if x != ["^", matrix, ["sym", k]]]
+    if (type(low), low, type(one), one, index, same, high) != (int, 0, int, 1, ["sym", k], matrix, last) or len(others) + 1 != len(factors):
+        raise Rejected(f"{name}: not the theorem of Cayley and Hamilton")
+    if proof.is_bound(k, env) or k in _mentioned([matrix, last, others, zero]):
+        raise Rejected(f"{name}: index {k!r} bound twice")
     rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
-    if region.reduce(plus(rows, terms.index(last, env), -1)) or terms.has_z(matrix) or any(terms.has_z(x) or not terms.is_matrix(x) for x in others):
-        raise fault
+    if region.reduce(plus(rows, terms.index(last, env), -1)) or any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, *others)):
+        raise Rejected(f"{name}: a matrix with z, a number, or another size")
     for x, y in zip(terms.shape(["*", *factors] if others else matrix, {**env, k: {}}), terms.shape(zero, env), strict=True):
         if region.reduce(plus(x, y, -1)):
             raise Rejected(f"{name}: the zero is of another size")
 
 
-def _operation(tree: Any) -> Any:
-    return tree[0] if isinstance(tree, list) else None
+def _resolvent(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region: Region, name: str) -> None:
+    """A theorem: what is looked at is that it says no more."""
+    fault = Rejected(f"{name}: the fact is charpoly(A)*(T(h)*inv(Identity(n)*Z - A)*g) == charpoly(A - g*T(h)) - charpoly(A)")
+    match lemma["says"]:
+        case ["=", ["*", ["charpoly", matrix], ["*", _, ["inv", ["-", ["*", ["I", *_] as one, ["z"]], _]], _]],
+              ["-", ["charpoly", ["-", _, ["*", g, ["T", h]]]], _]]:
+            pass
+        case _:
+            raise fault
+    if lemma["says"] != ["=", ["*", ["charpoly", matrix], ["*", ["T", h], ["inv", ["-", ["*", one, ["z"]], matrix]], g]],
+                         ["-", ["charpoly", ["-", matrix, ["*", g, ["T", h]]]], ["charpoly", matrix]]]:
+        raise fault
+    rows, terms = _order(proof, matrix, env, region, name), Terms(proof.statement, region)
+    if any(terms.has_z(x) or not terms.is_matrix(x) for x in (matrix, g, h)):
+        raise Rejected(f"{name}: a matrix with z, or a number")
+    for x, size in ((one, (rows, rows)), (g, (rows, _ONE)), (h, (rows, _ONE))):
+        if any(region.reduce(plus(a, b, -1)) for a, b in zip(terms.shape(x, env), size, strict=True)):
+            raise Rejected(f"{name}: sizes do not fit")
 
 
 def _mentioned(tree: Any) -> set[str]:
@@ -283,4 +297,5 @@ def _mentioned(tree: Any) -> set[str]:
 #: name of a fact -> how it is shown for every index in the region
 FACTS: dict[str, Callable[[Any, Mapping[str, Any], dict[str, Form], Region, str], None]] = {
     "det": _det, "solve": _solve, "charpoly": _charpoly, "laurent": _laurent, "product": _product, "cayley": _cayley,
+    "resolvent": _resolvent,
 }

@@ -346,10 +346,11 @@ class Proof:
                 yield from self._said(terms, body, {**env, name: k}, places)
         elif says[0] == "=":
             for left, right in zip(says[1:], says[2:], strict=False):
-                if terms.is_matrix(left) or terms.is_matrix(right):
+                in_z = terms.has_z(left) or terms.has_z(right)
+                if (terms.is_matrix(left) or terms.is_matrix(right)) and not (in_z and terms.in_values):
                     if "row" in places:
                         yield from self._entries(terms, left, right, places["row"], places.get("column", _ONE), env)
-                elif terms.has_z(left) or terms.has_z(right):
+                elif in_z:
                     if terms.in_values:
                         yield from (terms.at_z(left, env, flip) - terms.at_z(right, env, flip) for flip in (False, True))
                     elif "z" in places:

@@ -172,6 +172,7 @@ def state_within(Q: list, S: list, T: int, bits: Any) -> list[Interval]:
     """Intervals around a and g after T steps, more than the reduction takes; see statement 3."""
     _need(type(bits) is int and 0 < bits < 1 << 18, "the bits are not a positive number")
     reduced = reduce_pair(Q, S)
+    _need(T > reduced.start, "the state is one of before the reduction ends")
     m, one = len(reduced.Q) - 1, (1 << bits, 1 << bits)
     q, s = ([*([around(x, bits) for x in p[:-1]]), last] for p, last in ((reduced.Q, one), (reduced.S, (0, 0))))
     within(bits * T.bit_length() * max(m, 1) ** 3, WORK, "bits of the intervals")

@@ -154,8 +154,17 @@ class Reader:
             if self.kinds[name][0] in ("scalar", "nonzero", "positive", "nonneg"):
                 return {(((name, 1),), ()): 1}
         if name in self.lets and self.lets[name][0] == "let" and not self.lets[name][2]:
-            return self.read(self.lets[name][3])
+            body = self.lets[name][3]
+            return self._entries(name, body) if isinstance(body, (list, tuple)) and body[0] in ("mat", "col") else self.read(body)
         raise Unknown(f"name {name!r} in a statement for every size")
+
+    def _entries(self, name: str, body: Any) -> Blocks:
+        """A matrix that is given by its entries is a letter: what holds for every matrix of its sizes holds for it."""
+        self.marks += 1
+        if name not in self.sizes:
+            rows, cols = (self.size(body[3]), self.size(body[4])) if body[0] == "mat" else (self.size(body[2]), _ONE_ROW)
+            self._letter(name, rows, cols, False)
+        return Blocks((self.sizes[name][0],), (self.sizes[name][1],), [[{((), (name,)): 1}]])
 
     def _read_call(self, tree: Any, local: Mapping[str, Any]) -> Any:
         definition = self.lets.get(tree[1]) if tree[1] not in local else None

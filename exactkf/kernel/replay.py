@@ -16,6 +16,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
 ``generic index``  for every size: coefficients and sums at a generic index, by induction
+``arithmetic``   for every integer: the denied statement contradicts itself in every case
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================

@@ -45,7 +45,7 @@ def neighbours(data: dict, worlds: Sequence[World], degree: int, deadline: float
     """Numbers of changed lemmas refuted and looked at, and warnings."""
     refuted, looked, warnings, unsettled = 0, 0, [], []
     large = sorted(worlds, key=lambda world: -sum(world.values[name] for name in data["sizes"]))[:_WORLDS]
-    every = [m for m in mutants(data) if not m.drops]
+    every = [m for m in mutants(data) if not (m.drops or m.stronger)]  # a stronger lemma may well be true
     for mutant in every[::max(1, -(-len(every) // _MOST))]:
         if time.perf_counter() > deadline:
             break

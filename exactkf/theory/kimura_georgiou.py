@@ -37,6 +37,8 @@ from exactkf.theory.szego import levinson, second_kind_polynomials, szego_polyno
 
 __all__ = ["from_kimura_georgiou", "laurent_covariances", "to_kimura_georgiou"]
 
+_MOST_COVARIANCES = 10**4
+
 
 def _combined(alpha: Vector, polynomials: Sequence[Vector]) -> Vector:
     r"""Return the lower `n` coefficients of :math:`p_n + \alpha_1 p_{n-1} + \dots + \alpha_n p_0`."""
@@ -89,12 +91,12 @@ def laurent_covariances(a: Sequence[Scalar], b: Sequence[Scalar], count: int | N
     Raises
     ------
     BadInput
-        If the lengths differ or `count` is negative.
+        If the lengths differ, or `count` is negative or more than 10,000.
     """
     a, b = unify(a=a, b=b)
     check_length("b", b, len(a), "a")
     if count is not None:
-        check_count("count", count)
+        check_count("count", count, 0, _MOST_COVARIANCES)
     zero, one = units(a)
     n = len(a)
     c: list[Scalar] = []

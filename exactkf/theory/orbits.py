@@ -55,6 +55,10 @@ __all__ = ["IntegerState", "Orbit", "exact_orbit", "first_escape", "integer_orbi
 
 IntegerState = tuple[tuple[fmpz, ...], tuple[fmpz, ...]]
 
+_MOST_STATES = 10**5  # that are kept at once
+_MOST_STEPS = 10**7  # modulo a prime
+_MOST_BITS = 1 << 32  # in all states together
+_FAR = "state_after and digits_ahead go far without stepping, integer_orbit gives one state after the other"
 _PRIMES = ((1 << 61) - 1, (1 << 89) - 1)
 
 
@@ -94,7 +98,7 @@ def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> 
     Raises
     ------
     BadInput
-        If `steps` is negative or `state` does not consist of two vectors of equal length.
+        If `steps` is negative or more than 100,000, or `state` does not consist of two vectors of equal length.
 
     Examples
     --------
@@ -102,7 +106,7 @@ def orbit(step: Callable[[Vector, Vector], State], state: State, steps: int) -> 
     >>> orbit(step_ag, ([1], [1]), 5).escape
     0
     """
-    check_count("steps", steps)
+    check_count("steps", steps, 0, _MOST_STATES, _FAR)
     if not callable(step):
         raise refused("step", step, "not a function", "pass step_ag, step_q or step_alpha_gamma")
     if not isinstance(state, (tuple, list)) or len(state) != 2:
@@ -176,18 +180,22 @@ def exact_orbit(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> Orbit:
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ or `steps` is negative.
+        If the entries are not rational, the lengths differ, `steps` is negative or more than 100,000, or the states fill the memory.
 
     Examples
     --------
     >>> exact_orbit([0], [2], 2).states[2]
     ((2,), (-8/7,))
     """
-    check_count("steps", steps)
+    check_count("steps", steps, 0, _MOST_STATES, _FAR)
     states: list[State] = []
+    bits = 0
     for (lead, *rest), star in integer_orbit(a, g):
         a_t = tuple(fmpq(x - y, lead) for x, y in zip(rest, star, strict=True))
         states.append((a_t, tuple(fmpq(y, lead) for y in star)))
+        bits += sum(x.p.bit_length() + x.q.bit_length() for x in (*a_t, *states[-1][1]))
+        if bits > _MOST_BITS:
+            raise refused("steps", steps, f"the first {len(states)} states have more than {_MOST_BITS >> 3} bytes", _FAR)
         if len(states) > steps:
             return Orbit(tuple(states), None)
     return Orbit(tuple(states), len(states) - 1)
@@ -223,14 +231,19 @@ def first_escape(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | 
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ or `steps` is negative.
+        If the entries are not rational, the lengths differ, or `steps` is negative or more than 10,000,000.
 
     Examples
     --------
     >>> first_escape([-2], [fmpq(1, 2)], 1000)
     1
     """
-    check_count("steps", steps)
+    check_count("steps", steps, 0, _MOST_STEPS, "exactkf.dynamics.decide settles escapes at every step")
+    return escape_before(a, g, steps)
+
+
+def escape_before(a: Sequence[Scalar], g: Sequence[Scalar], steps: int) -> int | None:
+    """The same for any number of steps."""
     start = _integer_start(a, g)
     if not all(_may_escape(start, steps, p) for p in _PRIMES):
         return None

@@ -53,8 +53,10 @@ from exactkf.exact._messages import check_count
 from exactkf.theory._matrices import as_fmpq_mat
 from exactkf.theory._scalars import Scalar, Vector, refused, unify_pair
 from exactkf.theory.fast_filter import State, ag_from_alpha_gamma, alpha_gamma_from_ag, step_alpha_gamma
-from exactkf.theory.orbits import exact_orbit, first_escape
+from exactkf.theory.orbits import escape_before, exact_orbit
 
+_FARTHEST = 10**7  # steps: the state has about as many digits
+_MOST_BITS, _LARGE = 1 << 32, 10**4
 _PRIME = (1 << 61) - 1
 _MANY, _FEW = 1000, 4  # steps from which, and the order up to which, minors are quicker than stepping modulo a prime
 
@@ -131,7 +133,7 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
     Raises
     ------
     BadInput
-        If `exponent` is negative or no integer, or `modulus` is no such polynomial.
+        If `exponent` is negative or no integer, the power too large for the memory, or `modulus` is no such polynomial.
 
     Examples
     --------
@@ -146,8 +148,10 @@ def power_modulo(exponent: int, modulus: fmpz_poly) -> tuple[fmpz_poly, int]:
         raise refused("modulus", modulus, "not an integer polynomial of degree at least one", "pass an fmpz_poly")
     degree, lead = modulus.degree(), modulus.leading_coefficient()
     value, e = fmpz_poly([1]), 0
-    for bit in bin(exponent)[2:]:
+    for place, bit in enumerate(bin(exponent)[2:], 1):
         value, e = value * value, 2 * e
+        if (height := value.height_bits()) > _LARGE and height << (exponent.bit_length() - place) > _MOST_BITS:  # it doubles in each turn from here on
+            raise refused("exponent", exponent, f"the power has more than {_MOST_BITS} bits", "pass a smaller one, or compute modulo a prime")
         if bit == "1":
             value = value.left_shift(1)
         while value.degree() >= degree:
@@ -254,7 +258,7 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     Raises
     ------
     BadInput
-        If the entries are not rational, the lengths differ or `T` is negative.
+        If the entries are not rational, the lengths differ, or `T` is negative or more than 10,000,000.
 
     Examples
     --------
@@ -264,10 +268,10 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
     (((0,), (0,)), 1)
     """
     start, g_start = (tuple(row) for row in as_fmpq_mat("(a, g)", unify_pair(a=a, g=g)).tolist())
-    check_count("T", T)
+    check_count("T", T, 0, _FARTHEST, "exactkf.dynamics.digits_ahead gives the digits of the state")
     n = len(start)
     excluded = T > _MANY and n <= _FEW and start[-1] + g_start[-1] != 0 and _escape_excluded(start, g_start, T)
-    escape = None if excluded else first_escape(start, g_start, T)
+    escape = None if excluded else escape_before(start, g_start, T)
     if escape is not None:
         return Arrival(None, escape)
     if 2 * n >= T:
@@ -280,7 +284,7 @@ def state_after(a: Sequence[Scalar], g: Sequence[Scalar], T: int) -> Arrival:
 def _arrive_reduced(a: Vector, g: Vector, T: int) -> State:
     r"""Return the state after ``T > 2n`` steps when :math:`\alpha_n = 0`; no escape before `T` is assumed."""
     n = len(a)
-    if first_escape(a, g, T + n) is not None:  # the coordinates (alpha, gamma) do not exist at T
+    if escape_before(a, g, T + n) is not None:  # the coordinates (alpha, gamma) do not exist at T
         return exact_orbit(a, g, T).states[-1]
     alpha, gamma = alpha_gamma_from_ag(a, g)
     k = max((i + 1 for i, value in enumerate(alpha) if value != 0), default=0)

@@ -121,15 +121,6 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
 
 # ---------------------------------------------------------------------- escape counts
 odd, d, unit, none, first, last = symbols("odd d unit none first last")
-claim("BLM91-X.10", "where U_j is 0, 1 or -1, for every rational angle",
-      forall(j, 0, last, iff(none(j), j == last) & iff(unit(j), (j == last - 1) | first(j))), sizes=["p"], over={q: integer(1, 29)},
-      where=[GCD, let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), let(last, d - 1), let(lam, -cospi(2 * q, p)), CHEBYSHEV, function(none, [j], Ut[j] == 0), function(unit, [j], (Ut[j] == 1) | (Ut[j] == -1)),
-             function(first, [j], j == 0)], given=LOWEST,
-      by=[steps("BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"],
-                prose="w is not 1 or -1, and w^2 has order d: U_j = 0 says w^(2j+2) = 1, and U_j = 1 or -1 says that w^j or w^(j+2) has square 1"), instances(40, p=range(3, 25))],
-      note="The points (U_i, +-1)/U_(i-1), i = 1, .., d - 1, d = p for odd p and p/2 for even p, are all that end, since U_(d-1) = 0 closes the list. From the i-th of them gamma_t is +-1/U_(i-t-1), so that it ends where U_(i-t-1) is 1 or -1: "
-           "after i steps (U_0 = 1), but for i = d - 1, where U_(d-2) is 1 or -1 already at the start. Hence four points end at step 1 (two for d = 2), two at each of the steps 2, .., d - 2, and none later.")
-
 ends, total, before_al, before_ga, after_al, after_ga, length = symbols("ends total alpha_back gamma_back alpha_on gamma_on steps")
 #: the k-th point before the end on the branch through (2/kappa, 1), by the inverse of (3.10), the first of them with alpha = 0, and how many steps of (3.10) it takes
 BACKWARDS = (function(before_al, [k], when(k == 1, 2 * lam, before_al(k - 1) * (1 - before_ga(k) ** 2))), function(before_ga, [k], when(k == 1, 1, -before_ga(k - 1) / before_al(k - 1))),
@@ -142,6 +133,6 @@ EVERY_END = (2 * last == when(cospi(p, 1) == -1, 2 * (p - 1), p - 2)) & forall(t
 claim("BLM91-X.15", "all points that end, and after how many steps, for every p <= 48", EVERY_END, **ENDING, by=[part("p <= 48"), evaluation(p=range(3, 49)), instances(30, p=range(3, 13))],
       note="Every angle in lowest terms with p <= 48: both signs of kappa and kappa infinite (p = 4, q = 1). On the hyperbola |gamma| = 1 leaves alpha = 2/kappa and alpha = 0, which are where (3.10) divides by zero; "
            "the inverse of (3.10), alpha = alpha' (1 - gamma^2) with gamma = -gamma'/alpha', leads from (2/kappa, 1) to all that end there, and stops at alpha = 0, which nothing moves to. "
-           "(3.10) is run forwards from each point: its step leads to the point before it in the list, so that the steps that remain are counted once. Mirror images in gamma end with them, hence the factor two.")
+           "(3.10) is run forwards from each point: its step leads to the point before it in the list, so that the steps that remain are counted once. Mirror images in gamma end with them, hence the factor two. For every p see X.18.")
 claim("BLM91-X.16", "all points that end, and after how many steps, for p = 49, .., 60", EVERY_END, **ENDING, by=[part("49 <= p <= 60"), evaluation(p=range(49, 61)), instances(30, p=range(3, 13))],
       note="X.15 goes on: with it, every angle in lowest terms with p <= 60, exactly in Q(cos(2 pi q/p)).")

@@ -19,8 +19,8 @@ from proofs.blm91.lemmas_estimate import ESTIMATE_LEMMAS, Gram, Past, Pi, U, a, 
 from proofs.blm91.notation import F, g, h, i, k, n, s, t
 
 __all__ = [
-    "BY_COVARIANCE", "BY_RICCATI_OF_COVARIANCE", "BY_RICCATI_TRANSPOSED", "COVARIANCE", "COVARIANCE_LEMMAS", "RICCATI_OF_COVARIANCE", "SYMMETRIC", "cov", "moved", "partial_sums",
-    "product_fact", "stays_symmetric",
+    "BY_COVARIANCE", "BY_RICCATI_OF_COVARIANCE", "BY_RICCATI_TRANSPOSED", "COVARIANCE", "COVARIANCE_LEMMAS", "RICCATI_OF_COVARIANCE", "SYMMETRIC", "cov",
+    "moved", "multiplied", "partial_sums", "product_fact", "stays_symmetric",
 ]
 
 cov, moved = symbols("cov F_g")
@@ -78,7 +78,7 @@ SYMMETRIC = stays_symmetric(21)
 BY_COVARIANCE = [use(20, t=t, i=row, k=column), use(21, t=t, a=0, e=0, i=row, k=column), use(20, t=t, i=column, k=row)]
 
 
-def _multiplied(number: int, x: Expr | None, y: tuple[Expr, Expr], z: Expr | None, before: int, rows: Any, columns: Any) -> tuple[dict[str, Any], ...]:
+def multiplied(number: int, x: Expr | None, y: tuple[Expr, Expr], z: Expr | None, before: int, rows: Any, columns: Any) -> tuple[dict[str, Any], ...]:
     """From y = y', which is the lemma ``before``: xy = xy', or yz = y'z; the last of four lemmas, of which the first has this number."""
     left, right = ((x * p, x, p) if z is None else (p * z, p, z) for p in y)
     return (
@@ -94,8 +94,8 @@ _BOTH = cov(t), Pi[t]
 _WITH_F, _WITH_H = (tuple(y * z for y in _BOTH) for z in (T(F), h))
 RICCATI_OF_COVARIANCE = (
     *COVARIANCE_LEMMAS, lemma(t, _places(cov(t)[i, k] == Pi[t][i, k], n, n), direct=True, uses=[use(20, **_AT)]),
-    *_multiplied(22, None, _BOTH, T(F), 21, n, n), *_multiplied(26, F, _WITH_F, None, 25, n, n),
-    *_multiplied(30, None, _BOTH, h, 21, n, 1), *_multiplied(34, F, _WITH_H, None, 33, n, 1), *_multiplied(38, T(h), _WITH_H, None, 33, 1, 1),
+    *multiplied(22, None, _BOTH, T(F), 21, n, n), *multiplied(26, F, _WITH_F, None, 25, n, n),
+    *multiplied(30, None, _BOTH, h, 21, n, 1), *multiplied(34, F, _WITH_H, None, 33, n, 1), *multiplied(38, T(h), _WITH_H, None, 33, 1, 1),
 )
 BY_RICCATI_OF_COVARIANCE = [use(21, t=t + 1, i=row, k=column, times=1), use(29, t=t, i=row, k=column), use(37, t=t, i=row, k=1), use(37, t=t, i=column, k=1), use(41, t=t, i=1, k=1)]
 #: of the transposed equation: the lemma after `RICCATI_OF_COVARIANCE` is that Pi_t is symmetric

@@ -16,7 +16,7 @@ R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
 every symmetric P.
 """
 
-from exactkf.evidence import example, lemma
+from exactkf.evidence import example, fact, lemma
 from exactkf.language import (
     Identity,
     T,
@@ -24,12 +24,14 @@ from exactkf.language import (
     Zero,
     always,
     block,
+    charpoly,
     coeff,
     defined,
     exists,
     function,
     given,
     hstack,
+    inv,
     let,
     matrix_of,
     nonzero,
@@ -107,6 +109,10 @@ def covariance(x, y, noise=NOISE, cov=P, last=m):
 
 #: x_t written out; for `generic_index`
 WRITTEN_OUT = (lemma(t, XX0[t] == F**t, rule=True), lemma(t, always(s, XV(s, t) == when(s < t, F ** (t - 1 - s), Zero(n, n))), rule=True))
+
+#: h'(z - F)^(-1) g, by the matrix determinant lemma
+TRANSFER = T(h) * inv(Identity(n) * Z - F) * g
+RESOLVENT = fact(t, "resolvent", charpoly(F) * TRANSFER == charpoly(F - g * T(h)) - charpoly(F))
 
 # ---------------------------------------------------------------------- Szego polynomials
 c, phi, phis, gam, r = symbols("c phi phis gamma r")

@@ -26,7 +26,7 @@ gamma_t = (-1)^t/(t + 2), and a spectral density that vanishes at z = -1.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, fact, generic_index, identity, induction, instances, lemma, restated, steps, use
+from exactkf.evidence import example, fact, generic_index, induction, instances, lemma, restated, steps, use
 from exactkf.language import *
 from proofs.blm91.lemmas_toeplitz import Toep, by_prediction, by_triangles, cc, predicted, triangular, yhat
 from proofs.blm91.notation import *
@@ -52,7 +52,7 @@ claim("BLM91-E2.2", "covariances of the output",
       note="c_k is E{y_(t+k) y_t}, the same for every t; model as for (2.1).")
 
 upto, power = symbols("upto power")
-PHI = let(p, rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g)
+PHI = let(p, rational("1/2") + TRANSFER)
 claim("BLM91-E2.3", "Phi_+ has the covariances as its coefficients at infinity",
       always(t, Identity(1) / 2 + T(h) * inv(x * Identity(n) - F) * g == upto[t] + T(h) * inv(x * Identity(n) - F) * power[t]),
       sizes=["n"], over={F: matrix(n, n), h: vector(n), g: vector(n), x: nonzero()},
@@ -67,7 +67,7 @@ not_checked("BLM91-E2.4", "the Popov condition, and positive real functions", "a
 claim("BLM91-X.20", "the Popov condition, cleared of denominators",
       (p + recip(p)) * chi * recip(chi) == num, sizes=["n"],
       over={F: matrix(n, n), h: vector(n), g: vector(n)}, where=[PHI, *POPOV],
-      by=[identity(n=(1, 2, 3)), instances(n=(1, 2, 3))],
+      by=[generic_index(RESOLVENT, in_values=True, uses=[use(0, t=0)]), instances(n=(1, 2, 3))],
       note="Not printed. As chi(z)chi(1/z) > 0 on the circle for a stability matrix F, the Popov condition says "
            "that the pseudo-polynomial chi(z)chi(1/z)(Phi_+(z) + Phi_+(1/z)) is positive there.")
 

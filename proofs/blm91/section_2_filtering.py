@@ -185,9 +185,13 @@ claim("BLM91-E2.28", "the invariant pseudo-polynomial",
       always(t, LEFT == D), sizes=["n"], over=AG, where=[*POLY, INVARIANT], given=SOME,
       by=[generic_index(lemma(t, NEXT, direct=True), lemma(t, LEFT == D, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)]),
                         closed=[Qp, Qs], in_values=True, uses=[use(1, t=t, times=1)]), instances(n=(1, 2, 3))], note="D is the left side at t = 0.")
+DENOMINATOR = 1 / (Qp(0) - Qs(0))
+BY_RESOLVENT = generic_index(
+    RESOLVENT, fact(t, "charpoly", charpoly(F) == Qp(0) - Qs(0), (j, Z ** (n - j))), fact(t, "charpoly", charpoly(F - g * T(h)) == Qp(0), (j, Z ** (n - j))),
+    closed=[Qp, Qs], in_values=True, uses=[use(0, t=0, times=DENOMINATOR), use(1, t=0, times=-(1 + TRANSFER) * DENOMINATOR), use(2, t=0, times=DENOMINATOR)])
 claim("BLM91-E2.30", "Phi_+ by the initial polynomials",
-      rational("1/2") + T(h) * inv(Identity(n) * Z - F) * g == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      rational("1/2") + TRANSFER == rational("1/2") + Qs(0) / (Qp(0) - Qs(0)), sizes=["n"], over=AG, where=[*FORM, *POLY], given=SOME,
+      by=[BY_RESOLVENT, instances(n=(1, 2, 3))])
 
 # h_i of (3.4) along an orbit; what a step multiplies r_t by it divides the sums by
 ht, num, til, one, u, w, oz, tz, sz = symbols("h_t sums zero one u w one_z zero_z sums_z")

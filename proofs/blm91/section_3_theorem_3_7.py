@@ -45,19 +45,19 @@ ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
 CORRECT = (*COUNTED, function(expected, [t], when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0))), let(total, ALL))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
-LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1; "
+LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1 (X.18); "
              "a point that ends has alpha = U_i/U_(i-1) for some i, and U_(d-1) = 0 closes the list")
-BY_ORDER = steps("BLM91-X.1", "BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose=LIST_ENDS)
+BY_ORDER = steps("BLM91-X.1", "BLM91-X.10", "BLM91-X.18", "BLM91-E5.1'", prose=LIST_ENDS)
 LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them, on angles with "
 OTHER_MAP = "S78 holds, for nearly the same sentence, because its proof speaks of the slope map (5.1), under which (0, 1) and (0, -1) have the slope 0, which ends last; the theorem speaks of (3.10), which ends there at once."
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (total == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=CORRECT, given=[*LOWEST, ODD],
-                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9; for all p <= 60 see X.15 and X.16. " + OTHER_MAP)
+                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9; each of them is run for every p in X.18. " + OTHER_MAP)
 claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (total == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=CORRECT, given=[*LOWEST, EVEN],
-                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; for all p <= 60 see X.15 and X.16. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
+                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; each of them is run for every p in X.18. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
 claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
       where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
       by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
@@ -117,13 +117,13 @@ claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p 
       note="Period p occurs when 1/kappa = cos(pi (p - 2q)/p) <= 0 for a q prime to p, q < p/2. " + INFINITE + " Tried for all p up to m.")
 EXCEPT = function(far, [p], p != 6)
 claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, EXCEPT],
-      by=[steps("BLM91-X.2", "BLM91-X.12", "BLM91-L5.1.2", facts=["the cosine decreases on [0, pi]", "Bezout: numbers of which a combination with integer coefficients is 1 are coprime"], prose="1/kappa = cos(pi (p - 2q)/p) >= 0 says 4q >= p; the q of X.12 serves for p other than 6, for which there is none"), instances(m=(4, 6, 9, 20))],
+      by=[steps("BLM91-X.2", "BLM91-L5.1", facts=["the cosine decreases on [0, pi]"], prose="1/kappa = cos(pi (p - 2q)/p) >= 0 says 4q >= p, and for which p there is such a q Lemma 5.1 tells"), instances(m=(4, 6, 9, 20))],
       note="As for kappa < -1, with 1/kappa >= 0. " + INFINITE + " Tried for all p up to m.")
 there = sym("lambda_xy")
 ALL_FOUR = (*ORDER, *WITH, EXCEPT, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
 claim("BLM91-C3.8", "Corollary 3.8", (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u)) & forall(d, 3, m, iff(below(d), d >= 4) & iff(above(d), far(d))), sizes=["m"],
       over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS],
-      by=[steps("BLM91-X.2", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, the q of X.12 for kappa > 1"),
+      by=[steps("BLM91-X.2", "BLM91-L5.1", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, Lemma 5.1 for kappa > 1"),
           instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2)],
       note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, tried up to m, is C3.8.3 and C3.8.4.")
 

@@ -14,12 +14,27 @@ a_11)m - a_12 m^2. (With x/y the indices 1 and 2 change places.)
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, identity, induction, instances, restated, steps
+from exactkf.evidence import combination, example, generic_index, identity, induction, instances, restated, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_error import (
+    BY_ERROR,
+    BY_RICCATI_OF_ERROR,
+    CLOSED_FOR_ERROR,
+    ERROR,
+    ERROR_LEMMAS,
+    FROM_STATE,
+    RICCATI_OF_ERROR,
+    SAME_ERROR,
+    err,
+    next_error,
+    rec_p,
+)
+from proofs.blm91.lemmas_estimate import PROJECTED, SOME, Pi
+from proofs.blm91.lemmas_gain import SYSTEM
 from proofs.blm91.notation import *
 
-pit, phi_, y, p, b1, b2, root, Qn, Sn, Rn, noise, A, A1, B, err, okay, inside, first, sec, bal, bga, rest, there, fx, gx, mob, same, whole, infinite, v = symbols(
-    "pi_t phi_0 y p b_1 b_2 root Q S R noise A A1 B p_t admissible inside alpha_bar gamma_bar alpha_next gamma_next at_rest there f_x g_x mobius same multiple infinite v")
+pit, phi_, y, p, b1, b2, root, Qn, Sn, Rn, noise, A, A1, B, okay, inside, first, sec, bal, bga, rest, there, fx, gx, mob, same, whole, infinite, v = symbols(
+    "pi_t phi_0 y p b_1 b_2 root Q S R noise A A1 B admissible inside alpha_bar gamma_bar alpha_next gamma_next at_rest there f_x g_x mobius same multiple infinite v")
 POINT = {al0: nonzero(), ga0: scalar()}
 MAP = (let(a, al0 - ga0), rec(pit, t, x, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
 PHI = let(phi_, x**2 - (1 - al0**2 + ga0**2) * x + ga0**2)
@@ -187,21 +202,17 @@ claim("BLM91-R4.6.2", "crossing the infinite line", CROSS, over={lam: positive()
       note="In discrete time a slope beyond 2/kappa goes from positive to negative without being infinite. The state-costate representations are those of Remark 4.5; the print names Remark 4.4.")
 
 # ---------------------------------------------------------------------- the error covariance
-F1 = (let(n, 1), let(F, rows([[-a]])), let(h, Identity(1)))
-SYS1 = {a: scalar(), g: vector(1), P: symmetric_matrix(1)}
-xh, Ys = symbols("x_hat y_past")
-PROJECT = (*F1, *MODEL, function(Ys, [t], matrix_of(i, j, t, width, Y(i - 1)[1, j])),
-           function(xh, [t], when(t == 0, Zero(n, width), X[t] * G * T(Ys(t)) * inv(Ys(t) * G * T(Ys(t))) * Ys(t))),
-           function(err, [t], ((X[t] - xh(t)) * G * T(X[t] - xh(t)))[1, 1]))
-Q1, S1, R1 = (1 - a**2) * P[1, 1], g[1] + a * P[1, 1], 1 - P[1, 1]
-STEP_P = a**2 * err(t) - (a * err(t) - S1) ** 2 / (err(t) + R1) + Q1
-BY_M = [identity(m=(1, 2)), instances(m=(1, 2))]
-claim("BLM91-E4.26", "the Riccati equation of the error covariance", forall(t, 0, m, err(t + 1) == STEP_P), sizes=["m"], over=SYS1, where=PROJECT, by=BY_M,
-      note="bb' = Q = (1 - a^2)P, bd' = S = g + aP, dd' = R = 1 - P for state covariance P; the estimate is the projection on the past outputs. v = bu, w = du.")
-rec_p = sym("p_riccati")
-claim("BLM91-E4.27", "p_t is the covariance of the error", forall(t, 0, m, rec_p[t] == err(t)), sizes=["m"], over=SYS1,
-      where=[*PROJECT, rec(rec_p, t, P[1, 1], a**2 * rec_p[t] - (a * rec_p[t] - S1) ** 2 / (rec_p[t] + R1) + Q1)], by=BY_M, note="p_riccati solves (4.26) from the state covariance P; err is E(x_t - x_t^)^2.")
-claim("BLM91-E4.28", "p_t and pi_t", forall(t, 0, m, err(t) == P[1, 1] - pit[t]), sizes=["m"], over=SYS1, where=[*PROJECT, rec(pit, t, 0, a**2 * pit[t] + (g[1] + a * pit[t]) ** 2 / (1 - pit[t]))], by=BY_M)
+_ERROR = {"sizes": ["n"], "over": SYSTEM, "given": SOME}
+_EVERY = "For a state of any size; the print is the case n = 1, F = -a, h = 1, bb' = Q, bd' = S and dd' = R being the covariances of the noise bu, du. "
+_IT_IS = "p_t is E(x_t - x^_t)(x_t - x^_t)'. " + PROJECTED + " Pi_t, K, U and F_g serve the proof alone."
+claim("BLM91-E4.26", "the Riccati equation of the error covariance", always(t, err(t + 1) == next_error(err(t))), where=ERROR, **_ERROR,
+      by=[generic_index(*RICCATI_OF_ERROR, **CLOSED_FOR_ERROR, uses=BY_RICCATI_OF_ERROR), instances(n=(1, 2), horizon=2)], note=_EVERY + _IT_IS)
+claim("BLM91-E4.27", "p_t is the covariance of the error", always(t, rec_p[t] == err(t)), where=[*ERROR, FROM_STATE], **_ERROR,
+      by=[generic_index(*ERROR_LEMMAS, SAME_ERROR, **CLOSED_FOR_ERROR, uses=BY_ERROR), instances(n=(1, 2), horizon=2)],
+      note=_EVERY + "p_riccati solves (4.26) from the state covariance P. " + _IT_IS)
+claim("BLM91-E4.28", "p_t and pi_t", always(t, err(t) == err(0) - Pi[t]), where=ERROR, **_ERROR,
+      by=[generic_index(*ERROR_LEMMAS, **CLOSED_FOR_ERROR, uses=BY_ERROR), instances(n=(1, 2), horizon=2)],
+      note=_EVERY + "Pi_t solves (1.4), which for n = 1 is (4.7). " + _IT_IS.replace(" Pi_t, K,", " K,"))
 GOF = function(mob, [y], a**2 * y - (a * y - (ga0 + a * p)) ** 2 / (y + (1 - p)) + (1 - a**2) * p)
 AF, AG, TT = rows([[1, -1], [ga0**2, (a + ga0) ** 2 - ga0**2]]), symbols("A_g")[0], rows([[1, 0], [p, -1]])
 claim("BLM91-S52", "topological conjugacy of the two equations", (p - fx == gx) & ((AG[2, 1] + AG[2, 2] * Z) / (AG[1, 1] + AG[1, 2] * Z) == mob(Z)), over={a: scalar(), ga0: scalar(), p: scalar(), x: scalar()},

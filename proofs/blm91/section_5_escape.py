@@ -129,7 +129,7 @@ LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j 
 claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
       by=[example(p=3, q=1), instances(p=range(3, 9))],
       repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=LOWEST,
-                    by=[steps("BLM91-X.1", "BLM91-X.13", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose=LIST_ENDS), instances(16, p=range(3, 12)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
+                    by=[steps("BLM91-X.10", "BLM91-X.18", prose=LIST_ENDS), instances(16, p=range(3, 12)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
       note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa

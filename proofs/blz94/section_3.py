@@ -21,12 +21,11 @@ determined by a alone, since the phi_k are monic of different degrees.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import (
     Identity,
     T,
     Z,
-    Zero,
     always,
     coeff,
     column,
@@ -38,7 +37,6 @@ from exactkf.language import (
     function,
     given,
     iff,
-    inv,
     invertible,
     laurent,
     let,
@@ -80,7 +78,7 @@ from proofs.blz94.lemmas import (
     row,
 )
 from proofs.blz94.lemmas import column as col
-from proofs.blz94.lemmas_match import CONCLUDED, MATCH, OPENED_FOR_MATCH, PARTS
+from proofs.blz94.lemmas_match import BY_MATRICES, CONCLUDED, MATCH, MATRICES, OPENED_FOR_MATCH, OPENED_FOR_MATRICES, PARTS
 from proofs.blz94.notation import (
     CORRELATIONS,
     HALF,
@@ -372,15 +370,15 @@ claim("BLZ94-T3.2", "a and b have the same coefficients with respect to the phi_
            "..., n, one more than the theorem lists. The parts of a and b and the coefficients at infinity, here first, serve the proof alone.")
 
 claim("BLZ94-S21", "(3.11) as a relation of matrices, hence beta = alpha",
-      (Psi * _BETA == C * Phi * _VECTOR) & (column(i, n, beta[i]) == column(i, n, alpha[i])), sizes=["n"],
+      (Psi * _BETA == C * column(i, n + 1, y(i))) & (column(i, n, beta[i]) == column(i, n, alpha[i])), sizes=["n"],
       over={gamma: sequence(0, n - 1), alpha: sequence(1, n), beta: sequence(1, n)},
       where=[*CORRELATIONS, *PSI, *PHI_MATRIX, *PSI_MATRIX, *C_MATRIX,
              let(a, phi[n] + sum_of(i, 1, n, alpha[i] * phi[n - i])),
-             let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), *A_MATRIX],
+             let(b, psi[n] + sum_of(i, 1, n, beta[i] * psi[n - i])), function(y, [k], (Phi * _VECTOR)[k]), *PARTS],
       given=[_MATCH],
-      by=[combination([[(vstack(Zero(1, n), 2 * A), "(3.11)", 1)],
-                       [(2 * inv(matrix_of(i, j, n, n, coeff(psi[n - j], n - i))) * A, "(3.11)", 1)]], n=range(1, 7)),
-          instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})])
+      by=[generic_index(*MATRICES, **OPENED_FOR_MATRICES, uses=BY_MATRICES),
+          instances(n=(1, 2, 3), made_by={beta: column(i, n, alpha[i])})],
+      note="y(1), y(2), .. are the entries of Phi (1, alpha')'. The parts of a and b and the coefficients at infinity, here first, serve the proof alone.")
 
 claim("BLZ94-C3.4", "Psi(gamma) = Phi(-gamma), Phi(0) = Psi(0) = I, and (3.21)",
       (Psi == W) & (O == Identity(n + 1)) & (x == Identity(n + 1))

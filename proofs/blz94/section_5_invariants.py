@@ -75,7 +75,7 @@ claim("BLZ94-E5.4", "in the limit D is a spectral factorization",
       2 * D == c * (2 * w * recip(w) + s * (w * recip(u + v) + recip(w) * (u + v)) + s**2 * (u * recip(v) + recip(u) * v)), sizes=["n"],
       over={w: monic(n), u: polynomial(n), v: polynomial(n), c: scalar(), s: scalar()},
       where=[let(a, w + s * u), let(b, w + s * v), let(D, c * symmetric_part(a, b))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3)),
+      by=[generic_index(in_values=True), instances(n=(1, 2, 3)),
           restated("(5.14): r_t S(a_t)b_t = 2D for every t", "sums and products are continuous")],
       note="w is the limit polynomial, to which a_t = w + su and b_t = w + sv tend if (alpha_t, gamma_t) tends to (w, 0); c is r_t, and c S(a_t)b_t = 2D for "
            "every t by (2.18). For s to zero the equation becomes (5.4).")

@@ -87,7 +87,7 @@ claim("BLZ94-E5.11", "S(a) takes polynomials of degree n to symmetric pseudo-pol
       (recip(S_of(a, v)) == S_of(a, v)) & (S_of(a, v + s * w) == S_of(a, v) + s * S_of(a, w)) & (S_of(a, b) == 2 * D) & (coeff(S_of(a, v), n + 1) == 0),
       sizes=["n"],
       over={a: monic(n), b: monic(n), v: polynomial(n), w: polynomial(n), s: scalar()}, where=[let(D, symmetric_part(a, b))],
-      by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))])
+      by=[generic_index(in_values=[0, 1, 2]), instances(n=(1, 2, 3))])
 
 not_checked("BLZ94-D5.R", "pairs of reciprocal roots", "a definition: it fixes notation and asserts nothing",
             note="That a root of multiplicity m at 1 or -1 counts as m pairs is what makes (5.13) and what rests on it false for m = 2.")
@@ -180,7 +180,7 @@ _DIRECTION = {"sizes": ["n"], "over": {a: monic(n), b: monic(n), u: polynomial(n
 claim("BLZ94-L5.7", "the kernel of the derivative of phi is the space of the pairs (p, q)",
       (S_of(u, b) + S_of(a, v) + s * S_of(a, b) == S_of(a, q) + S_of(b, p)) & (eq(coeff(q, n), s)) & (q - coeff(q, n) * b == v) & (p == u)
       & (S_of(a, q) + S_of(b, p) == a * recip(q) + recip(a) * q + b * recip(p) + recip(b) * p), **_DIRECTION,
-      where=[let(p, u), let(q, s * b + v)], by=[identity(n=range(1, 7)), instances(n=(1, 2, 3))],
+      where=[let(p, u), let(q, s * b + v)], by=[generic_index(in_values=[0, 4]), instances(n=(1, 2, 3))],
       note="The left side is the derivative of rS(a)b at (a, b, 1) in the direction (u, v, s), so one vanishes if and only if the other does. u, v and s are "
            "found from p and q; s is q_0.")
 
@@ -188,7 +188,7 @@ claim("BLZ94-E5.20", "the difference quotient of phi and its limit",
       ((1 + c * s) * S_of(a + c * u, b + c * v) - S_of(a, b)) / c == S_of(a, q) + S_of(b, p) + c * (S_of(u, v) + s * (S_of(a, v) + S_of(b, u))) + c**2 * s
           * S_of(u, v),
       sizes=["n"], over={**_DIRECTION["over"], c: nonzero()}, given=_DIRECTION["given"], where=[let(p, u), let(q, s * b + v)],
-      by=[identity(n=range(1, 6)), instances(n=(1, 2, 3))],
+      by=[generic_index(in_values=True), instances(n=(1, 2, 3))],
       note="phi(a, b) is read as phi(a, b, 1): the printed quotient leaves out the third argument of phi. c is the epsilon of the text, and the limit for c "
            "to zero is the left side of (5.17').")
 

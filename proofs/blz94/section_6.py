@@ -222,19 +222,19 @@ claim("BLZ94-E6.32", "S11' + PS12' is the inverse of the closed loop",
       where=[let(F, J - a0 * T(h)), *BLOCKS, let(alpha, (g - F * P * h) / (1 - T(h) * P * h) + a0)],
       by=[order(), identity(n=(1, 2)), SIZES])
 
-claim("BLZ94-E6.33", "the closed loop on the invariant subspace",
-      inv(T(Gamma)) * X == X * Lambda, sizes=["n"],
-      over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), X: nonsingular(n), Lambda: matrix(n, n), P: symmetric_matrix(n)},
-      where=[let(F, J - a0 * T(h)), *BLOCKS, let(Gamma, J - ((g - F * P * h) / (1 - T(h) * P * h) + a0) * T(h))],
-      given=[given("(6.29)", S11 + S12 * P == X * Lambda * inv(X))],
-      by=[order(), instances(n=(1, 2, 3), made_by={Lambda: inv(X) * (S11 + S12 * P) * X}),
-          restated("the characteristic polynomial of a companion matrix")],
-      note="(6.29) follows from (6.28). That the characteristic polynomial of J - vh' has the coefficients v is BLZ94-X.5.")
+#: the characteristic polynomial of J - vh', coefficient by coefficient
+_COMPANION = generic_index(fact(t, "charpoly", charpoly(J - alpha * T(h)) == monic_of(alpha), (j, Z ** (n - j))), uses=[use(0, t=0, z=sym("z"))])
+claim("BLZ94-E6.33", "the closed loop on the invariant subspace, and its characteristic polynomial",
+      (inv(T(J - alpha * T(h))) * X == X * Lambda) & (charpoly(J - alpha * T(h)) == monic_of(alpha)), sizes=["n"],
+      over={alpha: vector(n), a0: vector(n), g: vector(n), X: nonsingular(n), Lambda: matrix(n, n), P: symmetric_matrix(n)},
+      where=[*SHIFT, let(F, J - a0 * T(h)), *BLOCKS],
+      given=[given("(6.2)", alpha == (g - F * P * h) / (1 - T(h) * P * h) + a0), given("(6.29)", S11 + S12 * P == X * Lambda * inv(X)),
+             standing("n >= 1", n >= 1)],
+      by=[_COMPANION, instances(n=(1, 2, 3), made_by={alpha: (g - F * P * h) / (1 - T(h) * P * h) + a0, Lambda: inv(X) * (S11 + S12 * P) * X})],
+      note="(6.29) follows from (6.28). The matrix is Gamma, and alpha(z) its characteristic polynomial.")
 
 claim("BLZ94-X.5", "the characteristic polynomial of J - vh'", charpoly(J - alpha * T(h)) == monic_of(alpha), sizes=["n"], over={alpha: vector(n)}, where=SHIFT,
-      given=[standing("n >= 1", n >= 1)],
-      by=[generic_index(fact(t, "charpoly", charpoly(J - alpha * T(h)) == monic_of(alpha), (j, Z ** (n - j))), uses=[use(0, t=0, z=sym("z"))]),
-          instances(n=(1, 2, 3))],
+      given=[standing("n >= 1", n >= 1)], by=[_COMPANION, instances(n=(1, 2, 3))],
       note="Used for (6.25): the zeros of the limit polynomial are the eigenvalues of the closed loop.")
 
 #: rows x, y that are (z^(n-1), ..., 1) at z and at w = 1/z, and c = z^n, l = w^n

@@ -8,7 +8,7 @@ eigenvalues of S with one Jordan block each, of even size for definite D. A comm
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, generic_index, identity, induction, instances, order, steps
+from exactkf.evidence import example, generic_index, induction, instances, order, steps
 from exactkf.language import (
     Identity,
     T,
@@ -126,7 +126,7 @@ claim("BLZ94-X.3", "a common factor of a and b goes through a step",
       & ((u * w + v * w) - x * Z * (v * w - u * w) == ((u + v) - x * Z * (v - u)) * w)
       & (Z * (v * w - u * w) - x * (u * w + v * w) == (Z * (v - u) - x * (u + v)) * w)
       & (coeff(v * w - u * w, n + k - 1) == coeff(v - u, n - 1)), sizes=["n", "k"], over={u: monic(n), v: monic(n), w: monic(k), x: scalar()},
-      by=[identity(n=range(1, 5), k=range(5)), instances(n=(1, 2), k=(1, 2))],
+      by=[generic_index(in_values=True), instances(n=(1, 2), k=(1, 2))],
       note="Q = a + b and Q* = b - a move by (7.4) with the same gamma_t for (a, b) and for the pair without the factor, as the last equation says; so a_t "
            "and b_t keep it, and the limit is that of the reduced orbit times the factor.")
 

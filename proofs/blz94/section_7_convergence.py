@@ -11,7 +11,7 @@ one asks, of one with indefinite D that it never meets them.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, induction, instances, steps
+from exactkf.evidence import example, generic_index, instances, lemma, steps, use
 from exactkf.language import (
             Identity,
             T,
@@ -110,10 +110,14 @@ _GLUE = ("Necessity: in the limit r_tD_t = D (E4.13) makes D a multiple of v(z)v
          "half negative: the dominant and the codominant subspace are determined, and Lagrangian as limits of Lagrangian subspaces under powers of S and S^(-1). Im(I; 0) does not "
          "meet the codominant one (Lemma 6.12), so its images under powers of S tend to the dominant one and P_t to a solution of (6.1); g(t)g(t)'r_t is the "
          "difference of two P_t. A common factor goes through all steps (X.3, (7.4)), and alpha_n = 0 lowers the order (S26).")
+_STEP = lemma(t, (u(t + 1) == (u(t) - g[t][1] * Z * v(t)) / (1 - g[t][1] ** 2)) & (v(t + 1) == (Z * v(t) - g[t][1] * u(t)) / (1 - g[t][1] ** 2)), direct=True)
+_DIFFERENCE = r[t] * (u(t) * recip(u(t)) - v(t) * recip(v(t))) == D
 claim("BLZ94-X.14", "D_t as a difference of squares, and its mean on the circle",
-      always(t, (r[t] * (monic_of(a[t] + g[t]) * recip(monic_of(a[t] + g[t])) - strict_of(g[t]) * recip(strict_of(g[t]))) == D)
-             & (r[t] * (1 + (T(a[t] + g[t]) * (a[t] + g[t]))[1, 1] - (T(g[t]) * g[t])[1, 1]) == coeff(D, 0))), sizes=["n"], over={a0: vector(n), g0: vector(n)},
-      where=[*FAST, *SCALE, let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))], by=[induction(n=range(1, 5)), instances(n=(1, 2, 3), horizon=3)],
+      always(t, _DIFFERENCE & (r[t] * (1 + (T(a[t] + g[t]) * (a[t] + g[t]))[1, 1] - (T(g[t]) * g[t])[1, 1]) == coeff(D, 0))), sizes=["n"],
+      over={a0: vector(n), g0: vector(n)}, given=[standing("n >= 1", n >= 1)],
+      where=[*FAST, *SCALE, function(u, [t], monic_of(a[t] + g[t])), function(v, [t], strict_of(g[t])), let(D, symmetric_part(monic_of(a0), monic_of(a0 + 2 * g0)))],
+      by=[generic_index(_STEP, lemma(t, _DIFFERENCE, in_values=True, uses=[use(0, t=t), use(1, t=t, times=1)], closed=[u, v], base=[use(u, 0), use(v, 0)]), whole=[D],
+                        in_values=[0], uses=[use(1, t=t, times=1), use(1, t=t, z=0)]), instances(n=(1, 2, 3), horizon=3)],
       note="Not printed. Let D have the values d > 0 and -e < 0 on the circle and s = min(d, e). At one of the two points D_t = D/r_t is at most -s/|r_t|, "
            "so |g_t(z)|^2 is at least s/|r_t| there, and n times "
            "the square length of g(t) is. If that length is at most 1/2, 1/|r_t| is at least 1/(2|d_0|) by the second equation; if d_0 = 0, the length is at "

@@ -14,8 +14,10 @@ from exactkf.language import (
       circle_roots,
       coeff,
       coprime,
+      cospi,
       defined,
       det,
+      forall,
       function,
       given,
       iff,
@@ -223,15 +225,23 @@ claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
       by=[steps(prose="2D/d_0 = 2 + kappa_1(z + 1/z) + kappa_2(z^2 + 1/z^2), and z^2 + 1/z^2 = (z + 1/z)^2 - 2; z + 1/z = 2 cos(phi) = 2/beta."),
           instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
 
-_F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
+cheb, al1_, al2_, ga0_, ga1_, back = symbols("T a1 a2 g0 g1 back")
+#: (8.5) as a recursion, from the point with a(z) = z^2 + 1/2, b(z) = z^2 + cz + k on the manifold of z^2 + 1/z^2 - s (z + 1/z) + 2 + p, s and p sum and product of 2/beta_1 = T_9, 2/beta_2 = T_8
+_RUN = (rec(cheb, t, [2, 2 * cospi(1, 72)], 2 * cospi(1, 72) * cheb[t] - cheb[t - 1]), let(s, cheb[9] + cheb[8]), let(p, cheb[9] * cheb[8]), let(k, ((2 + p) / 2 - 2) / (-1 - p)), let(c, -s * (HALF + k) / (1 + HALF)),
+        let(ga0, c / 2), let(al1, (ga0 - ga0 * (k - HALF) / 2) / (1 - ga0**2)), let(al2, (HALF + k) / 2), let(ga1, (k - HALF) / 2 - al1 * ga0),
+        rec(al1_, t, al1, al1_[t] / (1 - ga1_[t] ** 2) + ga1_[t] * ga0_[t] * al2_[t] / ((1 - ga1_[t] ** 2) * (1 - ga0_[t] ** 2))),
+        rec(al2_, t, al2, al2_[t] / (1 - ga0_[t] ** 2)), rec(ga0_, t, ga0, ga1_[t]),
+        rec(ga1_, t, ga1, -(al1_[t] / (1 - ga1_[t] ** 2) + ga1_[t] * ga0_[t] * al2_[t] / ((1 - ga1_[t] ** 2) * (1 - ga0_[t] ** 2))) * ga1_[t] - al2_[t] / (1 - ga0_[t] ** 2) * ga0_[t]),
+        function(back, [t], (al1_[t] == al1) & (al2_[t] == al2) & (ga0_[t] == ga0) & (ga1_[t] == ga1)),
+        let(d, al2**2 + (1 - ga0**2) * al1**2 + (1 - ga0**2) * (1 - ga1**2)), let(e, (1 - ga0**2) * al1 + al1 * al2 + ga0 * ga1 * al2))
+_POWERS = (let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1)), let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
+           let(u, X**24), let(v, u**2), let(w, u**3), let(q, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0)))
 claim("BLZ94-X8.2", "the period 144",
-      (w * w == Identity(14)) & (p < 1),
-      where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
-                 let(u, X**24), let(v, u**2), let(w, u**3),
-                 let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0))],
+      (d == (2 + p) * al2) & (e == -s * al2) & forall(t, 1, 144, iff(back(t), t == 144)) & (w * w == Identity(14)) & (q < 1), where=[*_RUN, *_POWERS],
       by=[steps("BLZ94-E6.16", "BLZ94-P6.6", prose="By (6.16) the orbit is back at time t if S^t is the identity. The eigenvalues of S are among those of X, and S^72 has 1 and -1 for eigenvalues."), instances()],
-      note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
-           "matrix is X; p counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
+      note="The orbit of one point of X_D, run with (8.5) in the field of cos(pi/72): it is back after 144 steps and not before; d and e are the coefficients (8.6) of its D. "
+           "For the other points: the eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
+           "matrix is X; q counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
 
 
 # ---------------------------------------------------------------------- Figures 8.4 to 8.6, sign indefinite D

@@ -555,13 +555,13 @@ def printed_gain(W):
 UNIT, RATE, BOUND, c, d, D_ = symbols("Dn rate B c d D")
 #: covariance of (L -K)(u; r)
 DRIVEN = hstack(L, -K) * COVARIANCE * T(hstack(L, -K))
-BOUNDED = [given("c", loewner(c * UNIT, W - Wn) & loewner(W - Wn, -c * UNIT)), given("d", loewner(d * Identity(n), UNIT))]
+BOUNDED = [given("c", loewner(c * UNIT, W - Wn) & loewner(c * UNIT, Wn - W)), given("d", loewner(d * Identity(n), UNIT))]
 DECAY = RATE * BOUND[t] - (L * A) * BOUND[t] * T(L * A)
-KEPT_WITHIN = [[L * A * excess * T(A) * T(L), DECAY] for excess in (BOUND[t] - (Wt[t] - Wn), Wt[t] - Wn - -BOUND[t])]
+KEPT_WITHIN = [[L * A * excess * T(A) * T(L), DECAY] for excess in (BOUND[t] - (Wt[t] - Wn), BOUND[t] - (Wn - Wt[t]))]
 E447_PROOF = induction(
     also=[[], [], [], [psd(DECAY)]],
     base=[order(), order(), order(inside=[within(0, unique=(L * A, T(L * A)))]),
-          order([c / d * (d * Identity(n) - UNIT)], [c * UNIT - (W - Wn)], [W - Wn - -c * UNIT])],
+          order([c / d * (d * Identity(n) - UNIT)], [c * UNIT - (W - Wn)], [c * UNIT - (Wn - W)])],
     step=[order(), order(), order(), order([RATE * DECAY], *KEPT_WITHIN)])
 SLOW = X0 * (1 / (1 + trace(T(L) * L) * trace(T(X0) * X0)))
 claim("NWL92-E4.47", "error covariance with constant gains, as printed without transposes",
@@ -569,7 +569,7 @@ claim("NWL92-E4.47", "error covariance with constant gains, as printed without t
       by=[example(STEADY), instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=2, n=2, p=2)],
       repair=repair("other", MISSING,
                     (ERROR_NEXT == constant_gain(W)) & psd(Wn) & iff(D_ == constant_gain(D_), D_ == Wn)
-                    & always(t, loewner(BOUND[t], Wt[t] - Wn) & loewner(Wt[t] - Wn, -BOUND[t])),
+                    & always(t, loewner(BOUND[t], Wt[t] - Wn) & loewner(BOUND[t], Wn - Wt[t])),
                     sizes=["l", "n", "p"], over={**ERROR_OVER, D_: symmetric_matrix(n), c: nonneg(), d: positive()},
                     where=[let(UNIT, stein(L * A, Identity(n))), let(Wn, stein(L * A, DRIVEN)), let(RATE, (d - 1) / d),
                            rec(Wt, t, W, constant_gain(Wt[t])), rec(BOUND, t, c * UNIT, RATE * BOUND[t])],

@@ -16,6 +16,7 @@ from exactkf.language import (
     forall,
     function,
     given,
+    let,
     matrix_of,
     monic,
     polynomial,
@@ -209,6 +210,15 @@ def test_a_hypothesis_about_coefficients():
     over, zero = {p: monic(n), q: polynomial(n)}, given("sum", coeff(p, 0) + coeff(q, 0) == 0)
     for says, true in ((coeff(p + q, 0) == 0, True), (coeff(p - q, 0) == 0, False), (coeff(p + q, 1) == 0, False)):
         assert accepts(says, generic_index(uses=[use("sum")]), sizes=["n"], over=over, given=[zero]) is true
+
+
+@pytest.mark.parametrize("place, right, true", [(0, b[0], True), (1, b[1], True), (1, b[0], False), (0, b[0] + 1, False), (n + 1, 0, True), (n, 0, False)])
+def test_a_polynomial_without_indices_that_is_not_opened(place, right, true):
+    """Its coefficients are opened where a use says so."""
+    where = [let(h, sum_of(i, 0, n, b[i] * Z**i))]
+    for uses in ([use(h, z=place)], []):
+        shown = generic_index(whole=[h], uses=uses)
+        assert accepts(coeff(h, place) == right, shown, sizes=["n"], over=FREE, where=where, given=[given("some", n >= 1)]) is (true and bool(uses))
 
 
 # ---------------------------------------------------------------------- products within sums

@@ -29,6 +29,7 @@ from exactkf.language import (
     matrix_of,
     prod,
     rec,
+    recip,
     scalar,
     sequence,
     signal,
@@ -316,3 +317,49 @@ def test_a_matrix_is_a_zero_of_its_characteristic_polynomial():
     for lemma_ in wrong:
         assert not accepts(goal, generic_index(lemma_, uses=uses), **made), lemma_
     assert not accepts(leading == 0, generic_index(said(seen(F, n, k), one, leading), uses=uses), **made)
+
+
+# ---------------------------------------------------------------------- the matrix determinant lemma
+def test_a_transfer_function_is_a_quotient_of_characteristic_polynomials():
+    """For matrices without z, of fitting sizes; nothing else of the same look is granted."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), M: matrix(n, n), h: vector(n), g: vector(n)}, "given": SOME}
+
+    def transfer(A, u=h, v=g):
+        return T(u) * inv(Identity(n) * Z - A) * v
+
+    def said(left, right):
+        return fact(t, "resolvent", left == right)
+
+    right = charpoly(F - g * T(h)) - charpoly(F)
+    goal = transfer(F) == right / charpoly(F)
+    by = {"in_values": True, "uses": [use(0, t=0)]}
+    true = said(charpoly(F) * transfer(F), right)
+    assert accepts(goal, generic_index(true, **by), **made)
+    assert not accepts(transfer(F) == right / charpoly(M), generic_index(true, **by), **made)
+    assert not accepts(transfer(F) == -right / charpoly(F), generic_index(true, **by), **made)
+    row_ = T(h) * inv(Identity(n) * Z + F) * g
+    wrong = [said(charpoly(M) * transfer(F), right), said(charpoly(F) * transfer(M), right), said(charpoly(F) * transfer(F, g, h), right),
+             said(charpoly(F) * row_, right), said(charpoly(F) * transfer(F), charpoly(F + g * T(h)) - charpoly(F)),
+             said(charpoly(F) * transfer(F), charpoly(F - h * T(g)) - charpoly(F)), said(charpoly(F) * transfer(F), charpoly(F) - charpoly(F - g * T(h))),
+             said(charpoly(F) * transfer(F), charpoly(F - g * T(h)) - charpoly(M)), said(transfer(F), right), said(charpoly(F), right),
+             said(charpoly(F) * transfer(Z * F), right), said(charpoly(F) * (T(h) * inv(Identity(n + 1) * Z - F) * g), right),
+             said(charpoly(F) * (T(h) * inv(Identity(n) - F) * g), right), said(Z, Z), said(charpoly(F) * transfer(F), 0 * Z)]
+    for lemma_ in wrong:
+        assert not accepts(goal, generic_index(lemma_, **by), **made), lemma_
+    z_inside = said(charpoly(Z * F) * transfer(Z * F), charpoly(Z * F - g * T(h)) - charpoly(Z * F))
+    assert not accepts(transfer(Z * F) == charpoly(Z * F - g * T(h)) / charpoly(Z * F) - 1, generic_index(z_inside, **by), **made)
+    wide = {"sizes": ["n"], "over": {F: matrix(n, n), h: matrix(n, 2), g: matrix(n, 2)}, "given": SOME}  # then it is no number
+    assert not accepts(charpoly(F) * transfer(F) == right, generic_index(true, **by), **wide)
+
+
+def test_functions_of_z_that_are_not_opened():
+    """At 1/z they have other values; a characteristic polynomial is not zero, a transfer function may be."""
+    made = {"sizes": ["n"], "over": {F: matrix(n, n), h: vector(n), g: vector(n), c: scalar()}, "given": SOME}
+    transfer = T(h) * inv(Identity(n) * Z - F) * g
+    assert accepts(c * transfer == transfer * c, generic_index(in_values=True), **made)
+    for says in (transfer == recip(transfer), charpoly(F) == recip(charpoly(F)), charpoly(F) == charpoly(T(F)),
+                 transfer == T(g) * inv(Identity(n) * Z - F) * h):
+        assert not accepts(says, generic_index(in_values=True), **made)
+    assert accepts(c / charpoly(F) * charpoly(F) == c, generic_index(in_values=True), **made)
+    assert not accepts(c / transfer * transfer == c, generic_index(in_values=True), **made)
+    assert not accepts(c / (charpoly(F) - 1) * (charpoly(F) - 1) == c, generic_index(in_values=True), **made)

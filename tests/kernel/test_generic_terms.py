@@ -155,9 +155,11 @@ def test_functions_that_do_not_vanish_at_one():
     where = [function(f, [t], Z**n + tail), function(g, [t], tail), function(w, [t], Z**n + tail),
              function(h, [t], when(t == 0, 0 * Z, Z)), function(p, [t], Z * (Z - 1) * y[t][1]),
              rec(y, t, x, y[t])]
-    made = {"sizes": ["n"], "over": {x: vector(n), c: scalar()}, "where": where, "given": SOME}
+    made = {"sizes": ["n"], "over": {x: vector(n), c: scalar(), a: signal(0)}, "where": where, "given": SOME}
     for factor, fine in ((f(t), True), (f(t) - g(t), True), (recip(f(t)), True), (f(t) * recip(f(t)), True), (f(t) + g(t + 1), True), (g(t), False),
-                         (f(t) - w(t), False), (h(t), False), (p(t), False), (f(t) - recip(f(t)), False)):
+                         (f(t) - w(t), False), (h(t), False),
+                         (Z + sum_of(k, 0, n, p(t) * a[k]) - 1, False), (Z + sum_of(k, 0, n, p(t) * a[k]), True),
+                         (p(t), False), (f(t) - recip(f(t)), False)):
         assert accepts(always(t, c / factor * factor == c), generic_index(closed=[f, g, h, p, w], in_values=True), **made) is fine, factor
 
 
@@ -178,3 +180,17 @@ def test_coefficients_at_infinity_between_bounds():
     assert not accepts(eq(x[1], x[n]), generic_index(fact(t, "laurent", says(1, x[i]), 1), uses=used), **made)
     twice = forall(k, 1, n, forall(k, 0, 1, laurent((x[n] * Z + 1) / D, k) == when(k == 0, x[n], 1 - x[n] * x[n])))
     assert not accepts(goal, generic_index(fact(t, "laurent", twice, 1), uses=used), **made)
+
+
+def test_a_symmetric_matrix_has_symmetric_entries():
+    """By its type, and F P F' with it; another matrix has not."""
+    from exactkf.language import matrix, positive_semidefinite, symmetric_matrix
+
+    def equal(M):
+        return forall(i, 1, n, forall(k, 1, n, M[i, k] == M[k, i]))
+
+    for kind, fine in ((symmetric_matrix(n), True), (positive_semidefinite(n), True), (matrix(n, n), False)):
+        made = {"sizes": ["n"], "over": {A: kind, B: matrix(n, n)}, "given": SOME}
+        assert accepts(equal(A), generic_index(), **made) is fine
+        assert accepts(equal(B * A * T(B)), generic_index(), **made) is fine
+        assert not accepts(equal(B * A), generic_index(), **made)

@@ -40,6 +40,7 @@ from exactkf.language.mutate import mutants
 g, t, k, n, x, y, p = symbols("g t k n x y p")
 CLAIMS = ["BLM91-E2.6", "BLM91-E2.7", "BLM91-E2.21", "BLM91-E2.26", "BLM91-E2.27", "BLZ94-P3.1", "BLZ94-L3.3", "BLZ94-S12", "BLZ94-E3.15a", "BLZ94-E3.20",
           "BLZ94-EA.12", "BLZ94-SA3", "BLZ94-L4.2", "BLM91-E2.1", "BLM91-E2.18", "D71-E3.37", "D71-E3.40", "D71-E3.41",
+          "BLZ94-EA.17", "BLZ94-SA8", "BLZ94-L4.4.1", "BLZ94-T3.2", "BLZ94-E4.10",
           "BLM91-S15", "BLM91-S18", "BLM91-S21", "BLM91-E2.11", "BLM91-E2.13", "BLM91-E3.4", "BLM91-E3.7"]
 
 

@@ -426,6 +426,34 @@ def _null_space(x: Any) -> Table:
     return Table([[right[k, i] for k in range(rank, t.n)] for i in range(t.n)], t.n - rank)
 
 
+def _is_observable(x: Any, y: Any) -> bool:
+    """What C annihilates, cut down to what A leaves in it, again and again, is zero."""
+    c, a = _table(x), _square(y)
+    if c.n != a.m:
+        raise NoValueError("sizes")
+    space = _null_space(c)
+    while space.n:
+        across = _times(_plus(_unit(a.m), _minus(_times(space, space.turned()))), _times(a, space))  # the columns of a space are orthonormal
+        inner = _null_space(across)
+        if inner.n == space.n:
+            return False
+        space = _times(space, inner)
+    return True
+
+
+def _stein(x: Any, y: Any) -> Table:
+    """The coordinates of the solution, from the images of the unit matrices under X -> X - MXM'."""
+    m, q = _square(x), _square(y)
+    n = m.m
+    if q.m != n:
+        raise NoValueError("sizes")
+    places = [(i, j) for i in range(n) for j in range(n)]
+    units = [Table([[int((i, j) == place) for j in range(n)] for i in range(n)], n) for place in places]
+    images = [_plus(u, _minus(_times(_times(m, u), m.turned()))) for u in units]
+    found = _times(_inverse(Table([[image.rows[i][j] for image in images] for i, j in places], n * n)), Table([[q.rows[i][j]] for i, j in places], 1))
+    return Table([[found.rows[i * n + j][0] for j in range(n)] for i in range(n)], n)
+
+
 def _is_similar(x: Any, y: Any) -> bool:
     """The spaces {X: AX = XA}, {X: AX = XB}, {X: BX = XB} have one dimension."""
     a, b = _square(x), _square(y)
@@ -603,7 +631,7 @@ _PLAIN: dict[str, Callable] = {
     "T": lambda x: _table(x).turned(),
     "inv": _inverse, "det": _det, "rank": _rank,
     "tr": lambda x: _sum(_square(x).rows[i][i] for i in range(_square(x).m)),
-    "charpoly": _charpoly, "kernel": _null_space, "nrows": lambda x: _table(x).m, "ncols": lambda x: _table(x).n,
+    "charpoly": _charpoly, "kernel": _null_space, "stein": _stein, "nrows": lambda x: _table(x).m, "ncols": lambda x: _table(x).n,
     "coeff": lambda p, k: _poly(_number(p)).c.get(k, mpf(0)), "deg": lambda p: max(_poly(_number(p)).c, default=-1),
     "rev": lambda p, n: _poly(_number(p)).mirrored().shifted(n), "recip": _mirror, "subst": _substitute,
     "laurent": _at_infinity,
@@ -617,7 +645,7 @@ _PLAIN: dict[str, Callable] = {
     "invertible": lambda x: _table(x).m == _table(x).n and not _singular(_table(x)), "symplectic": _is_symplectic,
     "similar": _is_similar, "cospectral": lambda x, y: _equal(_charpoly(x), _charpoly(y)),
     "coprime": lambda p, q: _are_coprime(_number(p), _number(q)),
-    "schur": _is_schur, "pos_circle": lambda d: _sign(*_least_on_circle(_number(d))) > 0,
+    "schur": _is_schur, "observable": _is_observable, "pos_circle": lambda d: _sign(*_least_on_circle(_number(d))) > 0,
     "nonneg_circle": lambda d: _sign(*_least_on_circle(_number(d))) >= 0,
 }
 

@@ -16,7 +16,9 @@ import exactkf.dynamics
 import exactkf.exact
 import exactkf.theory
 from exactkf._errors import BadInput, Unsupported
-from exactkf.dynamics import Filter, decide, digits_ahead
+from exactkf.dynamics import Filter, decide, digits_ahead, limit_digits, rate_digits, state_ahead
+from exactkf.dynamics.examples import verdict_of_doubles
+from exactkf.dynamics.pictures import draw_gamma, draw_plane
 from exactkf.theory import (
     act,
     covariance_step,
@@ -26,19 +28,23 @@ from exactkf.theory import (
     estimate,
     exact_orbit,
     filter_map,
+    first_escape,
     from_factors,
     hamiltonian_matrix,
+    laurent_covariances,
     likelihood_matrix,
     moebius,
     observer_form,
     orbit,
     posterior_covariance,
+    power_modulo,
     projective_invariants,
     pseudo_polynomial_from_q,
     riccati_gain,
     riccati_step,
     schur_parameters,
     stabilizing_equilibrium,
+    state_after,
     step_ag,
     step_polynomials,
     symplectic_matrix,
@@ -201,6 +207,44 @@ def test_shapes_symmetry_and_kinds(call, text):
     with pytest.raises(BadInput) as caught:
         call()
     assert str(caught.value).startswith(text) and "\n" not in str(caught.value)
+
+
+HUGE = 10**9
+ONE = Filter.from_ag(["1/2"], ["1/3"])
+
+
+@pytest.mark.parametrize(("call", "name", "remedy"), [
+    (lambda: orbit(step_ag, ([1], [HALF]), HUGE), "steps", "state_after and digits_ahead"),
+    (lambda: exact_orbit([0], [2], HUGE), "steps", "state_after and digits_ahead"),
+    (lambda: first_escape([1], [HALF], HUGE), "steps", "exactkf.dynamics.decide"),
+    (lambda: state_after([1], [HALF], HUGE), "T", "digits_ahead"),
+    (lambda: state_ahead([1], [HALF], HUGE), "T", "digits_ahead"),
+    (lambda: power_modulo(10 * HUGE, fmpz_poly([-1, -3, 1])), "exponent", "pass a smaller one"),
+    (lambda: digits_ahead([1], [HALF], 10**1000), "T", "pass T <= 10**100"),
+    (lambda: digits_ahead([1], [HALF], 9, HUGE), "digits", "pass digits <= "),
+    (lambda: laurent_covariances([1], [2], HUGE), "count", "pass count <= "),
+    (lambda: ONE.covariances(HUGE), "count", "pass count <= "),
+    (lambda: decide([1], [HALF], max_steps=HUGE), "max_steps", "seldom"),
+    (lambda: limit_digits(decide([HALF], [THIRD]), HUGE), "digits", "pass digits <= "),
+    (lambda: rate_digits(decide([HALF], [THIRD]), HUGE), "digits", "pass digits <= "),
+    (lambda: draw_gamma(ONE, HUGE), "steps", "state_after and digits_ahead"),
+    (lambda: draw_plane(ONE, HUGE), "steps", "state_after and digits_ahead"),
+    (lambda: verdict_of_doubles("1/2", "1/3", HUGE), "steps", "pass steps <= "),
+])
+def test_what_would_never_end_or_fill_the_memory(call, name, remedy):
+    """A number that nobody could wait for, or no memory hold, is refused at once, with what to do instead."""
+    with pytest.raises(BadInput) as caught:
+        call()
+    text = str(caught.value)
+    assert (text.startswith(f"argument {name!r} is more than") or text.startswith(f"{name} = ")) and remedy in text and "\n" not in text
+
+
+def test_states_that_fill_the_memory_are_refused_on_the_way(monkeypatch):
+    """Fewer steps than are refused at once may still be too many, by the size of the numbers."""
+    monkeypatch.setattr("exactkf.theory.orbits._MOST_BITS", 1 << 16)
+    with pytest.raises(BadInput, match="the first [0-9]+ states have more than 8192 bytes; state_after"):
+        exact_orbit([0], [2], 10**5)
+    assert len(exact_orbit([2], [-2], 1000).states) == 1001
 
 
 def test_balls_that_overlap_are_symmetric():
