@@ -397,9 +397,9 @@ class Proof:
         """Each wanted term is zero by the uses, and nothing divided by on the way is."""
         granted, needed = set(terms.sure), set[int]()
         for number, use in enumerate(uses):
-            if "given" in use and (found := list(self._granted_not_zero(terms, use, names))):
+            if "given" in use and (given := list(self._granted_not_zero(terms, use, names))):
                 needed.add(number)
-                terms.not_zero += found
+                terms.not_zero += given
         if any(x.num for x in wanted):
             for number, use in enumerate(uses):
                 if "times" in use:  # a multiple of the first of its equations is taken off
