@@ -53,11 +53,11 @@ OTHER_MAP = "S78 holds, for nearly the same sentence, because its proof speaks o
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (total == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=CORRECT, given=[*LOWEST, ODD],
-                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9; each of them is run for every p in X.18. " + OTHER_MAP)
+                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9; each of them is proved for every p in X.18. " + OTHER_MAP)
 claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (total == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=CORRECT, given=[*LOWEST, EVEN],
-                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; each of them is run for every p in X.18. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
+                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; each of them is proved for every p in X.18. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
 claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
       where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
       by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
