@@ -147,7 +147,7 @@ claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
 
 Y, Q, t, g1, g2, al, be, rho, E, a, e = symbols("Y Q t g1 g2 alpha beta rho E a e")
 SLOPE = K_
-LINEAR = Fading(SLOPE, Q)
+LINEAR = Fading(SLOPE, Q, assumed=True)
 IN_BLOCKS = psd(block([[Q, U], [T(U), Q]]))
 
 

@@ -68,17 +68,17 @@ POWERS = rec(Pi, t, I, K*Pi[t])
 INSIDE = given("the eigenvalues of K are inside the unit circle", schur(K))
 LINEAR = Fading(K, U0, W)
 CONTRACTING = eigenvalues(E, 1/(2 + a[i]**2), K, U0)
-#: too large a K, and wrong sums
-STRAYS = [{"K": [[2]], "Z": [["-1/3"]], "R": [["1/9"]]}, {"K": [["1/2"]], "Z": [[0]], "R": [[0]]}, {"K": [["1/2"]], "Z": [["4/3"]], "R": [[0]]}]
+#: too large a K
+LARGE = {"n": 1, "K": [[2]], "U0": [[1]]}
 
 claim("D71-E3.179", "the linear bound tends to zero",
       always(t, psd(W[t]) & LINEAR.bound),
-      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), **LINEAR.over}, where=[rec(W, t, U0, K*W[t]*T(K)), *LINEAR.where],
-      given=[INSIDE, *LINEAR.given],
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n)}, where=[rec(W, t, U0, K*W[t]*T(K)), *LINEAR.where],
+      given=[INSIDE],
       by=[induction(also=LINEAR.also, base=LINEAR.begins([], LINEAR.first), step=LINEAR.goes_on([], LINEAR.then)),
-          *(example(n=1, U0=[[1]], **stray) for stray in STRAYS),
+          example(LARGE),
           instances(8, n=(1, 2), horizon=3, using={E: nonsingular(n), a: matrix(n, 1)}, made_by=CONTRACTING)],
-      note="The hypothesis on K is that of the print; for such K the linear equations of Z and R have solutions. So 0 <= W_k <= R/(k + 1), with R the same "
+      note="stein(M, N) is the solution of X = MXM' + N, which there is for an M inside the circle, and no other. So 0 <= W_k <= R/(k + 1), with R the same "
            "for all k: W_k tends to zero.")
 
 claim("D71-E3.180", "the difference of the bound and the deviation",
@@ -112,13 +112,13 @@ PUSHED = inv(I + U[t]*W)
 
 claim("D71-E3.182", "the deviation lies between zero and the linear bound",
       always(t, psd(U[t]) & loewner(BOUND[t], U[t]) & EXCEEDED.bound),
-      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n), **EXCEEDED.over},
-      where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K)), *EXCEEDED.where], given=[INSIDE, *EXCEEDED.given],
+      sizes=["n"], over={K: matrix(n, n), U0: positive_semidefinite(n), W: positive_semidefinite(n)},
+      where=[rec(U, t, U0, SQUEEZE), rec(BOUND, t, U0, K*BOUND[t]*T(K)), *EXCEEDED.where], given=[INSIDE],
       by=[induction(also=EXCEEDED.also, base=EXCEEDED.begins([U0], [Zn], EXCEEDED.first),
                     step=EXCEEDED.goes_on([K*PUSHED*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K)],
                                [K*(BOUND[t] - U[t])*T(K), K*PUSHED*U[t]*W*U[t]*T(PUSHED)*T(K), K*PUSHED*U[t]*W*U[t]*W*U[t]*T(PUSHED)*T(K)],
                                EXCEEDED.then)),
-          *(example(n=1, U0=[[1]], W=[[1]], **stray) for stray in STRAYS),
+          example({**LARGE, "W": [[1]]}),
           instances(8, n=(1, 2), horizon=2, using={E: nonsingular(n), a: matrix(n, 1)}, made_by=CONTRACTING)],
       note="W = K*D = M'(MPM' + V)^{-1}M >= 0 by D71-S53, which makes (3.178) the recursion of U. The bound is W_k of (3.179) and its excess is X_k. "
            "By its last part, 0 <= U_k <= R/(k + 1), both tend to zero.")

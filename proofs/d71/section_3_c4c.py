@@ -139,7 +139,7 @@ NEAREST = [within(0, P == step()), within(3, CLOSED*T(Acl) == I), within(4, P ==
            within(5, P == Phi*P*T(Acl) + H, T(Phi) == (I + S*P)*T(Acl)),
            *(within(8 + m, T(g)*Acl == T(turned), P*g == Acl*(P + P*S*P)*turned + H*g) for m, (g, turned) in enumerate(
                ((g1, TURNED_1), (g2, TURNED_2))))]
-BETWEEN = Fading(Acl, Pa0 + Pae)
+BETWEEN = Fading(Acl, Pa0 + Pae, assumed=True)
 gap, DISTANCE = sym("gap"), Pa[t] - Pae
 APART = [2*N[t + 1]*(Pi[t + 1]*x*T(Pi[t + 1])) for x in (Pae, Pa0)]
 #: the distance is at most R/(t + 1), and at least -R/(t + 1)
