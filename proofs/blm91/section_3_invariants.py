@@ -14,7 +14,7 @@ with real part (doubled) d/(a a*), d = D/r = (a b* + a* b)/2. Where d > 0 and a 
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, generic_index, instances, lemma, steps, use
+from exactkf.evidence import example, generic_index, instances, lemma, restated, steps, use
 from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_2_filtering import KEPT, NEXT, ON_ORBIT, SOME, ht, one, til
@@ -101,7 +101,7 @@ claim("BLM91-S31", "the vector of integrals separates orbits",
       by=[example(n=1, m=1, q0=[1], qs0=[0]), instances(n=(1, 2), m=(1, 2))],
       repair=repair("index", "h is a map from R^2n (where its common denominator is not zero) to R^n, not from R^n: its argument is the pair (q, q*)",
                     (size_of(p) == 2 * n) & (lev == first), sizes=["n", "m"], over=POINT, where=[*stripped(q0, qs0), *ON_ORBIT, *HVEC], given=SOME,
-                    by=[generic_index(KEPT, uses=[use(0, t=m, i=row), use(0, t=m, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))]),
+                    by=[restated("rational functions are continuous where they have values"), generic_index(KEPT, uses=[use(0, t=m, i=row), use(0, t=m, i=0)]), instances(n=(1, 2, 3), m=(1, 2, 3))]),
       note="As printed h maps R^n to R^n, so that its argument would have n entries. h being constant on orbits, preimages of disjoint sets "
            "are not joined by an orbit; m is the time.")
 

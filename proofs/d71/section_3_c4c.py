@@ -34,6 +34,7 @@ from exactkf.language import (
     rows,
     scalar,
     schur,
+    stein,
     sym,
     symbols,
     symmetric_matrix,
@@ -41,10 +42,11 @@ from exactkf.language import (
     vstack,
     when,
 )
-from proofs.d71.fading import Fading, N, Pi, R, Z
+from proofs.d71.fading import Fading, N, Pi, R
 from proofs.d71.notation import H, K, M, P, Phi, V, gain, gram, i, j, n, p, step, update
 
 S, B, D, Ha, Va, Pa, Pa0, Pae, t, E, e, a, P1, Acl = symbols("S B D Ha Va Pa Pa0 Pae t E e a P1 Acl")
+STABLE = sym("L")
 x, xh, dy, h, y, x1, xh1 = symbols("x xh dy h y x1 xh1")
 Rd, Nd, Lamd = symbols("Rd Nd Lamd")
 I, Zn = Identity(n), Zero(n, n)
@@ -104,8 +106,8 @@ claim("D71-S64", "with the right covariances the limit is P",
 al, be, g1, g2 = symbols("alpha beta g1 g2")
 NOISE = Phi*K*Va*T(K)*T(Phi) + Ha
 PAIR = rows([[al, be], [-be, al]])
-ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "Ha": [[0]], "Va": [[0]], "Pa0": [[1]], "Pae": [[0]],
-       "Z": [[0]], "R": [[0]], "Acl": [[1]], "alpha": 1, "beta": 0, "g1": [1], "g2": [0]}
+ONE = {"n": 1, "p": 1, "Phi": [[1]], "H": [[0]], "M": [[1]], "V": [[1]], "P": [[0]], "Ha": [[0]], "Va": [[0]], "Pa0": [[1]],
+       "Acl": [[1]], "L": [["1/2"]], "alpha": 1, "beta": 0, "g1": [1], "g2": [0]}
 #: the eigenvector g = g1 + i g2 of (B - PD)' or of Phi' for a + ib
 TURNED_1, TURNED_2 = al*g1 - be*g2, be*g1 + al*g2
 OUTSIDE = [given("eigenvector of (B - PD)'", (T(Acl)*g1 == TURNED_1) & (T(Acl)*g2 == TURNED_2)), given("|psi| >= 1", al**2 + be**2 >= 1)]
@@ -116,8 +118,11 @@ SPREAD = [term for g in (g1, g2) for term in (REST*(T(g)*P*g), REST*(T(g)*P*SEEN
 TOTAL = SPREAD[0] + SPREAD[1] + SPREAD[2] + SPREAD[3] + SPREAD[4] + SPREAD[5] + SPREAD[6] + SPREAD[7]
 CLOSED = D*P + PhiT
 #: a stable filter: B - PD = 1/2
-SPENT = {"Z": [["4/3"]], "R": [["16/9"]]}
-DRIVEN = {"Acl": [["1/2"]], "H": [["1/2"]], "P": [[1]], "alpha": "1/2", **SPENT}
+DRIVEN = {"Acl": [["1/2"]], "H": [["1/2"]], "P": [[1]], "alpha": "1/2"}
+#: B - PD is not L, but 1, its inverse, a half of it, its transpose
+OTHERS = [{"L": [[0]]}, {"Phi": [[2]], "Acl": [[2]]}, {"Phi": [["3/10"]], "Acl": [["3/10"]], "L": [["3/5"]], "Ha": [[1]], "Pa0": [[0]], "horizon": 10},
+          {"n": 2, **dict.fromkeys(("H", "P", "Pa0"), [[0, 0], [0, 0]]), **dict.fromkeys(("Phi", "Acl"), [["1/4", 10], [0, "1/4"]]), "M": [[0, 0]],
+           "L": [["1/4", 0], [10, "1/4"]], "Ha": [[0, 0], [0, 1]], "g1": [0, 0], "g2": [0, 0]}]
 RATIO = 1/(2 + a[i]**2)
 
 
@@ -139,7 +144,7 @@ NEAREST = [within(0, P == step()), within(3, CLOSED*T(Acl) == I), within(4, P ==
            within(5, P == Phi*P*T(Acl) + H, T(Phi) == (I + S*P)*T(Acl)),
            *(within(8 + m, T(g)*Acl == T(turned), P*g == Acl*(P + P*S*P)*turned + H*g) for m, (g, turned) in enumerate(
                ((g1, TURNED_1), (g2, TURNED_2))))]
-BETWEEN = Fading(Acl, Pa0 + Pae, assumed=True)
+BETWEEN = Fading(STABLE, Pa0 + Pae)
 gap, DISTANCE = sym("gap"), Pa[t] - Pae
 APART = [2*N[t + 1]*(Pi[t + 1]*x*T(Pi[t + 1])) for x in (Pae, Pa0)]
 #: the distance is at most R/(t + 1), and at least -R/(t + 1)
@@ -155,35 +160,34 @@ ACTUAL_SUM = [(psd(Pae), [Phi*K*Va*T(K)*T(Phi), Ha])]
 
 claim("D71-E3.246", "the actual error covariance has a limit",
       (vstack(T(Phi), H)*hstack(g1, g2) == block([[TURNED_1, TURNED_2], [Zero(n, 1), Zero(n, 1)]]))
-      & (schur(Acl) >> always(t, psd(block([[R, N[t]*gap(t)], [N[t]*gap(t), R]])))),
+      & ((Acl == STABLE) >> always(t, psd(block([[R, N[t]*gap(t)], [N[t]*gap(t), R]])))),
       sizes=["n", "p"],
-      over={**SYSTEM, **ACTUAL, H: positive_semidefinite(n), P: positive_semidefinite(n), Pa0: positive_semidefinite(n), Pae: symmetric_matrix(n),
-            al: scalar(), be: scalar(), g1: vector(n), g2: vector(n), Acl: matrix(n, n), **BETWEEN.over},
-      where=[*AT_EQUILIBRIUM, rec(Pa, t, Pa0, Acl*Pa[t]*T(Acl) + NOISE), function(gap, [t], DISTANCE), *BETWEEN.where],
-      given=[EQUILIBRIUM, given("K = B - PD", Acl == B - P*D), *OUTSIDE, given("(3.246)", Pae - Acl*Pae*T(Acl) == NOISE), *BETWEEN.given],
+      over={**SYSTEM, **ACTUAL, H: positive_semidefinite(n), P: positive_semidefinite(n), Pa0: positive_semidefinite(n),
+            al: scalar(), be: scalar(), g1: vector(n), g2: vector(n), Acl: matrix(n, n), STABLE: matrix(n, n)},
+      where=[*AT_EQUILIBRIUM, let(Pae, stein(STABLE, NOISE)), rec(Pa, t, Pa0, Acl*Pa[t]*T(Acl) + NOISE), function(gap, [t], DISTANCE), *BETWEEN.where],
+      given=[EQUILIBRIUM, given("K = B - PD", Acl == B - P*D), *OUTSIDE, given("L is inside the unit circle", schur(STABLE))],
       by=[induction(also=[[], [*BETWEEN.also, DISTANCE == Pi[t]*(Pa0 - Pae)*T(Pi[t]), BETWEEN.bound, *BELOW]],
                     base=[order(*[[]]*20, *(terms for _, terms in TOWARDS[10:]), lemmas=[lemma for lemma, _ in TOWARDS], inside=NEAREST),
                           BETWEEN.begins([], BETWEEN.first, [R - BETWEEN.now, 2*Pae], [R - BETWEEN.now, 2*Pa0], _between(t), before=ACTUAL_SUM)],
                     step=[order(), BETWEEN.goes_on([], BETWEEN.then, *([R - BETWEEN.later, apart] for apart in APART), _between(t + 1),
                                                    before=ACTUAL_SUM)]),
-          # P is no equilibrium; a driven mode, and one that is stable; wrong P_ae, Z and R
+          # P is no equilibrium; a driven mode, and one that is stable; what is not L
           example({**ONE, "H": [["1/2"]], "alpha": "3/2", "Acl": [["3/2"]]}), example({**ONE, "alpha": 2, "Acl": [[2]]}), example({**ONE, **DRIVEN}),
-          example({**ONE, **DRIVEN, "Pae": [[1]]}), example({**ONE, **DRIVEN, "Z": [[0]], "R": [[0]]}), example({**ONE, **DRIVEN, "R": [[0]]}),
-          example({**ONE, "Phi": [["1/2"]], "Acl": [["1/2"]], **SPENT}),
-          example({**ONE, "Phi": [[2]], "Acl": [[2]], "g1": [0], "Z": [["-1/3"]], "R": [["1/9"]]}),
+          example({**ONE, **DRIVEN, "L": [[0]], "g1": [0]}), example({**ONE, **DRIVEN, "g1": [0], "Ha": [[1]]}),
+          example({**ONE, "Phi": [["1/2"]], "Acl": [["1/2"]], "g1": [0]}),
+          example({**ONE, "Phi": [[2]], "Acl": [[2]], "L": [[2]], "g1": [0]}), *(example({**ONE, "g1": [0], **change}) for change in OTHERS),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={e: vector(2), E: nonsingular(2)},
-                    made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, Ha: Zn, Pae: Zn, Pa0: Zn, Acl: B - P*D, Z: Zn, R: Zn,
+                    made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, Ha: Zn, Pa0: Zn, Acl: B - P*D, STABLE: Zn,
                              g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]])}),
           instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n), x: vector(n)},
                     made_by={al: 1, be: 0, g1: Zero(n, 1), g2: Zero(n, 1),
                              Phi: _in_basis(RATIO*(1 + when(i <= p, e[i]**2, 0)))*inv(E), P: _in_basis(e[i]**2)*T(E),
-                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, Acl: B - P*D, Va: Zero(p, p),
-                             Ha: _in_basis((1 - RATIO**2)**3)*T(E), Pae: _in_basis((1 - RATIO**2)**2)*T(E), Pa0: _in_basis(x[i]**2*(1 - RATIO**2)**2)*T(E),
-                             R: _in_basis(1 + x[i]**2)*T(E), Z: _in_basis((1 + x[i]**2)*(1 - RATIO**2))*T(E)})],
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, Acl: B - P*D, STABLE: B - P*D, Va: Zero(p, p),
+                             Ha: _in_basis((1 - RATIO**2)**3)*T(E), Pa0: _in_basis(x[i]**2*(1 - RATIO**2)**2)*T(E)})],
       note="The first part: an eigenvector g1 + i g2 of (B - PD)' for a + ib on or outside the unit circle is an eigenvector of Phi' for the same number and a "
            "null vector of H, so that an unstable or random walk mode is undriven. Where there is no such mode, B - PD is inside the circle; g = 0 is allowed, "
            "so that nothing is assumed by this for the second part. "
            "P is a computed covariance and so nonnegative definite; at an equilibrium that is not, such as P = -1/2 for Phi = M = V = 1 and H = 1/2, B - PD "
-           "may be outside the circle. The second part: for such a B - PD, (3.246) and the equations of Z and R have solutions, "
-           "and the distance of P_a(t_k) from P_ae is between -R/(k + 1) and R/(k + 1), which the block matrix says, with R the "
+           "may be outside the circle. The second part: L is any stable matrix; where B - PD is one, take it for L. stein(M, N) "
+           "is the solution of X = MXM' + N, for M = L that of (3.246); the distance of P_a(t_k) from P_ae is between -R/(k + 1) and R/(k + 1), which the block matrix says, with R the "
            "same for all k: it tends to zero.")

@@ -35,7 +35,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, null_vector, order, steps, within
+from exactkf.evidence import combination, example, identity, instances, null_vector, order, restated, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -155,13 +155,13 @@ claim("NWL92-S2", "the Bayesian least squares estimate is the ML estimate for (2
             K2: matrix(n, p)},
       where=BAYES_LETS,
       given=[given("gain of least squares", K * OF_Z == P * T(C)), given("(1)-inverse of the covariance of z", OF_Z * G * OF_Z == OF_Z)],
-      by=[BAYES_PROOF,
+      by=[restated("the error of a Gaussian vector is independent of data with which it is uncorrelated: no function of them does better than a linear one"), BAYES_PROOF,
           instances(made_by={G: any_one_inverse(OF_Z, Y), K: P * T(C) * G + X * (Identity(p) - OF_Z * G)},
                     using={X: matrix(n, p), Y: matrix(p, p)}, n=(1, 2), p=(1, 2), a=(1, 2), b=(1, 2))],
       note=("P = VaVa' and N = VbVb' with any square roots; m = x0 + Va wa, z = Cx0 + Vb wb are any data with (m, z) in the range of [R H]. The least squares "
             "estimate is xh = m + K(z - Cm) with a K that makes its error uncorrelated with z, K(CPC' + N) = PC'; its error covariance is P - KCP, and that "
-            "of any other gain K2 is larger. For Gaussian vectors an error uncorrelated with z is independent of it, so that no other function of z does better "
-            "either. Of all (x0, w0) that explain the data (xh, wh) has the smallest w'w, and no other x0 goes with wh: xh is the ML estimate for (2.2)."))
+            "of any other gain K2 is larger. "
+            "Of all (x0, w0) that explain the data (xh, wh) has the smallest w'w, and no other x0 goes with wh: xh is the ML estimate for (2.2)."))
 
 claim("NWL92-E2.2", "H and R of the Bayesian problem are a measurement with full column rank and R >= 0",
       (rank(H) == n) & iff(psd(R), psd(P) & psd(N)) & (vstack(m, z) == H * x + vstack(m - x, z - C * x)),

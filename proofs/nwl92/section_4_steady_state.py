@@ -574,7 +574,7 @@ claim("NWL92-E4.47", "error covariance with constant gains, as printed without t
                     where=[let(UNIT, stein(L * A, Identity(n))), let(Wn, stein(L * A, DRIVEN)), let(RATE, (d - 1) / d),
                            rec(Wt, t, W, constant_gain(Wt[t])), rec(BOUND, t, c * UNIT, RATE * BOUND[t])],
                     given=[NOISE, standing("LA stable", schur(L * A)), *BOUNDED, standing("d >= 1", d >= 1)],
-                    by=[E447_PROOF,
+                    by=[restated("a symmetric matrix is at most a multiple of the identity"), E447_PROOF,
                         example({**STEADY, W: [[1, 0], [0, 2]], D_: [[0, 0], [0, 0]], c: 2, d: 2}), example({**STEADY, W: [[1, 0], [0, 2]], D_: [[1, 0], [0, 0]], c: 2, d: 2}),
                         instances(16, made_by={**RANDOM_NOISE, A: SLOW, c: trace(W + Wn), d: trace(UNIT)}, using={**RANDOM_NOISE_FREE, X0: matrix(l, n)},
                                   horizon=3, l=(1, 2), n=(1, 2), p=(1, 2)),

@@ -16,7 +16,7 @@ gives the adjusted estimate, and minus its last block the error covariance.
 from __future__ import annotations
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import Evidence, example, instances, order
+from exactkf.evidence import Evidence, example, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -99,8 +99,7 @@ LARGER = loewner(hstack(M1, M2) * NOISE * vstack(T(M1), T(M2)), BEST * NOISE * T
 EXCESS = (hstack(M1, M2) - BEST) * BY_FORM * T(hstack(M1, M2) - BEST)
 NOTE = ("The identity matrix in the upper right corner is scanned as a small letter. P = RpRp' and V = RvRv' with any square roots; the data are any that (6.25) "
         "allows, with nu = Rp wp and w = Rv wv. Of all (x0, w0) that explain them the adjusted estimate and wh have the smallest w'w, and no other x0 goes with "
-        "wh: it is the most likely one. No linear unbiased estimate M1 xh + M2 0 has a smaller error covariance. That (6.25) holds what past and future say of "
-        "x(j) is NWL92-L2.3 and NWL92-E6.3.")
+        "wh: it is the most likely one. No linear unbiased estimate M1 xh + M2 0 has a smaller error covariance.")
 Rp, Rv, p, q, x0, wp, wv, w0, wh, xc, X0 = symbols("Rp Rv p q x0 wp wv w0 wh xc X0")
 BOTH_ROWS, ROOT, INNER = vstack(Identity(n), F), block([[Rp, Zero(n, q)], [Zero(g, p), Rv]]), block([[W1, W2], [T(W2), W3]])
 DATA = vstack(xh, Zero(g, 1))
@@ -121,7 +120,7 @@ claim("NWL92-E6.26", "the adjusted estimate",
       over={Rp: matrix(n, p), Rv: matrix(g, q), **BLOCKS, x0: vector(n), wp: vector(p), wv: vector(q),
             M1: matrix(n, n), M2: matrix(n, g)},
       where=SOURCES, given=[ONE_INVERSE, DATA_GIVEN, UNBIASED],
-      by=[PROVED, *FOILS, DATA_DRAWN], note=NOTE)
+      by=[restated("past and future together say of x(j) what (6.25) says (NWL92-L2.3, NWL92-E6.3)"), PROVED, *FOILS, DATA_DRAWN], note=NOTE)
 
 claim("NWL92-E6.27", "error covariance of the adjusted estimate",
       BEST * NOISE * T(BEST) == -(LAST * Zi * vstack(Zero(n, n), Zero(g, n), Identity(n))),
