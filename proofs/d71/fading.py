@@ -15,7 +15,7 @@ k Z_k + R_k decreases, from R, by (k + 1) W_k at each step.
 from collections.abc import Mapping, Sequence
 
 from exactkf.evidence import Evidence, order, within
-from exactkf.language import Expr, Identity, T, Zero, given, inv, let, loewner, matrix_of, psd, rec, stein, symbols, symmetric_matrix, when
+from exactkf.language import Expr, Identity, T, Zero, inv, let, loewner, matrix_of, psd, rec, stein, symbols, when
 from proofs.d71.notation import i, j, n
 
 __all__ = ["N", "Fading", "Pi", "R", "Z", "eigenvalues"]
@@ -26,18 +26,15 @@ Z, R, N, Pi, t = symbols("Z R N Pi t")
 class Fading:
     """What a claim needs to bound W_t = K^t U_0 (K^t)', for a stable K and a nonnegative definite U_0.
 
-    ``where`` are Z and R, as the solutions of their equations, and K^t with the count t + 1; ``bound`` is the formula. Where no hypothesis says that K is
-    stable, but a part of the conclusion supposes it, Z and R are any solutions (``assumed``), by ``over`` and ``given``. ``also`` is carried
+    ``where`` are Z and R, as the solutions of their equations, which there are if a hypothesis says that K is stable, and K^t with the count t + 1;
+    ``bound`` is the formula. ``also`` is carried
     along by an `induction`, with the orders that `begins` and `goes_on` make; ``first`` and ``then`` are the terms for the bound;
     ``now`` is what it bounds, and ``later`` that at t + 1.
     """
 
-    def __init__(self, K: Expr, U0: Expr, W: Expr | None = None, *, assumed: bool = False) -> None:
+    def __init__(self, K: Expr, U0: Expr, W: Expr | None = None) -> None:
         at = Pi[t]*U0*T(Pi[t]) if W is None else W[t]
-        self.over = {Z: symmetric_matrix(n), R: symmetric_matrix(n)} if assumed else {}
-        sums = [given("Z, the sum of the W_k", Z - K*Z*T(K) == U0), given("R, the sum of the (k + 1)W_k", R - K*R*T(K) == Z)]
-        self.given = sums if assumed else []
-        self.where = [*([] if assumed else [let(Z, stein(K, U0)), let(R, stein(K, Z))]), rec(Pi, t, Identity(n), K*Pi[t]), rec(N, t, 1, N[t] + 1)]
+        self.where = [let(Z, stein(K, U0)), let(R, stein(K, Z)), rec(Pi, t, Identity(n), K*Pi[t]), rec(N, t, 1, N[t] + 1)]
         spent, spent_next = ((N[s] - 1)*(Pi[s]*Z*T(Pi[s])) + Pi[s]*R*T(Pi[s]) for s in (t, t + 1))
         self.now = N[t]*at
         self.bound = loewner(R, self.now)

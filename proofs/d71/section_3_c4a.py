@@ -22,6 +22,7 @@ from exactkf.language import (
     block,
     eq,
     given,
+    hstack,
     iff,
     inv,
     invertible,
@@ -33,7 +34,6 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive_definite,
-    positive_semidefinite,
     psd,
     rec,
     rows,
@@ -45,9 +45,10 @@ from exactkf.language import (
     symmetric_matrix,
     trace,
     vector,
+    vstack,
     when,
 )
-from proofs.d71.fading import Fading, N, Pi, R, Z
+from proofs.d71.fading import Fading, N, Pi, R
 from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
 
 q, S, A, B, C, D, U, U1, P1, x, y, v, W, X = symbols("q S A B C D U U1 P1 x y v W X")
@@ -147,14 +148,16 @@ claim("D71-E3.165", "DP - C and B - PD are conjugate inverses of each other",
 
 Y, Q, t, g1, g2, al, be, rho, E, a, e = symbols("Y Q t g1 g2 alpha beta rho E a e")
 SLOPE = K_
-LINEAR = Fading(SLOPE, Q, assumed=True)
-IN_BLOCKS = psd(block([[Q, U], [T(U), Q]]))
+STABLE = sym("L")
+LINEAR = Fading(STABLE, Q)
+#: Q = I + UU' bounds U: [[Q, U], [U', Q]] is the sum of these
+IN_BLOCKS = [vstack(U, I)*hstack(T(U), I), vstack(I, Zn)*hstack(I, Zn), vstack(Zn, U)*hstack(Zn, T(U))]
 
 
 def _within_bound(s) -> list:
     """The terms of [[R, N U_s], [N U_s', R]], with N = s + 1."""
     now, twice = N[s]*(Pi[s]*Q*T(Pi[s])), block([[Pi[s], Zn], [Zn, Pi[s]]])
-    return [block([[R - now, Zn], [Zn, R - now]]), N[s]*twice*block([[Q, U], [T(U), Q]])*T(twice)]
+    return [block([[R - now, Zn], [Zn, R - now]]), *(N[s]*twice*x*T(twice) for x in IN_BLOCKS)]
 
 
 def _size(s):
@@ -169,7 +172,6 @@ BOTH_QUADRATIC = [first(QUADRATIC, base=order(inside=[within(0, P == step())])),
 BY_EQUILIBRIUM = order(inside=[within(0, QUADRATIC, NEXT_QUADRATIC, U1*((D*P - C) + D*U) == (B - P*D)*U)])
 BOTH_SIDES = [T(B - P*D)*(D*P - C) == I, (D*P - C)*T(B - P*D) == I]
 AT_K = T(SLOPE)*(D*P - C) == I
-ADJOINT = [(formula, []) for formula in (*BOTH_SIDES, AT_K, inv(D*P - C) == T(SLOPE))]
 INVERSE_OF = within(2, AT_K)
 GROWTH = within(0, T(g1)*SLOPE == al*T(g1) - be*T(g2), T(g2)*SLOPE == be*T(g1) + al*T(g2), _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2))
 PAIR = rows([[al, be], [-be, al]])
@@ -178,16 +180,14 @@ RATIO = 1/(2 + a[i]**2)
 BALL = (1/(1 + trace(y*T(y))))*y
 
 
-#: the basis in which K is a rotation times 1/|psi|, and the solutions of Z - KZK' = Q there
+#: the basis in which K is a rotation times |psi|
 FRAME = inv(T(E))
-ENLARGED = 1/(1 - al**2 - be**2)
 #: one dimension: nothing is driven or measured, and K = Phi = 1/2
-ONE = {"n": 1, "p": 1, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "P": [[0]], "U": [[1]], "U1": [["1/4"]], "K": [["1/2"]], "Q": [[1]],
-       "Z": [["4/3"]], "R": [["16/9"]], "g1": [0], "g2": [0], "alpha": 1, "beta": 0}
+ONE = {"n": 1, "p": 1, "Phi": [["1/2"]], "H": [[0]], "M": [[0]], "V": [[1]], "P": [[0]], "U": [[1]], "U1": [["1/4"]], "K": [["1/2"]], "L": [["1/2"]],
+       "g1": [0], "g2": [0], "alpha": 1, "beta": 0}
 #: an equilibrium that is not symmetric
-NOT_HERMITIAN = {**SKEW, "U1": [[-3, "27/2"], [1, -3]], "K": [[2, -1], [0, "1/2"]], "Q": [[26, 12], [12, 18]], "Z": [["14/3", 16], [16, 24]],
-                 "R": [["146/9", "64/3"], ["64/3", 32]], "g1": [0, 0], "g2": [0, 0], "alpha": 1, "beta": 0}
-CHANGES = [{"U1": [[1]]}, {"Q": [[0]], "Z": [[0]], "R": [[0]]}, {"Z": [[0]], "R": [[0]]}, {"R": [[0]]}, {"g1": [1]}, {"K": [[0]], "Z": [[1]], "R": [[1]]},
+NOT_HERMITIAN = {**SKEW, "U1": [[-3, "27/2"], [1, -3]], "K": [[2, -1], [0, "1/2"]], "L": [[0, 0], [0, 0]], "g1": [0, 0], "g2": [0, 0], "alpha": 1, "beta": 0}
+CHANGES = [{"U1": [[1]]}, {"g1": [1]}, {"K": [[0]], "L": [[0]]}, {"Phi": [[2]], "K": [[2]], "U1": [[4]]}, {"Phi": [[2]], "K": [[2]], "L": [[2]], "U1": [[4]]}, {"L": [[0]]},
            {"H": [[1]], "U1": [["5/4"]], "M": [[1]]}]
 
 
@@ -199,34 +199,32 @@ def _in_basis(entry):
 claim("D71-E3.151", "the linear equation",
       (U1 - (B - P*D)*U*inv(D*P - C) == -U1*D*U*inv(D*P - C))
       & (symmetric(P) >> ((T(SLOPE)*(D*P - C) == I) & (inv(D*P - C) == T(SLOPE))))
-      & ((symmetric(P) & schur(SLOPE)) >> always(t, psd(block([[R, N[t]*Y[t]], [N[t]*T(Y[t]), R]]))))
+      & always(t, psd(block([[R, N[t]*Y[t]], [N[t]*T(Y[t]), R]])))
       & always(t, _size(t) == rho[t]*(T(g1)*U*g1 + T(g2)*U*g2)),
       sizes=["n", "p"],
-      over={**ANY, U: matrix(n, n), U1: matrix(n, n), Q: positive_semidefinite(n), g1: vector(n), g2: vector(n), al: scalar(), be: scalar(),
-            SLOPE: matrix(n, n), **LINEAR.over},
-      where=[*COEFFICIENTS, rec(Y, t, U, (B - P*D)*Y[t]*inv(D*P - C)), rec(X, t, U, SLOPE*X[t]*T(SLOPE)), rec(rho, t, 1, (al**2 + be**2)*rho[t]),
-             *LINEAR.where],
-      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", SLOPE == B - P*D), given("Q bounds U_0", IN_BLOCKS),
-             *LINEAR.given, given("eigenvector of K'", (T(SLOPE)*g1 == al*g1 - be*g2) & (T(SLOPE)*g2 == be*g1 + al*g2))],
+      over={**ANY, U: matrix(n, n), U1: matrix(n, n), g1: vector(n), g2: vector(n), al: scalar(), be: scalar(),
+            SLOPE: matrix(n, n), STABLE: matrix(n, n)},
+      where=[*COEFFICIENTS, rec(Y, t, U, STABLE*Y[t]*T(STABLE)), rec(X, t, U, SLOPE*X[t]*T(SLOPE)), rec(rho, t, 1, (al**2 + be**2)*rho[t]),
+             let(Q, I + U*T(U)), *LINEAR.where],
+      given=[EQUILIBRIUM, given("the next deviation", U1 == step(P + U) - P), given("K = B - PD", SLOPE == B - P*D),
+             given("L is inside the unit circle", schur(STABLE)), given("eigenvector of K'", (T(SLOPE)*g1 == al*g1 - be*g2) & (T(SLOPE)*g2 == be*g1 + al*g2))],
       by=[induction(before=BOTH_QUADRATIC, also=[[], [], [], [*LINEAR.also, LINEAR.bound, Y[t] == Pi[t]*U*T(Pi[t])], []],
                     base=[BY_EQUILIBRIUM, order(lemmas=BOTH_SIDES), order(lemmas=BOTH_SIDES, inside=[INVERSE_OF]),
                           LINEAR.begins(LINEAR.first, [], _within_bound(t)), order()],
-                    step=[order(), order(), order(), LINEAR.goes_on(LINEAR.then, [], _within_bound(t + 1), before=ADJOINT, inside=[within(3, AT_K)]),
+                    step=[order(), order(), order(), LINEAR.goes_on(LINEAR.then, [], _within_bound(t + 1)),
                           order(inside=[GROWTH])]),
           instances(8, n=(1, 2), p=(1, 2), horizon=2, using={E: nonsingular(n), a: vector(n), e: vector(n), y: matrix(n, n)},
                     made_by={**NOTHING, Phi: _in_basis(RATIO*(1 + when(i <= p, e[i]**2, 0)))*inv(E), P: _in_basis(e[i]**2)*T(E),
-                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, SLOPE: B - P*D,
-                             Q: _in_basis((1 - RATIO**2)**2)*T(E), R: E*T(E), Z: _in_basis(1 - RATIO**2)*T(E), U: _in_basis(1 - RATIO**2)*BALL*T(_in_basis(1 - RATIO**2)), U1: step(P + U) - P}),
+                             M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p), **SOLVED, SLOPE: B - P*D, STABLE: B - P*D,
+                             U: _in_basis(1 - RATIO**2)*BALL*T(_in_basis(1 - RATIO**2)), U1: step(P + U) - P}),
           instances(8, n=(2,), p=(1, 2), horizon=2, using={E: nonsingular(2), e: vector(2), y: matrix(2, 2)},
                     made_by={al: 1 + e[1]**2, be: e[2], Phi: T(E*PAIR*inv(E)), P: Zn, H: Zn, g1: E*rows([[1], [0]]), g2: E*rows([[0], [1]]),
-                             SLOPE: B - P*D, U: FRAME*y*T(FRAME), U1: step(P + U) - P, Q: (1 + trace(y*T(y)))*FRAME*T(FRAME),
-                             Z: ENLARGED*Q, R: ENLARGED**2*Q}),
+                             SLOPE: B - P*D, STABLE: Zn, U: FRAME*y*T(FRAME), U1: step(P + U) - P}),
           *(example({**ONE, **change}) for change in CHANGES), example(NOT_HERMITIAN)],
       note="K is B - PD. The deviation differs from (3.151) by a term of second order in U, at any equilibrium. For a Hermitian P, DP - C is the inverse of "
-           "K', so that the eigenvalues of K are the conjugate reciprocals of those of J. If K is inside the unit circle (J outside), the solution Y_k of "
-           "(3.151) from any start U is at most R/(k + 1) in absolute value, in the sense of the block matrix, with R the same for all k: it tends to zero. "
-           "Here Q is any matrix that bounds U so, and the equations of Z and R have solutions. Last, U -> KUK' is (3.151) for a Hermitian P, by the second "
-           "part. If psi = alpha + i beta is an eigenvalue of K', with the eigenvector g = g1 + i g2, then g*X_k g is |psi|^(2k) g*Ug: it grows beyond all "
+           "K', so that the eigenvalues of K are the conjugate reciprocals of those of J. So (3.151) is U -> KUK' for a Hermitian P. If L is inside the unit circle, the "
+           "solution Y_k of U -> LUL' from any start U is at most R/(k + 1) in absolute value, in the sense of the block matrix, with R the same for all k: it tends to zero; "
+           "take K for L where it is stable, with J outside the circle. stein(M, N) is the solution of X = MXM' + N. Last, if psi = alpha + i beta is an eigenvalue of K', with the eigenvector g = g1 + i g2, then g*X_k g is |psi|^(2k) g*Ug: it grows beyond all "
            "bounds where psi is outside the circle, and so an eigenvalue of J inside. g = 0 is allowed, so that nothing is assumed by this for the rest.")
 
 
