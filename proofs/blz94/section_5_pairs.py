@@ -84,10 +84,10 @@ def S_of(f, g):
 
 # ---------------------------------------------------------------------- the operator
 claim("BLZ94-E5.11", "S(a) takes polynomials of degree n to symmetric pseudo-polynomials, linearly, and S(a)b = 2D",
-      (recip(S_of(a, v)) == S_of(a, v)) & (S_of(a, v + s * w) == S_of(a, v) + s * S_of(a, w)) & (S_of(a, b) == 2 * D) & (coeff(S_of(a, v), n + 1) == 0),
-      sizes=["n"],
+      (recip(S_of(a, v)) == S_of(a, v)) & (S_of(a, v + s * w) == S_of(a, v) + s * S_of(a, w)) & (S_of(a, b) == 2 * D) & (coeff(S_of(a, v), n + k) == 0),
+      sizes=["n", "k"],
       over={a: monic(n), b: monic(n), v: polynomial(n), w: polynomial(n), s: scalar()}, where=[let(D, symmetric_part(a, b))],
-      by=[generic_index(in_values=[0, 1, 2]), instances(n=(1, 2, 3))])
+      given=[standing("k >= 1", k >= 1)], by=[generic_index(in_values=[0, 1, 2]), instances(n=(1, 2, 3), k=(1, 2))])
 
 not_checked("BLZ94-D5.R", "pairs of reciprocal roots", "a definition: it fixes notation and asserts nothing",
             note="That a root of multiplicity m at 1 or -1 counts as m pairs is what makes (5.13) and what rests on it false for m = 2.")

@@ -194,7 +194,7 @@ claim("BLZ94-S43", "gamma and -gamma: a and b are exchanged, and the orbits diff
              let(V, q[n] + sum_of(i, 1, n, alpha[i] * q[n - i])), _PLUS[0], let(R, _PLUS[1]), _MINUS[0], let(y, _MINUS[1])],
       by=[generic_index(lemma(t, (f[t] == psi[t]) & (fs[t] == psis[t]), rule=True), lemma(t, (q[t] == phi[t]) & (qs[t] == phis[t]), rule=True), _MOVED, _SUMS,
                         closed=[w, x], uses=[use(w, i), use(x, i), use(3, k=n, u=n)]),
-          instances(n=(1, 2, 3))],
+          restated("induction on t"), instances(n=(1, 2, 3))],
       note="delta = -gamma; (U, V) are the a and b of (alpha, delta), (w, y) and (x, R) are (alpha, delta) and (alpha, gamma) after one step. The next steps "
            "are the same, so one orbit tends to (w, 0) if and only if the "
            "other does.")
