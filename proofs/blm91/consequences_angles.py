@@ -91,7 +91,7 @@ ORBIT_OF = by_induction(
           angles("quotient", -G * A, 1 - G**2), by_cases(A1 * u0 * u2 == u1 * u2), by_cases(A1 * u0 == u1), by_cases((G1 + G * A1) * (1 - G**2) == 0),
           by_cases(G1 == -G * A1), *map(multiplied, (G**2 * A1 * u0, G**2 * u1, u1**2, A1, u1))])
 LAST_POINT = [unfolded(ga, 0), at_index(f, k - 1), at_index(g, k - 1), angles("quotient", 1, Ut[k - 1]), multiplied(Ut[k - 1]), multiplied(ga[0] * Ut[k - 1])]
-claim("BLM91-X.18", "after how many steps the orbits that end do so, for every rational angle", forall(j, 0, last, iff(ga[j] ** 2 == 1, j == last)), sizes=["n", "d", "k"], where=HERE,
+claim("BLM91-X.18", "after how many steps the listed points end, for every rational angle", forall(j, 0, last, iff(ga[j] ** 2 == 1, j == last)), sizes=["n", "d", "k"], where=HERE,
       given=[*LOWEST, standing("which point", (k >= 1) & (k < d))],
       by=[arithmetic(*ABOUT_SINES, CASSINI, U_NOT_ZERO, U_UNIT, ORBIT_OF, by_cases(k == d - 1, LAST_POINT, [at_index(tau, j), at_index(f, k - 1 - j)]), multiplied(Ut[k - 1 - j]**2), multiplied(ga[j]**2)),
           instances(n=range(1, 8), d=range(2, 10), k=range(1, 8))],
