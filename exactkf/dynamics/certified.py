@@ -152,6 +152,8 @@ def certify_ahead(answer: Answer, T: int, digits: int = 15, *, exact: bool = Fal
     """
     if not isinstance(answer, Answer):
         raise bad("answer", "is not an Answer", answer, "pass what analyze returns")
+    if type(exact) is not bool:
+        raise bad("exact", "is neither True nor False", exact, "leave it out for digits")
     check_count("T", T)
     a, g = state_of(answer)
     if not exact:

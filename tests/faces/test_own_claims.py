@@ -123,7 +123,7 @@ def test_claims_come_in_the_order_of_reading():
         numbered = [s for s in sections if s.startswith("section")]
         first = [s for s in sections if s.startswith("introduction")]
         assert sections[:len(first) + len(numbered)] == first + sorted(numbered)
-    assert places[0] == ("B93", "introduction") and [s for p, s in places if p == "BLM91"][-1] == "consequences"
+    assert places[0] == ("B93", "introduction") and [s for p, s in places if p == "BLM91"][-1].startswith("consequences")
 
 
 def test_a_mutant_is_rejected_by_an_instance_that_is_shown():

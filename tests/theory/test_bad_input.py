@@ -77,7 +77,7 @@ OWN = {
     "riccati_step": {"g": [[1], [0]], "h": [[0], [1]]}, "symplectic_matrix": {"g": [[1], [0]], "h": [[0], [1]]}, "palindromic_to_x": {"p": [1, 2, 1]},
     "equilibrium_from_basis": {"Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]], "basis": [[3, 1]]}, "PseudoPolynomial": {"d": [3, 1]}, "sqrt_field": {"d": 2},
     "stabilizing_equilibrium": {"Phi": [[2]], "H": [[0]], "M": [[1]], "V": [[1]]}, "refine_root": {"root": exactkf.exact.isolate_real_roots([-2, 0, 1])[0]},
-    **dict.fromkeys(("limit_digits", "rate_digits"), {"answer": decide([Fraction(-3, 10)], [HALF]), "digits": 5}),
+    **dict.fromkeys(("certify_ahead", "limit_digits", "rate_digits"), {"answer": decide([Fraction(-3, 10)], [HALF]), "digits": 5}),
     "cyclotomic_real": {"n": 7}, "Filter": {"a": (fmpq(1),), "g": (fmpq(1, 2),)},
     "from_polynomials": {"a": [1, 2], "b": [1, 1]}, "from_covariances": {"c": [1, HALF, Fraction(1, 4)]},
     "from_realization": {"F": [[HALF]], "g": [HALF], "h": [1]},
