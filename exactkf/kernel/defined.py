@@ -227,8 +227,10 @@ class Witness:
     def value(self, key: tuple) -> Fraction | None:
         """The value of an atom, None if it has one that is not known; Unknown if it may have none."""
         kind, name = key[:2]
-        if kind == "prod":  # of factors one at the point: then P is one there
-            return Fraction(1) if self._number(key[1]) == 1 else None
+        if kind == "prod":  # of factors c at the point: then P is c^j there, one for c = 1; zero divides by itself, and has none
+            if not (c := self._number(key[1])):
+                raise Unknown("no value of a product")
+            return Fraction(1) if c == 1 else None
         if kind in ("opaque", "word"):
             return self._opaque(key)
         if kind == "power":  # of z

@@ -568,10 +568,11 @@ class Terms(Indefinite, Chains):
         if high is not None and self.region.decide(plus(self.index(high, {}), args[-1], -1)) is not True:
             return None
         if (args[-1] == {INDEX: 1}) if least is None else self.region.decide(plus(args[-1], {"": least}, -1)):
-            met = set(self.met)
+            before, self.met, sure = self.met, set(), set(self.sure)
             found = read(term, dict(zip(names, args, strict=True)))
-            if self.met != met:
+            if not self.met <= sure:  # one met before in a sum that may be empty need not exist either
                 raise Unknown("a rule with an inverse, which need not exist where the rule is used")
+            self.met |= before
             return found
         return None
 

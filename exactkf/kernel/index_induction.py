@@ -48,7 +48,7 @@ from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.packed import BITS, exponents
 from exactkf.kernel.region import INDEX, Form, Region, Split, plus
 from exactkf.kernel.symbolic import Symbolic
-from exactkf.kernel.wellformed import check_formula
+from exactkf.kernel.wellformed import check_formula, check_statement
 
 __all__ = ["Proof", "generic_index"]
 
@@ -71,6 +71,7 @@ def _has_solutions(tree: Any) -> bool:
 
 def generic_index(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     """Replay; the denominators met."""
+    check_statement(statement, hiding=False)  # a member of a conjunction, where an index may hide a matrix, is followed by names too
     if _has_solutions([statement["says"], [d[2:] for d in statement["where"]], [g[1] for g in statement["given"]], evidence]):
         raise Unknown("solutions X = MXM' + Q, which are for words")
     return Proof(statement, evidence).replay()

@@ -152,3 +152,29 @@ def test_an_inverse_in_an_empty_sum_need_not_exist():
         assert accepted("generic index", made, evidence) is good  # there is no instance of the second
         nowhere = {"sizes": {"n": 0}, "values": {"w": [0], "u": [[1], [1]]}}
         assert accepted("counterexample", made, {"instance": nowhere}) is not good
+
+
+def test_a_rule_with_an_inverse_needs_more_than_an_empty_sum():
+    """X = A is X = 2A where a singular matrix has an inverse; a sum from 1 to m with that inverse has a value for m = 0 all the same."""
+    m, matrix = ["sym", "m"], ["sym", "A"]
+    singular, first = ["inv", ["mat", "i", "j", 2, 2, 0]], ["entry", matrix, 1, 1]
+    nothing = {"index": "s", "fact": "solve", "says": ["=", ["*", singular, matrix, 0], matrix]}
+    by = [{"lemma": 0, "at": {"s": 0, "row": ["sym", "row"], "column": ["sym", "column"]}}]
+    twice = {"index": "t", "rule": True, "base": by, "uses": by, "says": ["=", at("X", t), ["+", ["*", 2, matrix], ["-", singular, singular]]]}
+    over, where = [["A", ["matrix", 2, 2]], ["w", ["signal", 0]]], [["rec", "X", "t", 0, [matrix], matrix]]
+    for low, good in ((1, False), (0, True)):
+        total = ["sum", "k", low, m, ["*", ["entry", singular, 1, 1], at("w", k)]]
+        made = statement(["forall", "t", 0, n, ["=", ["+", total, ["entry", at("X", t), 1, 1]], ["+", total, ["*", 2, first]]]], over, (), where, ("n", "m"))
+        assert accepted("generic index", made, {"lemmas": [nothing, twice]}) is good  # there is no instance of the second
+        instance = {"sizes": {"n": 0, "m": 0}, "values": {"A": [[1, 0], [0, 0]], "w": [0]}}
+        assert accepted("counterexample", made, {"instance": instance}) is not good
+
+
+# ---------------------------------------------------------------------- names
+@pytest.mark.parametrize("index, good", [("M", False), ("k", True)])
+def test_an_index_hides_no_matrix_in_a_member_of_a_conjunction(index, good):
+    """1 + .. + n is not n M for a matrix M of one row and column, whatever the index is called."""
+    says = ["=", ["sum", index, 1, n, M], ["*", n, at("M", 1)]]
+    made = statement(["and", ["=", 1, 1], says], [["M", ["matrix", 1, 1]]])
+    assert accepted("conjunction", made, {"parts": [["generic index", {"lemmas": []}]] * 2}) is good
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 2}, "values": {"M": [[5]]}}}) is not good
