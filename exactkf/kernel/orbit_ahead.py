@@ -105,6 +105,7 @@ def _exact(Q: list, S: list, T: int, said: Mapping[str, Any]) -> None:
         _need(all(x * state[0][-1] == y * d for mine, p in zip(later, state, strict=True) for x, y in zip(mine, p, strict=True)),
               f"the state after {T} steps is another")
         return
+    _need(reduced.escape is None, "the state is one behind an escape")
     over = [divmod_poly([Fraction(x) for x in p], reduced.removed) for p in later]
     _need(not any(rest for _, rest in over), "the factors in common do not divide the state")
     m = len(reduced.Q) - 1
@@ -172,7 +173,7 @@ def state_within(Q: list, S: list, T: int, bits: Any) -> list[Interval]:
     """Intervals around a and g after T steps, more than the reduction takes; see statement 3."""
     _need(type(bits) is int and 0 < bits < 1 << 18, "the bits are not a positive number")
     reduced = reduce_pair(Q, S)
-    _need(T > reduced.start, "the state is one of before the reduction ends")
+    _need(T > reduced.start and reduced.escape is None, "the state is one of before the reduction ends, or behind an escape")
     m, one = len(reduced.Q) - 1, (1 << bits, 1 << bits)
     q, s = ([*([around(x, bits) for x in p[:-1]]), last] for p, last in ((reduced.Q, one), (reduced.S, (0, 0))))
     within(bits * T.bit_length() * max(m, 1) ** 3, WORK, "bits of the intervals")

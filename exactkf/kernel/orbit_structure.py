@@ -78,6 +78,7 @@ def check_structure(Q: list, S: list, field: AlgebraicField | None, said: Mappin
     rows = symplectic(q, g, divide(1, q[-1]))
     _need([len(row) for row in said["S"]] == [2 * m] * 2 * m, "S is of another size")
     _need(all(number(x, field) == y for mine, row in zip(said["S"], rows, strict=True) for x, y in zip(mine, row, strict=True)), "S is not as recomputed")
+    _need(all(set(block) == {"polynomial", "size"} for block in said["jordan"]), "a block is a polynomial with a size")
     _blocks(D, rows, [([number(x, field) for x in block["polynomial"]], block["size"]) for block in said["jordan"]], evidence)
     if shape == "+-":
         _need(said["dominant"] is said["codominant"] is None, "no subspace is dominant where D changes sign on the circle")

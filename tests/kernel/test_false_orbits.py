@@ -17,6 +17,10 @@ from exactkf.dynamics.certified import certify_ahead
 from exactkf.dynamics.every_order import decide
 from exactkf.exact import sqrt_field
 from exactkf.exact.balls import precision
+from exactkf.kernel.intervals import around
+from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.orbit_ahead import check_ahead, state_within
+from exactkf.kernel.orbit_n import reduce_pair, start_pair, state_at
 from exactkf.kernel.orbit_sieve import intersected
 from exactkf.kernel.replay import Rejected, digest, replay, seal
 from exactkf.kernel.rotation import _Residues
@@ -441,3 +445,69 @@ def test_exact_states_far_ahead(n):
         doubled = {"denominator": f"{2 * int(said['denominator'], 16):x}", **{k: [f"{2 * int(x, 16):x}" for x in said[k]] for k in "ag"}}
         assert accepted(changed(certificate, ("statement", "ahead", "exact"), doubled))  # the same numbers
         tried += bool(moving)
+
+
+def test_a_block_has_a_polynomial_and_a_size_only():
+    """Nothing is looked at of a block but these; what else would be said of it would stand there unchecked."""
+    certificate = json.loads(json.dumps(PARTS["converges"][0].certificate))
+    assert accepted(certificate)
+    place = ("statement", "answer", "structure", "jordan", 0)
+    assert not accepted(changed(certificate, place, {**at(certificate, place), "geometric": 2}))
+
+
+@pytest.mark.parametrize("a, g", [(("-1", "0"), ("1", "0")), (("0", "-1"), ("0", "1")), (("1/2", "-1"), ("1", "1")), (("3", "2", "1"), ("-1", "5", "-1"))])
+def test_no_state_behind_an_escape_that_was_not_looked_for(a, g):
+    """Of orbits that escape before their reduction ends an answer may leave all open; a state later on is not shown for that, in whatever form."""
+    n, answer = len(a), json.loads(json.dumps(PARTS["converges"][0].certificate))["statement"]["answer"]
+    answer = {**dict.fromkeys(answer), "order": n, "behaviour": "undecided", "never_escapes": False, "region": ""}
+    answer.pop("structure")
+    question = {"a": list(a), "g": list(g)}
+    escape = reduce_pair(*start_pair(question)).escape
+    made = {"format": "exactkf-certificate", "version": 1, "id": "orbit", "kind": "orbit", "statement": {"question": question, "answer": answer},
+            "evidence": {"searched": 0, "ahead": {"bits": 200}}}
+    assert escape is not None and accepted(made)
+    wide = [{"interval": ["-1000000", "1000000"]}] * n
+    for T in (1, 2, 3, 10, 1000):
+        said = {"steps": escape + T, "escape": None, "certain": False}
+        for x, y, denominator in ((0, 0, 1), (1, 0, 1), (1, 1, 2)):
+            exact = {"a": [f"{x:x}"] * n, "g": [f"{y:x}"] * n, "denominator": str(denominator)}
+            assert not accepted(changed(made, ("statement", "ahead"), {**said, "exact": exact}))
+        assert not accepted(changed(made, ("statement", "ahead"), {**said, "state": {"a": wide, "g": wide}}))
+
+
+def test_intervals_of_states_of_all_starts():
+    """Starts with Q(0) = 0 once or twice, rational and over a field: intervals hold the state that steps lead to, and one unit less is refused."""
+    rng, tried, starts = random.Random(7), 0, set()
+    while tried < 40:
+        n, over = rng.choice((1, 2, 2, 3)), rng.random() < 0.4
+        a, g = ([[str(Fraction(rng.randint(-3, 3), rng.choice((1, 2, 3)))), *(["1/2"] if over and rng.random() < 0.5 else [])] for _ in range(n)] for _ in "ag")
+        for k in range(rng.randint(0, min(2, n))):  # q_{n-k} = 0
+            a[-1 - k] = [str(-Fraction(x)) for x in g[-1 - k]]
+        Q, S = start_pair({"a": a, "g": g, "field": [["-2", "0", "1"], "1", "2"]}) if over else start_pair({"a": [x for x, in a], "g": [x for x, in g]})
+        reduced = reduce_pair(Q, S)
+        T, bits = reduced.start + rng.randint(1, 9), 300
+        try:
+            q, s = state_at(Q, S, T)
+        except Undefined:  # there is none
+            continue
+        found = state_within(Q, S, T, bits)
+        for k, (lo, hi) in enumerate(found):
+            p, r = (q, s) if k < n else (s, [0] * len(s))
+            i = n - 1 - k % n
+            low, high = around((Fraction(1) * p[i] - r[i]) / q[-1], bits)
+            assert lo <= high and low <= hi and hi - lo < 1 << 150
+        said = [{"interval": [f"{x}/{1 << bits}" for x in ends]} for ends in found]
+        for k in (None, *range(2 * n)):
+            mine = [*said]
+            if k is not None:
+                lo, hi = found[k]
+                mine[k] = {"interval": [f"{lo + 1}/{1 << bits}", f"{hi}/{1 << bits}"]}
+            ahead = {"steps": T, "escape": None, "certain": True, "state": {"a": mine[:n], "g": mine[n:]}}
+            try:
+                check_ahead(Q, S, {"escape": None, "never_escapes": True}, ahead, {"ahead": {"bits": bits}})
+                assert k is None
+            except Undefined:
+                assert k is not None
+        tried += 1
+        starts.add((reduced.start, over))
+    assert starts >= {(0, False), (0, True), (1, False), (1, True)}

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Random statements about integers, with quotients by zero, recursions before their start, cosines, cases and empty ranges: nothing false is proved."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from exactkf.finders.arithmetic import find_arithmetic
+from exactkf.kernel.meaning import World, truth
+from exactkf.kernel.numbers import Rejected, Undefined, Unknown
+from exactkf.kernel.replay import replay, seal
+
+n, m, k, t = (["sym", name] for name in "nmkt")
+HINTS = [["divide", n, 2, "h"], ["divide", n, 3, "h"], ["at", "k", n], ["at", "k", 0], ["at", "j", 1], ["unfold", "U", n], ["unfold", "V", n],
+         ["unfold", "U", ["+", n, 1]], ["quotient", n, m], ["quotient", n, n], ["quotient", 1, n], ["cosines", n, m, 3], ["cosines", n, 0, m],
+         ["cosines", 1, n, n], ["product", n, 1, m], ["right", n], ["at", "turns", 0], ["induct", "h", 0, [">=", ["at", "U", ["sym", "h"]], 0]]]
+
+
+class Draw:
+    """Formulas in n and m, and in bound k and j."""
+
+    def __init__(self, seed: int) -> None:
+        self.rng = random.Random(seed)
+        step = ["-", ["*", self.rng.choice((0, 1, 2)), ["at", "U", t]], ["at", "U", ["-", t, 1]]]
+        self.where = [["rec", "U", "t", 0, [0, 1], step], ["rec", "V", "t", 1, [2], ["/", ["at", "V", t], ["-", t, 2]]],
+                      ["let", "f", ["k"], ["if", ["=", k, 0], n, ["/", n, k]]]]
+
+    def term(self, depth, names, whole=False):
+        def inner(whole=whole):
+            return self.term(depth - 1, names, whole)
+
+        kind = self.rng.random()
+        if depth <= 0 or kind < 0.35:
+            return self.rng.choice((["sym", self.rng.choice(names)], self.rng.randint(-1, 4)))
+        if kind < 0.75 or whole:
+            return [self.rng.choice("+-*"), inner(), inner()]
+        op = self.rng.choice(("/", "U", "V", "f", "cospi", "if"))
+        if op == "if":
+            return ["if", self.formula(0, names, depth - 1), inner(), inner()]
+        return ["at", op, inner(True)] if len(op) == 1 and op != "/" else [op, inner(op == "cospi"), inner(True)]
+
+    def formula(self, depth, names, deep=2):
+        kind = self.rng.random()
+        if depth <= 0 or kind < 0.4:
+            return [self.rng.choice(("=", "=", "!=", "<", "<=", ">", ">=")), self.term(min(1, deep), names), self.term(deep, names)]
+        if kind < 0.6:
+            return [self.rng.choice(("and", "or", "=>", "<=>")), self.formula(depth - 1, names), self.formula(depth - 1, names)]
+        if kind < 0.7:
+            return ["not", self.formula(depth - 1, names)]
+        name = self.rng.choice([x for x in "kj" if x not in names] or ["i"])
+        return [self.rng.choice(("forall", "exists")), name, self.term(1, names, True), self.term(1, names, True), self.formula(depth - 1, [*names, name])]
+
+    def statement(self):
+        given = [["h", self.formula(0, ["n", "m"]), "standing"]] if self.rng.random() < 0.5 else []
+        return {"sizes": ["n", "m"], "over": [], "where": self.where, "given": given, "says": self.formula(2, ["n", "m"])}
+
+
+def counterexample(made):
+    for a in range(7):
+        for b in range(7):
+            world = World(made, {"n": a, "m": b, "horizon": 5})
+            try:
+                if all(truth(world, g[1], {}) for g in made["given"]) and not truth(world, made["says"], {}):
+                    return a, b
+            except (Undefined, Unknown):
+                continue
+    return None
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_random_statement_is_proved_and_false(seed):
+    draw, proved = Draw(seed), 0
+    for _ in range(400):
+        made = draw.statement()
+        proof = find_arithmetic(made, draw.rng.sample(HINTS, 3), 0.3)
+        if proof is None:
+            continue
+        try:
+            replay(seal("X", "arithmetic", made, {"proof": proof}))
+        except Rejected:
+            continue
+        proved += 1
+        assert counterexample(made) is None, made
+    assert proved > 20
