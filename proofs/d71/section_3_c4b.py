@@ -169,7 +169,7 @@ claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
       note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle; S_k solves (3.186). The last equation "
            "is the distance of S_k from S. Pi_k = K^k.")
 
-Sum, R, BELOW, LESS_H = symbols("Sum R BELOW LESS_H")
+Sum, BELOW, LESS_H = symbols("Sum BELOW LESS_H")
 FROM_ZERO = {**SYSTEM, P: positive_definite(n)}
 LP = D*P - C
 TIGHT = PhiT*(inv(P) + S)*inv(Phi)
@@ -314,7 +314,6 @@ ASKEW = {"n": 2, "K": [["1/2", 0], [0, "1/2"]], "L": [[2, 0], [0, 2]], "D": [[0,
          "Y0": [[0, 10], [0, 0]], "Q": [[1, 0], [0, 1]], "Z": [["4/3", 0], [0, "4/3"]], "R": [["16/9", 0], [0, "16/9"]], "c": "16/9", "e": "81/100"}
 #: a V_0 that is not symmetric
 LEANING = A*matrix_of(i, j, n, n, when(i == j, rational("1/4"), when(i < j, rational("1/8"), rational("-1/16"))))*T(A)
-MADE_BY_Q = [(psd(Q), [hstack(I, Zn)*SPREAD*vstack(I, Zn)])]
 claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium, and its limit",
       always(t, U[t] == Pi[t]*U0*inv(I + E*U0 - T(Pi[t])*E*Pi[t]*U0)*T(Pi[t]))
       & (schur(K) >> always(t, loewner(2*c**2*(I + e*(T(Y[t])*Y[t])), N[t]**2*(T(Y[t])*Y[t])))),
@@ -323,9 +322,10 @@ claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium, a
       where=[*START_AWAY.where, let(V0, Y0*inv(I + E*Y0)), rec(U, t, U0, K*U[t]*inv(L + D*U[t])), rec(Y, t, Y0, K*Y[t]*inv(L + D*Y[t]))],
       given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I)), given("V_0 is between -Q and Q", psd(SPREAD)), *START_AWAY.given,
              given("c is large enough", loewner(c*I, R)), given("e is large enough", loewner(e*I, T(E)*E))],
-      by=[induction(also=[[], [*START_AWAY.also, Y[t] == _still(t)*(I + E*Y[t]), START_AWAY.bound, loewner(c**2*I, N[t]**2*(T(_still(t))*_still(t)))]],
-                    base=[order(), START_AWAY.begins([], START_AWAY.first, _square(t), _limit(t), before=MADE_BY_Q)],
-                    step=[order(), START_AWAY.goes_on([], START_AWAY.then, _square(t + 1), _limit(t + 1), before=MADE_BY_Q)]),
+      by=[induction(before=[first(psd(Q), base=order([hstack(I, Zn)*SPREAD*vstack(I, Zn)]))],
+                    also=[[], [*START_AWAY.also, Y[t] == _still(t)*(I + E*Y[t]), START_AWAY.bound, loewner(c**2*I, N[t]**2*(T(_still(t))*_still(t)))]],
+                    base=[order(), START_AWAY.begins([], START_AWAY.first, _square(t), _limit(t))],
+                    step=[order(), START_AWAY.goes_on([], START_AWAY.then, _square(t + 1), _limit(t + 1))]),
           # without one hypothesis each: (3.210), (3.165), Q, Z, R, c, e, and the eigenvalues inside the circle; then a large e, and a Y_0 that is not symmetric
           example({**AWAY, "D": [[1]]}), example({**AWAY, "L": [[1]]}), example({**AWAY, **FAR, "Q": [[0]], "Z": [[0]], "R": [[0]]}),
           example({**AWAY, **FAR, "Z": [[0]], "R": [[0]]}), example({**AWAY, **FAR, "R": [[0]]}), example({**AWAY, **FAR}),
