@@ -19,7 +19,7 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order, part, restated, within
+from exactkf.evidence import example, first, induction, instances, order, part, within
 from exactkf.language import (
     Identity,
     T,
