@@ -124,25 +124,28 @@ claim("B93-L2.7", "the covariance as a sum along the closed loop",
       note="P_0 stands for P_{n-1}, and P for P_n.")
 
 # ---------------------------------------------------------------- Lemma 2.8
-Wm, Um = symbols("Wm Um")
-LOOP = (let(R, T(C) * C), let(K, P * T(C)), let(H, Identity(d) - P * R), let(B, A - P * R * A))
-claim("B93-S74", "the wide matrices of the closed and the open loop, one step of the induction",
-      (hstack(K, H * F) == hstack(K, F) * block([[Identity(q), -C * F], [Zero(p, q), Identity(p)]]))
-      & (hstack(K, H * F, B * (Wm * Um))
-         == hstack(K, F, A * Wm) * block([[Identity(q), -C * F, -C * A * Wm * Um], [Zero(p, q), Identity(p), Zero(p, m)],
-                                          [Zero(m, q), Zero(m, p), Um]])),
-      sizes=["d", "p", "q", "m"],
-      over={A: matrix(d, d), F: matrix(d, p), C: matrix(q, d), P: symmetric_matrix(d), Wm: matrix(d, m), Um: matrix(m, m)}, where=LOOP,
-      by=[instances(**SMALL, m=(1, 2, 3)),
-          restated("induction on n")],
-      note="Stated as the two halves of an induction on n, with U_n given: the first line is n = 1; in the second V_{n-1} = W_{n-1} U_{n-1} "
-           "with m columns, and (K_n, H_n F_n, B_n V_{n-1}) is V_n. U_n is upper triangular with unit diagonal if U_{n-1} is.")
-
-Gs, Vv = symbols("G VV")
+Wm, Um, Gs, Vv, y, z, v, w = symbols("Wm Um G VV y z v w")
 LOOPS = {A: signal_of(matrix(d, d), 0), F: signal_of(matrix(d, p), 0), C: signal_of(matrix(q, d), 0), P: signal_of(symmetric_matrix(d), 0)}
 PIECES = (function(R, [t], T(C[t]) * C[t]), function(S, [t], F[t] * T(F[t])), function(K, [t], P[t] * T(C[t])),
           function(H, [t], Identity(d) - P[t] * R(t)), function(B, [t], A[t] - P[t] * R(t) * A[t]))
 
+#: V_n and W_n applied to vectors; those of U_n are (K_n)-part ENTERS, (F_n)-part z_n
+ENTERS = y[t + 1] - C[t + 1] * F[t + 1] * z[t + 1] - C[t + 1] * A[t + 1] * v[t]
+APPLIED = (rec(v, t, K(0) * y[0] + H(0) * F[0] * z[0], K(t + 1) * y[t + 1] + H(t + 1) * F[t + 1] * z[t + 1] + B(t + 1) * v[t]),
+           rec(w, t, K(0) * (y[0] - C[0] * F[0] * z[0]) + F[0] * z[0], K(t + 1) * ENTERS + F[t + 1] * z[t + 1] + A[t + 1] * w[t]))
+
+claim("B93-S74", "the wide matrix of the closed loop is that of the open loop times a triangular one",
+      always(t, v[t] == w[t])
+      & (hstack(K(0), H(0) * F[0]) == hstack(K(0), F[0]) * block([[Identity(q), -C[0] * F[0]], [Zero(p, q), Identity(p)]]))
+      & (hstack(K(1), H(1) * F[1], B(1) * (Wm * Um))
+         == hstack(K(1), F[1], A[1] * Wm) * block([[Identity(q), -C[1] * F[1], -C[1] * A[1] * Wm * Um], [Zero(p, q), Identity(p), Zero(p, m)],
+                                                   [Zero(m, q), Zero(m, p), Um]])),
+      sizes=["d", "p", "q", "m"],
+      over={**LOOPS, Wm: matrix(d, m), Um: matrix(m, m), y: signal_of(vector(q), 0), z: signal_of(vector(p), 0)}, where=[*PIECES, *APPLIED],
+      by=[induction(), instances(**SMALL, m=(1, 2, 3), horizon=3)],
+      note="Times are counted from 0. The last two equations are the first step and, for any V_{n-1} = W_{n-1} U_{n-1} with m columns, the one from n - 1 to n; by them "
+           "U_n is upper triangular with unit diagonal, as U_{n-1} is, and takes a vector with the parts y_n, z_n, y_{n-1}, z_{n-1}, .. to the one with "
+           "y_n - C_n F_n z_n - C_n A_n v_{n-1} and z_n first. v is V_n and w is W_n U_n applied to such a vector: they agree for every n and every vector.")
 
 def _gram(*columns):
     """The Gramian of a matrix in blocks of columns."""

@@ -6,10 +6,7 @@ The update through S = M'V^{-1}M: multiply Q = P - PM'(MPM' + V)^{-1}MP by
 on the right of its inverse, so the bracket shrinks to I. The inverse exists
 because det(I + SP) det V = det(V + MPM').
 
-A Jordan block turned over: with mu the eigenvalue of the adjoint block mu I + N',
-put x_ij = (-1)^{j-1} C(j-1, n-i) mu^{n+j-i-1}. Row i of the adjoint block adds row
-i - 1, column j of mu^{-1}I + N adds column j - 1, and what has to vanish is Pascal's
-rule. X is zero above its second diagonal, and det X = mu^{n(n-1)}.
+A Jordan block turned over: see `proofs.d71.turned_block`.
 
 Cyclic subspaces: divide the annihilating polynomial phi of x by lambda - lambda_i.
 The quotient theta gives (A - lambda_i I) theta(A)x = phi(A)x - phi(lambda_i)x = 0,
@@ -27,7 +24,7 @@ a pair Au = alpha u - beta v, Av = beta u + alpha v.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, first, generic_index, identity, induction, instances, lemma, order, restated, use, within
+from exactkf.evidence import example, first, identity, induction, instances, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -35,7 +32,6 @@ from exactkf.language import (
     Zero,
     always,
     coeff,
-    det,
     eq,
     forall,
     function,
@@ -69,6 +65,7 @@ from exactkf.language import (
     when,
 )
 from proofs.d71.notation import M, P, Q, V, gram, i, j, jordan_block, k, n, p, superdiagonal, update
+from proofs.d71.turned_block import PASCAL, POWERS, TurnedBlock, mu, turning
 
 I = Identity(n)
 S = gram()
@@ -113,41 +110,16 @@ claim("D71-E8.2", "the update step by step",
 
 # --- a Jordan block turned over -----------------------------------------------------------------------------------------
 
-mu, X, choose, a_, b_, row, column, t_ = symbols("mu X choose a_ b_ row column t")
-Xr, pw, sg = symbols("Xr pw sg")
-#: choose(b, a) is a over b
-PASCAL = function(choose, [b_, a_], when(b_ == 0, 1, when((b_ < 0) | (b_ > a_), 0, choose(b_ - 1, a_ - 1) + choose(b_, a_ - 1))))
-#: the powers of mu and of -1
-POWERS = [rec(pw, t_, 1, mu*pw[t_]), rec(sg, t_, 1, -sg[t_])]
-ADJOINT = mu*I + T(superdiagonal(n))
-TURNED = jordan_block(1/mu, n)
-
-
-def turning(size, lower):
-    """The matrix (8.3) with the lower index of its binomial."""
-    return matrix_of(i, j, size, size, when(j > size - i, sg[j - 1]*choose(lower, j - 1)*pw[size + j - i - 1], 0))
-
-
-PRINTED_X = [PASCAL, *POWERS, let(X, turning(n, i - n))]
-RIGHT_X = [PASCAL, *POWERS, let(X, turning(n, n - i))]
-#: X with its columns in reverse order is lower triangular
-REVERSED = let(Xr, matrix_of(i, j, n, n, X[i, n + 1 - j]))
+X, t_ = symbols("X t")
+BLOCK = TurnedBlock(n, X)
+CARRIES, DIAGONAL, ADJOINT_REGULAR, PASCALS_RULE = BLOCK.carries, BLOCK.diagonal, BLOCK.regular, BLOCK.by
+PRINTED_X, RIGHT_X = [PASCAL, *POWERS, let(X, turning(n, i - n))], BLOCK.where
 MU_ONE = example(n=2, mu=1)
 BINOMIAL = "the lower index of the binomial is n - i; with i - n every row of X but the last vanishes"
-CARRIES = X == ADJOINT*X*TURNED
-DIAGONAL = det(T(Xr)) == prod(k, 1, n, sg[n - k]*pw[n - k + (n - k)])
-ADJOINT_REGULAR = det(T(ADJOINT)) == prod(k, 1, n, mu)
-#: powers one after the other, a over a, and Pascal's rule where column j - 1 and row i meet
-PASCALS_RULE = generic_index(
-    lemma(t_, (pw[t_ + 1] == mu*pw[t_]) & (sg[t_ + 1] == -sg[t_]), direct=True),
-    lemma(t_, choose(t_, t_) == 1, uses=[use(1, t=t_), use(choose, t_ + 1, t_ + 1), use(choose, t_ + 1, t_)]),
-    closed=[choose], triangular=I,
-    uses=[use(1, t=n - column), use(0, t=n + column - row - 1), use(0, t=n + column - row - 2), use(0, t=column - 2),
-          use(choose, n - row + 1, column - 1), use(choose, column - 1, column - 2)])
 
 claim("D71-T8.2", "the inverse of an adjoint Jordan block is similar to a Jordan block",
       CARRIES & DIAGONAL & ADJOINT_REGULAR,
-      sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))],
+      sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, BLOCK.reverse], by=[PASCALS_RULE, instances(n=range(1, 5))],
       note="mu stands for the conjugate of omega and may be complex, as the identities are rational in it; omega is not 0, as the inverse presupposes. "
            "The similarity is given by an explicit X, that of D71-E8.3 with its binomial put right: X = Omega* X (I/omega* + N) with nonsingular X and Omega*. "
            "X_r is X with its columns in reverse order, so that det X is det X_r or its negative; pw_k = mu^k and sg_k = (-1)^k.")
@@ -157,7 +129,7 @@ claim("D71-E8.3", "the matrix X is nonsingular and carries one block to the othe
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
       repair=repair("index", BINOMIAL, DIAGONAL & CARRIES,
-                    sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, REVERSED], by=[PASCALS_RULE, instances(n=range(1, 5))]),
+                    sizes=["n"], over={mu: nonzero()}, where=[*RIGHT_X, BLOCK.reverse], by=[PASCALS_RULE, instances(n=range(1, 5))]),
       note="mu stands for the conjugate of omega, pw_k is mu^k and sg_k is (-1)^k. A binomial with a negative lower index is 0. The X printed is "
            "singular for every n > 1; of the corrected one, with its columns in reverse order, the repair gives the determinant.")
 
@@ -180,7 +152,7 @@ claim("D71-E8.4", "the matrix X for n = 4",
            "1 or -1, which fits neither of them, whichever way the index in (8.3) is read.")
 
 claim("D71-E8.5", "the equation that X satisfies",
-      CARRIES & (inv(ADJOINT)*X == X*TURNED),
+      CARRIES & (inv(BLOCK.adjoint)*X == X*BLOCK.turned),
       sizes=["n"], over={mu: nonzero()}, where=PRINTED_X,
       by=[MU_ONE, instances(n=range(1, 5))],
       repair=repair("index", f"{BINOMIAL} and the equation fails", CARRIES & ADJOINT_REGULAR,

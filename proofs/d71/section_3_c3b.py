@@ -63,6 +63,7 @@ from exactkf.language import (
     when,
 )
 from proofs.d71.notation import H, M, Phi, V, gram, i, j, k, n, p
+from proofs.d71.turned_block import TurnedBlock, mu
 
 q, U, L, Om, X, E = symbols("q U L Om X E")
 S, Rp, RpInv, G1, G2 = symbols("S Rp RpInv G1 G2")
@@ -106,19 +107,25 @@ claim("D71-E3.55", "the equation for [L; -U]",
 
 Ui, Li, Oi, Oj = symbols("Ui Li Oi Oj")
 
+X_T = sym("X_T")
+BLOCK = TurnedBlock(q, X_T)
+
 claim("D71-E3.56", "left eigenvectors of R_p from right ones",
       (R_TURNED*vstack(Li, -Ui) == vstack(Li, -Ui)*Oi)
       & (hstack(T(Li), -T(Ui))*Rp == inv(T(Oi))*hstack(T(Li), -T(Ui)))
-      & (X*hstack(T(Li), -T(Ui))*Rp == Oj*X*hstack(T(Li), -T(Ui))),
+      & (X*hstack(T(Li), -T(Ui))*Rp == Oj*X*hstack(T(Li), -T(Ui)))
+      & BLOCK.carries & BLOCK.diagonal & BLOCK.regular,
       sizes=["n", "p", "q"],
-      over={**MODEL, Ui: matrix(n, q), Li: matrix(n, q), Oi: nonsingular(q), Oj: matrix(q, q), X: nonsingular(q)},
-      where=R_WHERE,
+      over={**MODEL, Ui: matrix(n, q), Li: matrix(n, q), Oi: nonsingular(q), Oj: matrix(q, q), X: nonsingular(q), mu: nonzero()},
+      where=[*R_WHERE, *BLOCK.where, BLOCK.reverse],
       given=[given("the Jordan vectors", Rp*vstack(Ui, Li) == vstack(Ui, Li)*Oi),
              given("the inverse of the adjoint block is similar to a Jordan block", X*inv(T(Oi)) == Oj*X)],
-      by=[restated(TURNED_OVER),
-          instances(n=(1, 2), p=(1, 2), q=(2, 4), using={E: nonsingular(q)},
-                    made_by={Ui: top(E, n), Li: bottom(E, n), Oi: inv(E)*R_BLOCKS*E, Oj: X*inv(T(Oi))*inv(X)})],
-      note="In (3.57) and (3.58) the matrix is R_p, as in (3.56); the scan, which mixes up these two letters elsewhere, has R_d, which is n x n. X exists by D71-T8.2.")
+      by=[BLOCK.by,
+          *(instances(12, n=(m,), p=(1, 2), q=(2*m,), using={E: nonsingular(q)},
+                      made_by={Ui: top(E, n), Li: bottom(E, n), Oi: inv(E)*R_BLOCKS*E, Oj: X*inv(T(Oi))*inv(X)}) for m in (1, 2))],
+      note="In (3.57) and (3.58) the matrix is R_p, as in (3.56); the scan, which mixes up these two letters elsewhere, has R_d, which is n x n. That there is an X for "
+           "a Jordan block omega I + N of any size q is the rest: mu is the conjugate of omega, and X_T = (mu I + N')X_T(I/mu + N) is nonsingular, by the determinant of "
+           "X_T with its columns in reverse order; so X = X_T^{-1} has X((omega I + N)*)^{-1} = (I/mu + N)X. The identities of X_T are rational in mu, which may be complex.")
 
 a, b, c, d, e, l = symbols("a b c d e l")
 y, y1 = symbols("y y1")
