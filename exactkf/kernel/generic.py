@@ -11,10 +11,6 @@ an identity of rational functions in atoms
 in each of finitely many regions of the integer parameters (k < t, k = t, ..). Sequences may be
 thought of as continued to all integers in any way: what lies outside cancels.
 
-As functions of z, polynomials are elements of a field with the automorphism z -> 1/z; there z^(n - k) is z^n/z^k, powers of z to parameters being
-atoms. Coefficient by coefficient a product is a sum over the exponents of a factor, where these are known: those of a variable that is a
-polynomial are 0 .. d by its type (with leading coefficient one if it is monic), those of X_t are 0 .. t if that has been shown.
-
 An index that stands as a number is a linear form in atoms, one for each parameter, of which nothing is known: what is shown holds whatever they are.
 
 Main definitions
@@ -33,22 +29,23 @@ from functools import lru_cache
 from typing import Any
 
 from exactkf.kernel.chains import Chains
+from exactkf.kernel.generic_matrices import Matrices, first_value
+from exactkf.kernel.generic_polynomials import LARGEST_POWER, Polynomials
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import MATRICES, OF_PARTS, inverts, known, names
+from exactkf.kernel.known import inverts, known, names
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
-from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
+from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
 
 __all__ = ["Terms"]
 
-_LARGEST_POWER = 1000
 _MOST_OPEN = 60  # definitions opened within each other
 
 
 # ---------------------------------------------------------------------- terms
-class Terms(Indefinite, Chains):
+class Terms(Indefinite, Polynomials, Matrices, Chains):
     """Terms of a statement in a region, as rational functions of atoms.
 
     Parameters
@@ -77,7 +74,7 @@ class Terms(Indefinite, Chains):
         self.letters = self.known.spread({name for name in self.closed & set(self.definitions) if self.known.is_matrix_function(name)})
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
-        self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(_first(self.definitions[name]))}
+        self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(first_value(self.definitions[name]))}
         self.field = SymbolicField()
         self.atoms: list[tuple] = []
         self.places: dict[tuple, int] = {}
@@ -188,7 +185,7 @@ class Terms(Indefinite, Chains):
         if op == "neg":
             return -self.value(tree[1], env)
         if op == "^" and isinstance(tree[2], int):
-            if abs(tree[2]) > _LARGEST_POWER:
+            if abs(tree[2]) > LARGEST_POWER:
                 raise Unknown("too large a power")
             out, x = self.number(1), self.value(tree[1], env)
             for _ in range(abs(tree[2])):
@@ -221,199 +218,6 @@ class Terms(Indefinite, Chains):
             self._need_place(tree[1], i, j, env)
             return self.entry(tree[1], i, j, env)
         raise Unknown(f"{op!r} at a generic index")
-
-    def coefficient(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Coefficient of z^m of a (pseudo-)polynomial."""
-        if not self.has_z(tree):
-            return self.value(tree, env) if self.region.zero(m) else self.number(0)
-        op = tree[0]
-        if op == "z":
-            return self.number(int(self.region.zero(plus(m, {"": 1}, -1))))
-        if op in ("+", "-"):
-            out = self.coefficient(tree[1], m, env)
-            for part in tree[2:]:
-                y = self.coefficient(part, m, env)
-                out = out + y if op == "+" else out - y
-            return out
-        if op == "neg":
-            return -self.coefficient(tree[1], m, env)
-        if op == "^" and tree[1] == ["z"]:
-            return self.number(int(self.region.zero(plus(m, self.index(tree[2], env), -1))))
-        if op in ("*", "/"):
-            return self._product([(tree, env, False, 1)], m)
-        if op == "rev":
-            return self.coefficient(tree[1], self.region.reduce(plus(self.index(tree[2], env), m, -1)), env)
-        if op == "recip":
-            return self.coefficient(tree[1], plus({}, m, -1), env)
-        if op == "charpoly" and not self.has_z(tree[1]):
-            return self.opaque(tree, env, m)
-        if op == "if":
-            return self.coefficient(tree[2] if self.condition(tree[1], env) else tree[3], m, env)
-        if op == "sum":
-            return self._sum(tree, env, lambda body, inner: self.coefficient(body, m, inner))
-        if op == "sym" and self.known.kinds.get(tree[1], ("",))[0] in ("poly", "monic"):
-            return self._variable(tree[1], m)
-        if op == "sym":
-            return self._call(tree[1], (), lambda body, inner: self.coefficient(body, m, inner), m)
-        if op == "at":
-            return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), lambda body, inner: self.coefficient(body, m, inner), m)
-        raise Unknown(f"{op!r} of polynomials at a generic index")
-
-    def _product(self, parts: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
-        """Coefficient of a product of terms, each with its indices, whether 1/z stands for z, and an exponent 1 or -1.
-
-        All but one are free of z or powers of z, once sums are multiplied out and names replaced by what they stand for.
-        """
-        factor, rest, parts = self.number(1), list[tuple[Any, Mapping[str, Form], bool, int]](), list(parts)
-        while parts:
-            x, env, flip, e = parts.pop(0)
-            if not self.has_z(x):
-                value = self.value(x, env)
-                factor = factor * (value if e > 0 else value.inverse())
-            elif self.is_matrix(x) and self.shape(x, env) != ({"": 1}, {"": 1}):
-                raise Unknown("a matrix in a product of polynomials")
-            elif x[0] in ("*", "/"):
-                parts = [(y, env, flip, -e if k and x[0] == "/" else e) for k, y in enumerate(x[1:])] + parts
-            elif x[0] == "recip":
-                parts.insert(0, (x[1], env, not flip, e))
-            elif x == ["z"] or (x[0] == "^" and x[1] == ["z"]):
-                m = self.region.reduce(plus(m, self.index(x[2], env) if len(x) > 1 else {"": 1}, e if flip else -e))
-            elif e > 0:
-                rest.append((x, env, flip, e))
-            else:
-                raise Unknown("a quotient by a polynomial at a generic index")
-        if not rest:
-            return factor * self.number(int(self.region.zero(m)))
-        if len(rest) == 1:
-            x, env, flip, _ = rest[0]
-            return factor * self.coefficient(x, plus({}, m, -1) if flip else m, env)
-        return factor * self._several(rest, m)
-
-    def _several(self, rest: list[tuple[Any, Mapping[str, Form], bool, int]], m: Form) -> Symbolic:
-        """The same for two factors or more that depend on z: a sum is multiplied out, or a name replaced."""
-        for place, (x, env, flip, e) in enumerate(rest):
-            def put(body: Any, inner: Mapping[str, Form], k: int = place, flip: bool = flip, e: int = e) -> Symbolic:
-                return self._product([*rest[:k], (body, inner, flip, e), *rest[k + 1:]], m)
-
-            if x[0] in ("+", "-", "neg"):
-                out = self.number(0)
-                for k, y in enumerate(x[1:]):
-                    term = put(y, env)
-                    out = out - term if x[0] == "neg" or (x[0] == "-" and k) else out + term
-                return out
-            if x[0] == "if":
-                return put(x[2] if self.condition(x[1], env) else x[3], env)
-            if x[0] == "sum":
-                return self._sum(x, env, put)
-            if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
-                args = tuple(self.index(a, env) for a in x[2:])
-                if x[1] not in self.recursive or self._opens(d, args[-1]):
-                    if x[1] in self.inverting:
-                        self._meet(x[1], args)
-                    return self.deeper(d, args, put)
-        for k, (x, env, flip, _) in enumerate(rest):
-            if (degree := self._degree(x, env)) is not None:
-                others = [*rest[:k], *rest[k + 1:]]
-                return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
-                    self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
-        raise Unknown("a product of polynomials at a generic index")
-
-    def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
-        """A number d if a name stands for a polynomial with exponents 0 .. d."""
-        if tree[0] == "sym" and (kind := self.known.kinds.get(tree[1])) and kind[0] in ("poly", "monic"):
-            return self.index(kind[1], {})
-        if tree[0] == "at" and tree[1] in self.supported and not self.limited and self.region.holds(last := self.index(tree[-1], env)):
-            return last
-        return None
-
-    def _variable(self, name: str, m: Form) -> Symbolic:
-        """Coefficient of a variable that is a polynomial."""
-        kind, degree = self.known.kinds[name][0], self.index(self.known.kinds[name][1], {})
-        gap = plus(degree, m, -1)
-        if not self.region.holds(m) or not self.region.holds(gap):
-            return self.number(0)
-        if kind == "monic" and self.region.zero(gap):
-            return self.number(1)
-        return self.atom(("coeff", name, form_key(self.region.reduce(m))))
-
-    def at_z(self, tree: Any, env: Mapping[str, Form], flip: bool = False) -> Symbolic:
-        """A polynomial as a function of z (of 1/z): an element of a field with the automorphism z -> 1/z."""
-        if not self.has_z(tree):
-            return self.value(tree, env)
-        if self.is_matrix(tree) and self.shape(tree, env) != ({"": 1}, {"": 1}):
-            raise Unknown("a matrix as a function of z")
-        op = tree[0]
-        if op == "z":
-            return self.atom(("at", "z")).inverse() if flip else self.atom(("at", "z"))
-        if op == "recip":
-            return self.at_z(tree[1], env, not flip)
-        if op == "neg":
-            return -self.at_z(tree[1], env, flip)
-        if op == "charpoly" and not self.has_z(tree[1]):
-            return self._function(tree, env, flip)
-        if op == "*" and any(self.shape(x, env) != ({"": 1}, {"": 1}) for x in tree[1:]):
-            scalars, chain = self._factors(tree, env)
-            out = self.number(1)
-            for part in (*scalars, chain):
-                x = ["*", *part] if len(part) > 1 else part[0] if part else 1
-                out = out * (self._function(x, env, flip) if len(part) > 1 and self.has_z(x) else self.at_z(x, env, flip))
-            return out
-        if op in ("+", "-", "*", "/"):
-            out = self.at_z(tree[1], env, flip)
-            for part in tree[2:]:
-                y = self.at_z(part, env, flip)
-                out = out + y if op == "+" else out - y if op == "-" else out * y if op == "*" else out / y
-            return out
-        if op == "^" and isinstance(tree[2], int) and 0 <= tree[2] <= _LARGEST_POWER:
-            out, x = self.number(1), self.at_z(tree[1], env, flip)
-            for _ in range(tree[2]):
-                out = out * x
-            return out
-        if op == "^" and tree[1] == ["z"]:
-            form = self.index(tree[2], env)
-            return self.power_of_z(plus({}, form, -1) if flip else form)
-        if op == "if":
-            return self.at_z(tree[2] if self.condition(tree[1], env) else tree[3], env, flip)
-        if op == "sum":
-            return self._sum(tree, env, lambda body, inner: self.at_z(body, inner, flip))
-        if op in ("sym", "at"):
-            return self.named_at_z(tree[1], tuple(self.index(a, env) for a in tree[2:]), flip)
-        raise Unknown(f"{op!r} as a function of z")
-
-    def _function(self, tree: Any, env: Mapping[str, Form], flip: bool) -> Symbolic:
-        """A function of z as it is: a characteristic polynomial, or a product of matrices that is a number."""
-        text, forms = opaque(tree, env, self.index)
-        if self.within is not None:
-            raise Unknown("a recursion made of functions of z that are not opened")
-        if self.inverts(tree):
-            self._meet(text, forms)
-        return self.atom(("value at 1/z" if flip else "value", text, *(form_key(self.region.reduce(x)) for x in forms)))
-
-    def power_of_z(self, form: Form) -> Symbolic:
-        """z to an index: a power of z itself for the constant, and for each parameter a power of z^parameter; z^(c j) as it is for the index j of a sum."""
-        form = self.region.reduce(form)
-        out, z = self.number(1), self.atom(("at", "z"))
-        for name, c in form.items():
-            if abs(c) > _LARGEST_POWER:
-                raise Unknown("too large a power")
-            if name.startswith("#"):
-                out = out * self.atom(("power", "z", ((name, c),)))
-                continue
-            x = self.atom(("power", "z", ((name, 1),))) if name else z
-            for _ in range(abs(c)):
-                out = out * x if c > 0 else out / x
-        return out
-
-    def named_at_z(self, name: str, args: tuple[Form, ...], flip: bool) -> Symbolic:
-        """What a name stands for as a function of z (of 1/z): a variable and what is closed as it is, a recursion where it is not opened."""
-        kind = "value at 1/z" if flip else "value"
-        if name in self.closed or self.known.kinds.get(name, ("",))[0] in ("poly", "monic"):
-            if name in self.inverting:
-                self._meet(name, args)
-            return self.atom((kind, name, *map(form_key, args)))
-        if name in self.definitions:
-            return self._call(name, args, lambda body, inner: self.at_z(body, inner, flip), kind=kind)
-        raise Unknown(f"{name!r} as a function of z")
 
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
@@ -590,243 +394,6 @@ class Terms(Indefinite, Chains):
     def _reread(self, read: Callable, body: Any, env: Mapping[str, Form]) -> Symbolic:
         return read(body, env)
 
-    # ------------------------------------------------------------------ matrices
-    def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
-        return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
-
-    def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
-        """Numbers of rows and columns; a scalar is 1 x 1."""
-        key = id(tree), id(env), self.region
-        if (found := self.shaped.get(key)) is None:
-            found = self.shaped[key] = self._shape(tree, env), tree, env  # which are kept, so that their ids stay their own
-        return found[0]
-
-    def _shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
-        if not self.is_matrix(tree):
-            if self.others(tree):
-                self._need_number(tree, env)
-            return {"": 1}, {"": 1}
-        op = tree[0]
-        if op == "mat":
-            return self.index(tree[3], env), self.index(tree[4], env)
-        if op == "col":
-            return self.index(tree[2], env), {"": 1}
-        if op in ("I", "O"):
-            return self.index(tree[1], env), self.index(tree[-1], env)
-        if op == "T":
-            return self.shape(tree[1], env)[::-1]
-        if op == "block":
-            return self._blocks(tree, env)
-        if op in ("sym", "at"):
-            d: Any = self.definitions.get(tree[1], ("",))
-            if op == "sym" and tree[1] not in self.recursive or d[0] == "rec":  # whatever the indices are
-                if d[0] == "rec":
-                    self._need_one_shape(d)
-                if (self.region, tree[1]) not in self.shapes:
-                    self.shapes[self.region, tree[1]] = self._shape_of_name(tree[1], d)
-                return self.shapes[self.region, tree[1]]
-            inner = dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {}
-            if d[1] in self.recursive:  # what a first branch gives
-                self._need_one_shape(d)
-                return self.shape(d[3][2], inner)
-            return self.shape(d[3], inner)
-        if op == "/":
-            return self.shape(tree[1], env)
-        if op in ("^", "inv", "subst"):
-            rows, cols = self.shape(tree[2 if op == "subst" else 1], env)
-            if self.region.reduce(plus(rows, cols, -1)):
-                raise Undefined("a matrix that is not square has no powers and no inverse")
-            return rows, cols
-        if op == "if":
-            both = [self.shape(x, env) for x in tree[2:]]
-            return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
-        if op == "sum":
-            found = self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
-            if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
-                raise Unknown("a sum of matrices without terms")  # it is the number zero
-            return found
-        if op == "*":
-            chain = self._factors(tree, env)[1]
-            return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
-        shapes = [self.shape(x, env) for x in tree[1:]]
-        if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
-            raise Undefined("sizes do not fit")
-        return shapes[0]
-
-    def _shape_of_name(self, name: str, d: Any) -> tuple[Form, Form]:
-        """Numbers of rows and columns of a variable, a definition without indices, or the values of a recursion."""
-        if kind := self.known.kinds.get(name):
-            return self.index(kind[1], {}), self.index(kind[-1], {}) if kind[0] in MATRICES else {"": 1}
-        return self.shape(d[4][0] if d[0] == "rec" else d[3], {})
-
-    def _need_number(self, tree: Any, env: Mapping[str, Form]) -> None:
-        """A term that is not known to be a number is made of matrices of one row and column."""
-        if tree[0] not in OF_PARTS:
-            raise Unknown("the size of a term that may be a matrix")
-
-        def read(x: Any) -> tuple[Form, Form]:
-            return self._at_any(tree[1], env, lambda inner: self.shape(x, inner)) if tree[0] in ("sum", "prod") else self.shape(x, env)
-
-        if any(read(x) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
-            raise Unknown("the size of a term that may be a matrix")
-
-    def _at_any(self, name: str, env: Mapping[str, Form], shape: Callable[[Mapping[str, Form]], tuple[Form, Form]]) -> tuple[Form, Form]:
-        """The shape that a term has whatever an index is: nothing is known of a parameter that stands for it, nor decided by cases."""
-        free = f"#{self.nested}"
-        self.nested += 1
-        try:
-            found = shape({**env, name: {free: 1}})
-        except Split as split:
-            if free in split.form:
-                raise Unknown("a sum of matrices of different sizes") from None
-            raise
-        finally:
-            self.nested -= 1
-        if any(free in form for form in found):
-            raise Unknown("a sum of matrices of different sizes")
-        return found
-
-    def _blocks(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
-        """Size of a block matrix, whose blocks fit."""
-        shapes = [[self.shape(x, env) for x in row] for row in tree[1:]]
-        if any(self.region.reduce(plus(h, row[0][0], -1)) for row in shapes for h, _ in row) or any(
-                len(row) != len(shapes[0]) or any(self.region.reduce(plus(w, v, -1)) for (_, w), (_, v) in zip(row, shapes[0], strict=True)) for row in shapes):
-            raise Undefined("sizes of blocks do not fit")
-        height, width = Form(), Form()
-        for row in shapes:
-            height = plus(height, row[0][0])
-        for _, w in shapes[0]:
-            width = plus(width, w)
-        return height, width
-
-    def _need_one_shape(self, d: Any) -> None:
-        """All values of a recursion have the shape of the first, or of the first branch: an induction in which those of the values before are supposed."""
-        name, region = d[1], self.region
-        if name not in self.kept:
-            self.kept[name], self.region = True, Region.of()
-            try:
-                first, *others = (self.shape(tree, env) for tree, env in _branches(d))
-                keeps = all(shape == first for shape in others)
-            except (Unknown, Undefined, Split, KeyError):
-                keeps = False
-            finally:
-                self.region = region
-            if not keeps:  # what has been seen of others may rest on it
-                self.kept.clear()
-                self.shapes.clear()
-                self.shaped.clear()
-                self.kept[name] = False
-        if not self.kept[name]:
-            raise Unknown(f"recursion {name} does not keep the shape of its initial value")
-
-    def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
-        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
-        if not self.ruled or self.ruled.isdisjoint(self.known.reached_by(tree)):
-            return
-        self._need_entry(tree, i, j, env)
-
-    def _need_entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
-        """Beyond its rows and columns a matrix has no entry."""
-        rows, cols = self.shape(tree, env)
-        if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
-            raise Undefined("no entry there")
-
-    def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Entry (i, j) of a matrix, counted from 1."""
-        op = tree[0]
-        if op not in ("mat", "col", "block") and self.has_letters(tree):
-            return self.word([(tree, env, False)], i, j)
-        if op == "mat":
-            return self.value(tree[5], {**env, tree[1]: i, tree[2]: j})
-        if op == "col":
-            return self.value(tree[3], {**env, tree[1]: i})
-        if op in ("I", "O"):
-            return self.number(int(op == "I" and self.region.zero(plus(i, j, -1))))
-        if op == "T":
-            return self.entry(tree[1], j, i, env)
-        if op in ("+", "-", "neg"):
-            self.shape(tree, env)
-            parts = [self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env) for x in tree[1:]]
-            out = -parts[0] if op == "neg" else parts[0]
-            for x in parts[1:]:
-                out = out + x if op == "+" else out - x
-            return out
-        if op == "*":
-            scalars, chain = self._factors(tree, env)
-            factor = self.number(1)
-            for part in scalars:
-                factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
-            return factor * (self._chain(chain, i, j, env) if chain else self.number(1))
-        if op == "block":
-            self._blocks(tree, env)
-            for row in tree[1:]:
-                height = self.shape(row[0], env)[0]
-                if not self.region.holds(plus(height, i, -1)):
-                    i = self.region.reduce(plus(i, height, -1))
-                    continue
-                for x in row:
-                    width = self.shape(x, env)[1]
-                    if self.region.holds(plus(width, j, -1)):
-                        return self.entry(x, i, j, env) if self.is_matrix(x) else self.value(x, env)
-                    j = self.region.reduce(plus(j, width, -1))
-                break
-            raise Undefined("no entry there")
-        if op == "/":
-            return self.entry(tree[1], i, j, env) / self.value(tree[2], env)
-        if op == "if":
-            return self.entry(tree[2 if self.condition(tree[1], env) else 3], i, j, env)
-        if op == "sum":
-            return self.matrix_sum(tree, env, lambda body, inner: self.entry(body, i, j, inner))
-        if self._is_power_of_number(tree, env):
-            return self.value(tree, env)
-        if op in ("inv", "^", "subst"):
-            return self._chain([tree], i, j, env)
-        if op in ("sym", "at"):
-            if tree[1] in self.sequences:
-                return self.atom(("at", tree[1], form_key(i)))
-            d = self.definitions[tree[1]]
-            if d[0] == "rec":
-                place = (i, j) if self.shape(d[4][0], {})[1] != {"": 1} else (i,)
-                return self._call(tree[1], (self.index(tree[2], env),), lambda body, inner: self.entry(body, i, j, inner), place=place)
-            return self.entry(d[3], i, j, dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
-        raise Unknown(f"{op!r} of matrices at a generic index")
-
-    def _factors(self, tree: Any, env: Mapping[str, Form]) -> tuple[list[list], list]:
-        """A product as products of size 1 x 1, and what is left; sizes that fit are checked."""
-        one: tuple[Form, Form] = ({"": 1}, {"": 1})
-        scalars, chain, shape = list[list](), list[Any](), one
-        todo = list(tree[1:])
-        while todo:
-            x = todo.pop(0)
-            mine = self.shape(x, env)
-            if not isinstance(x, int) and x[0] == "*" and mine != one:  # (AB)C = A(BC); a product of size 1 x 1 is a number
-                todo = [*x[1:], *todo]
-                continue
-            if chain and shape != one and mine != one:
-                if self.region.reduce(plus(shape[1], mine[0], -1)):
-                    raise Undefined("sizes do not fit")
-                chain, shape = [*chain, x], (shape[0], mine[1])
-            elif mine == one and shape != one:
-                scalars.append([x])
-            else:
-                if chain:
-                    scalars.append(chain)
-                chain, shape = [x], mine
-        return scalars, chain
-
-    def _chain(self, parts: list, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
-        """Entry (i, j) of a product; one with an inverse, a power, p(F) or a matrix variable is a sum of words."""
-        if len(parts) == 1 and not self.is_matrix(parts[0]):
-            return self.value(parts[0], env)
-        if any(not isinstance(x, int) and x[0] in ("inv", "^", "subst") and not self._is_power_of_number(x, env) for x in parts) or (
-                any(self.has_letters(x) for x in parts)):
-            return self.word([(x, env, False) for x in parts], i, j)
-        if len(parts) == 1:
-            return self.entry(parts[0], i, j, env)
-        _, width = self.shape(parts[0], env)
-        return self.total({"": 1}, width, lambda terms, k: terms.entry(parts[0], i, k, env) * terms._chain(parts[1:], k, j, env))
-
-
 _GAPS: dict[str, Callable[[Region, Form], bool]] = {
     "=": lambda r, f: r.zero(f), "!=": lambda r, f: not r.zero(f), ">=": lambda r, f: r.holds(f),
     ">": lambda r, f: r.holds(plus(f, {"": 1}, -1)), "<=": lambda r, f: r.holds(plus({}, f, -1)), "<": lambda r, f: not r.holds(f),
@@ -851,17 +418,3 @@ def _form_text(form: tuple) -> str:
     parts = [n.replace(INDEX, "t") if c == 1 else f"{c}{n.replace(INDEX, 't')}" for n, c in form if n]
     constant = dict(form).get("", 0)
     return "+".join([*parts, *([str(constant)] if constant or not parts else [])]).replace("+-", "-")
-
-
-def _first(d: Any) -> Any:
-    """A term that is a matrix if the values of a definition are."""
-    return d[4][0] if d[0] == "rec" else d[3]
-
-
-def _branches(d: Any) -> list[tuple[Any, dict[str, Form]]]:
-    """Initial values and the step of a recursion; both branches of a function that is given by cases."""
-    if d[0] == "rec":
-        return [*((x, {}) for x in d[4]), (d[5], {d[2]: {INDEX: 1}})]
-    if d[3][0] != "if":
-        raise Unknown(f"the shape of {d[1]}")
-    return [(x, {p: {f"@{p}": 1} for p in d[2]}) for x in d[3][2:]]
