@@ -211,6 +211,7 @@ class Terms(Indefinite, Chains):
             return self._call(tree[1], (), self.value)
         if op == "at" and self.known.is_named_matrix(tree[1]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
+            self._need_place(["sym", tree[1]], i, j, {})
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)
@@ -718,8 +719,9 @@ class Terms(Indefinite, Chains):
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
     def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
-        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
-        if not self.ruled or self.ruled.isdisjoint(self.known.reached_by(tree)):
+        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is neither what a rule says that it is there nor
+        what it is where it is not opened."""
+        if not (self.ruled or self.letters) or self.known.reached_by(tree).isdisjoint(self.ruled | self.letters):
             return
         self._need_entry(tree, i, j, env)
 
