@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Random statements about integers, with quotients by zero, recursions before their start, cosines, cases and empty ranges: nothing false is proved."""
+"""Random statements about integers, with quotients by zero, recursions before their start, cases, empty ranges and hidden names: nothing false is proved."""
 
 from __future__ import annotations
 
 import random
+from itertools import product
 
 import pytest
 
@@ -12,20 +13,23 @@ from exactkf.kernel.meaning import World, truth
 from exactkf.kernel.numbers import Rejected, Undefined, Unknown
 from exactkf.kernel.replay import replay, seal
 
-n, m, k, t = (["sym", name] for name in "nmkt")
+n, m, x, k, t = (["sym", name] for name in "nmxkt")
 HINTS = [["divide", n, 2, "h"], ["divide", n, 3, "h"], ["at", "k", n], ["at", "k", 0], ["at", "j", 1], ["unfold", "U", n], ["unfold", "V", n],
          ["unfold", "U", ["+", n, 1]], ["quotient", n, m], ["quotient", n, n], ["quotient", 1, n], ["cosines", n, m, 3], ["cosines", n, 0, m],
-         ["cosines", 1, n, n], ["product", n, 1, m], ["right", n], ["at", "turns", 0], ["induct", "h", 0, [">=", ["at", "U", ["sym", "h"]], 0]]]
+         ["cosines", 1, n, n], ["product", n, 1, m], ["right", n], ["at", "turns", 0], ["induct", "h", 0, [">=", ["at", "U", ["sym", "h"]], 0]],
+         ["at", "x", 0], ["at", "x", n], ["cut", ["at", "p", n], [], []], ["cut", ["=", x, 0], [], []]]
+FREE = ["n", "m", "x", "q"]
 
 
 class Draw:
-    """Formulas in n and m, and in bound k and j."""
+    """Formulas in n, m, an integer x and q = x + 1, and in bound names, which may hide all but sizes."""
 
     def __init__(self, seed: int) -> None:
         self.rng = random.Random(seed)
         step = ["-", ["*", self.rng.choice((0, 1, 2)), ["at", "U", t]], ["at", "U", ["-", t, 1]]]
         self.where = [["rec", "U", "t", 0, [0, 1], step], ["rec", "V", "t", 1, [2], ["/", ["at", "V", t], ["-", t, 2]]],
-                      ["let", "f", ["k"], ["if", ["=", k, 0], n, ["/", n, k]]]]
+                      ["let", "f", ["k"], ["if", ["=", k, x], n, ["/", x, k]]],
+                      ["let", "p", ["k"], ["exists", "x", 0, 3, ["=", k, ["*", x, ["sym", "q"]]]]], ["let", "q", [], ["+", x, 1]]]
 
     def term(self, depth, names, whole=False):
         def inner(whole=whole):
@@ -47,23 +51,25 @@ class Draw:
             return [self.rng.choice(("=", "=", "!=", "<", "<=", ">", ">=")), self.term(min(1, deep), names), self.term(deep, names)]
         if kind < 0.6:
             return [self.rng.choice(("and", "or", "=>", "<=>")), self.formula(depth - 1, names), self.formula(depth - 1, names)]
+        if kind < 0.64:
+            return ["at", "p", self.term(0, names)]
         if kind < 0.7:
             return ["not", self.formula(depth - 1, names)]
-        name = self.rng.choice([x for x in "kj" if x not in names] or ["i"])
+        name = self.rng.choice("kjxUfqt")
         return [self.rng.choice(("forall", "exists")), name, self.term(1, names, True), self.term(1, names, True), self.formula(depth - 1, [*names, name])]
 
     def statement(self):
-        given = [["h", self.formula(0, ["n", "m"]), "standing"]] if self.rng.random() < 0.5 else []
-        return {"sizes": ["n", "m"], "over": [], "where": self.where, "given": given, "says": self.formula(2, ["n", "m"])}
+        given = [["h", self.formula(0, FREE), "standing"]] if self.rng.random() < 0.5 else []
+        return {"sizes": ["n", "m"], "over": [["x", ["integer", -1, n]]], "where": self.where, "given": given, "says": self.formula(2, FREE)}
 
 
 def counterexample(made):
-    for a in range(7):
-        for b in range(7):
-            world = World(made, {"n": a, "m": b, "horizon": 5})
+    for a, b in product(range(6), repeat=2):
+        for c in range(-1, a + 1):
+            world = World(made, {"n": a, "m": b, "x": c, "horizon": 5})
             try:
                 if all(truth(world, g[1], {}) for g in made["given"]) and not truth(world, made["says"], {}):
-                    return a, b
+                    return a, b, c
             except (Undefined, Unknown):
                 continue
     return None
