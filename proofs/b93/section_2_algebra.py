@@ -29,10 +29,15 @@ upper triangular with unit diagonal. Their Gramians follow recursions in one siz
 V_n V_n* = T_n + B_n (V_{n-1} V_{n-1}*) B_n*, which is that of G_n, and
 W_n W_n* = K_n K_n* + S_n + A_n (W_{n-1} W_{n-1}*) A_n*, which stays above that of the right side
 of the printed inequality.
+
+For Lemma 2.8 itself, let x be a null vector of G_n = T_n + B_n G_{n-1} B_n*, and x_n = x,
+x_{s-1} = B_s* x_s. Each term of a sum of nonnegative matrices has its null vectors: so
+C_s P_s x_s = 0 and F_s* H_s* x_s = 0, which make F_s* x_s = 0 and B_s* x_s = A_s* x_s. Hence x is a
+null vector of every term of the controllability sum.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, induction, instances, order, restated
+from exactkf.evidence import example, first, induction, instances, order, restated
 from exactkf.language import (
     Identity,
     T,
@@ -50,12 +55,11 @@ from exactkf.language import (
     matrix,
     nonsingular,
     positive_semidefinite,
-    psd,
     rec,
     scalar,
     sequence,
+    sequence_of,
     signal_of,
-    standing,
     sum_of,
     symbols,
     symmetric,
@@ -176,18 +180,46 @@ claim("B93-S75", "the Gramian of W lies above the controllability sum",
       note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}), see the last equation. So W_n has rank d wherever the sum on the right is "
            "invertible, and so has V_n = W_n U_n.")
 
-Vn, Sn = symbols("Vn Sn")
+Gam, Pi, Xs, n = symbols("Gam Pi X n")
+
+
+def _noise(s):
+    """T_n of Lemma 2.7."""
+    return P[s] * R(s) * P[s] + H(s) * S(s) * T(H(s))
+
+
+def _sum(s, terms):
+    """T + B(T + B(T + ..)B*)B* from the place s on, with so many terms."""
+    return _noise(s) if terms == 1 else _noise(s) + when(s < n, B(s) * _sum(s + 1, terms - 1) * T(B(s)), 0)
+
+
+NULL = Zero(d, 1)
+#: what a null vector of the sum from t on is a null vector of
+PARTS, NEXT_PARTS = ([P[s] * T(C[s]) * C[s] * P[s], H(s) * F[s] * T(F[s]) * T(H(s)), B(s) * Gam[s + 1] * T(B(s))] for s in (t, t + 1))
+
+
+def _kept(s):
+    """What happens to the vector X_s, and then all of it that is carried on."""
+    zero = Gam[s + 1] * T(B(s)) * Xs[s] == NULL
+    driven, alike = T(F[s]) * Xs[s] == Zero(p, 1), T(B(s)) * Xs[s] == T(A[s]) * Xs[s]
+    return [Gam[s] * Xs[s] == NULL, C[s] * P[s] * Xs[s] == Zero(q, 1), T(F[s]) * T(H(s)) * Xs[s] == Zero(p, 1), driven, zero, alike, Xs[s] == T(Pi[s]) * x,
+            zero & alike & (Xs[s] == T(Pi[s]) * x)]
+
+
+SUMMED = {Gam: (k, when(k > n, 0, _sum(k, 3)))}
+LENGTHS = {"d": (1, 2), "p": (1, 2), "q": (1, 2), "n": (0, 1, 2)}
 claim("B93-L2.8", "where the controllability sum is invertible, so is G",
-      x == Zero(d, 1), sizes=["d", "m"],
-      over={Wm: matrix(d, m), Um: nonsingular(m), Sn: symmetric_matrix(d), x: vector(d)}, where=[let(Vn, Wm * Um)],
-      given=[standing("the sum is nonnegative", psd(Sn)), given("the sum is invertible", invertible(Sn)),
-             given("WW* is at least the sum", loewner(Wm * T(Wm), Sn)),
-             given("x is a null vector of G", Vn * T(Vn) * x == Zero(d, 1))],
-      by=[order([Vn * T(Vn)], [inv(Um)], [Wm * T(Wm) - Sn, Sn], [inv(Sn)],
-                lemmas=[T(Vn) * x == Zero(m, 1), Wm * T(Wm) * x == Zero(d, 1), Sn * x == Zero(d, 1)]),
-          example(d=1, m=1, Wm=[[0]], Um=[[1]], Sn=[[0]], x=[1]), example(d=1, m=1, Wm=[[1]], Um=[[1]], Sn=[["1/2"]], x=[1]),
-          example(d=2, m=1, Wm=[[1], [0]], Um=[[2]], Sn=[[1, 0], [0, 1]], x=[0, 1]),
-          instances(d=(1, 2, 3), m=(1, 2, 3, 4), made_by={Sn: Wm * T(Wm) / 2, x: Zero(d, 1)}),
-          restated("weak controllability: the sum is invertible with positive probability for some n", "S74, S75 and S76: what G, V and W are")],
-      note="The event that the controllability sum S_n is invertible has positive probability for some n, by weak controllability; on it "
-           "G_n = V_n V_n* (S76) with V_n = W_n U_n (S74) and W_n W_n* >= S_n (S75) is shown to have no null vector.")
+      x == NULL, sizes=["d", "p", "q", "n"],
+      over={**LOOPS, Gam: sequence_of(positive_semidefinite(d), 0, n + 1), x: vector(d)},
+      where=[*PIECES, rec(Xs, t, x, T(B(t)) * Xs[t]), rec(Pi, t, Identity(d), Pi[t] * A[t]),
+             rec(Ss, t, S(0), Ss[t] + Pi[t + 1] * S(t + 1) * T(Pi[t + 1]))],
+      given=[given("G, from each place on", forall(k, 0, n, Gam[k] == _noise(k) + B(k) * Gam[k + 1] * T(B(k)))),
+             given("the sum is invertible", invertible(Ss[n])), given("x is a null vector of G", Gam[0] * x == NULL)],
+      by=[induction(before=[first(forall(t, 0, n, _kept(t)[-1] & (Ss[t] * x == NULL)),
+                                  base=order([], PARTS, PARTS, [], PARTS, lemmas=_kept(t)), step=order([], NEXT_PARTS, NEXT_PARTS, [], NEXT_PARTS, lemmas=_kept(t + 1)))],
+                    also=[Ss[n] * x == NULL], base=order([], [inv(Ss[n])])),
+          instances(8, **LENGTHS, made_by={**SUMMED, x: NULL}), instances(8, **LENGTHS, made_by=SUMMED), instances(8, **LENGTHS, made_by={Gam: (k, Zero(d, d))}),
+          instances(8, **LENGTHS, made_by={Gam: (k, Zero(d, d)), F: (k, Zero(d, p)), C: (k, Zero(q, d))})],
+      note="The data are counted backwards here: A_0 is the A_n of the print, A_1 its A_{n-1}, so that both sums read as they are printed. G is Gam_0, and Gam_k the rest "
+           "of the sum from its k-th T on, with the products B before it taken off; it may end in any nonnegative matrix, such as zero. By weak controllability the "
+           "event that the controllability sum is invertible has positive probability for some n, and on it G is.")

@@ -19,7 +19,7 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order, part, restated, within
+from exactkf.evidence import example, first, induction, instances, order, part, within
 from exactkf.language import (
     Identity,
     T,
@@ -34,6 +34,7 @@ from exactkf.language import (
     matrix_of,
     nonsingular,
     pd,
+    positive,
     positive_definite,
     positive_semidefinite,
     psd,
@@ -44,9 +45,10 @@ from exactkf.language import (
     sym,
     symbols,
     symmetric_matrix,
+    trace,
     when,
 )
-from proofs.d71.fading import Fading, eigenvalues
+from proofs.d71.fading import Fading, N, R, eigenvalues
 from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, n, p, step, update
 
 q, S, A, B, C, D, K, L, U, U0, U1, W, X, t = symbols("q S A B C D K L U U0 U1 W X t")
@@ -164,7 +166,7 @@ claim("D71-E3.185", "the sequence X_k stays above P^{-1} - S",
       note="S is the solution of (3.187), which is nonnegative definite as K is inside the unit circle; S_k solves (3.186). The last equation "
            "is the distance of S_k from S. Pi_k = K^k.")
 
-Sum, R, BELOW, LESS_H = symbols("Sum R BELOW LESS_H")
+Sum, BELOW, LESS_H = symbols("Sum BELOW LESS_H")
 FROM_ZERO = {**SYSTEM, P: positive_definite(n)}
 LP = D*P - C
 TIGHT = PhiT*(inv(P) + S)*inv(Phi)
@@ -279,11 +281,53 @@ claim("D71-E3.211", "the second equation for E",
                              V: Identity(p), **SOLVED, K: Phi - (P - H)*PhiT*gram(),
                              E: T(inv(Q))*matrix_of(i, j, n, n, when((i == j) & (i <= p), 2/(4 - (1 + a[i]**2)**2), 0))*inv(Q)})])
 
-claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium",
-      always(t, U[t] == Pi[t]*U0*inv(I + E*U0 - T(Pi[t])*E*Pi[t]*U0)*T(Pi[t])),
-      sizes=["n"], over={**ANY_KL, U0: matrix(n, n), E: matrix(n, n)}, where=[POWERS, rec(U, t, U0, K*U[t]*inv(L + D*U[t]))],
-      given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I))],
-      by=[restated("The powers of a matrix with its eigenvalues inside the unit circle tend to zero.", "The inverse is continuous."),
-          instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K})],
-      note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}. If the eigenvalues of K are inside the unit circle then K^k tends to zero and "
-           "the bracket to I + E U_0; so if that is nonsingular, U_k tends to zero; stated here is the formula, not that limit.")
+Y, Y0, V0, c, e = symbols("Y Y0 V0 c e")
+#: a K inside the circle with its L and D; K^k V_0 (K^k)* is within K^k Q (K^k)*, and with that all else tends to zero
+Ks, Es, Ls, Ds = symbols("K_s E_s L_s D_s")
+WITHIN = I + V0*T(V0) + T(V0)*V0
+AWAY = Fading(Ks, Q)
+
+
+def _still(s):
+    """K^k V_0 (K^k)*."""
+    return Pi[s]*V0*T(Pi[s])
+
+
+def _square(s):
+    """Terms for (k + 1)^2 (W_k)*W_k <= c^2, with W_k as above, from R >= (k + 1) K^k Q (K^k)* and c >= R."""
+    less, upper, lower = R - N[s]*(Pi[s]*Q*T(Pi[s])), -(N[s]*(T(Pi[s])*_still(s))), c*T(Pi[s])
+    one = T(V0)*upper + lower
+    spare = [N[s]*(T(upper)*x*upper)/c for x in (I, T(V0)*V0)] + [N[s]*(T(lower)*x*lower)/c for x in (V0*T(V0), T(V0)*V0)]
+    return [N[s]*N[s]*(T(_still(s))*less*_still(s))/c, c*less, N[s]*(T(one)*one)/c, *spare, N[s]*N[s]*(T(_still(s))*(c*I - R)*_still(s))/c, c*(c*I - R)]
+
+
+def _limit(s):
+    """Terms for the bound of the deviation, from U_k = W_k(I + EU_k)."""
+    plus, minus = I + Es*Y[s], I - Es*Y[s]
+    return [T(plus)*(c**2*I - N[s]**2*(T(_still(s))*_still(s)))*plus, c**2*(T(minus)*minus), 2*c**2*(T(Y[s])*(e*I - T(Es)*Es)*Y[s])]
+
+
+#: n = 1: a start in the closed form, and one Y_0
+ONE = {"n": 1, "K": [["1/2"]], "L": [[2]], "D": [[0]], "E": [[0]], "U0": [[1]], "K_s": [["1/2"]], "E_s": [[0]], "Y0": [[1]], "c": 6, "e": 1}
+claim("D71-E3.212", "the deviation after k steps from a Hermitian equilibrium, and its limit",
+      always(t, U[t] == X[t]*U0*inv(I + E*U0 - T(X[t])*E*X[t]*U0)*T(X[t]))
+      & always(t, loewner(2*c**2*(I + e*(T(Y[t])*Y[t])), N[t]**2*(T(Y[t])*Y[t]))),
+      sizes=["n"],
+      over={**ANY_KL, U0: matrix(n, n), E: matrix(n, n), Ks: nonsingular(n), Es: matrix(n, n), Y0: matrix(n, n), c: positive(), e: positive()},
+      where=[let(V0, Y0*inv(I + Es*Y0)), let(Q, WITHIN), *AWAY.where, let(Ls, inv(T(Ks))), let(Ds, Ls*Es - Es*Ks), rec(X, t, I, K*X[t]),
+             rec(U, t, U0, K*U[t]*inv(L + D*U[t])), rec(Y, t, Y0, Ks*Y[t]*inv(Ls + Ds*Y[t]))],
+      given=[SYLVESTER, given("(3.165)", (T(K)*L == I) & (L*T(K) == I)), given("the eigenvalues of K_s are inside the unit circle", schur(Ks)),
+             given("c is large enough", loewner(c*I, R)), given("e is large enough", loewner(e*I, T(Es)*Es))],
+      by=[induction(before=[first(psd(Q), base=order([I, V0*T(V0), T(V0)*V0]))],
+                    also=[[], [*AWAY.also, Y[t] == _still(t)*(I + Es*Y[t]), AWAY.bound, loewner(c**2*I, N[t]**2*(T(_still(t))*_still(t)))]],
+                    base=[order(), AWAY.begins([], AWAY.first, _square(t), _limit(t))],
+                    step=[order(), AWAY.goes_on([], AWAY.then, _square(t + 1), _limit(t + 1))]),
+          # without one hypothesis each; a large e
+          example({**ONE, "D": [[1]]}), example({**ONE, "L": [[1]]}), example({**ONE, "K_s": [[2]], "c": "1/10"}), example({**ONE, "c": "1/10", "e": "1/10"}),
+          example({**ONE, "E_s": [["9/10"]], "Y0": [[10]], "e": "1/1000"}), example({**ONE, "e": 100}), example({**ONE, "Y0": [[-3]], "E_s": [["1/4"]], "c": 500}),
+          instances(8, n=(1, 2), horizon=3, using={A: nonsingular(n), a: matrix(n, 1)},
+                    made_by={Ks: eigenvalues(A, 1/(2 + a[i]**2), Ks, Q)[Ks], K: inv(T(L)), D: L*E - E*K, Y0: inv(I - A*Es)*A, c: 1 + trace(R), e: 1 + trace(T(Es)*Es)}),
+          instances(8, n=(1, 2), horizon=3, made_by={K: inv(T(L)), D: L*E - E*K, Ks: I/2, Es: Zn, Y0: E, c: 1 + trace(R), e: 1})],
+      note="K = B - PD with the adjoint B* - D*P, and L = DP - C = (K*)^{-1}; X_k is K^k. The second part is the limit, for K_s = B - PD inside the unit circle and a start "
+           "Y_0 with I + E_s Y_0 nonsingular: stein(M, N) is the solution of X = MXM' + N. R is the same for all k, and so are the numbers c and e above the matrices named. "
+           "So (k + 1)^2 - 2c^2e times the square of the norm of Y_k is at most 2c^2: the deviation tends to zero.")
