@@ -35,6 +35,7 @@ from math import prod
 from typing import Any
 
 from exactkf.kernel.generic import Terms
+from exactkf.kernel.indefinite import BOUND
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.opaque import with_names
 from exactkf.kernel.packed import Poly, exponents
@@ -90,8 +91,9 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
 def _without_poles(terms: Terms, x: Symbolic) -> Symbolic:
     """A function of z that is divided by no other than z: where those that it is made of have coefficients it has them too."""
     for p in terms.field.factors:
-        kinds = {(key[0], key[1]) for monomial in p for place, e in enumerate(exponents(monomial)) if e for key in [terms.atoms[place]]}
-        if ("at", "z") in kinds and (len(p) > 1 or len(kinds) > 1) or any(kind in ("value", "value at 1/z") for kind, _ in kinds):
+        kinds = {key[:2] for monomial in p for place, e in enumerate(exponents(monomial)) if e for key in [terms.atoms[place]]}
+        powers = {kind for kind in kinds if kind in (("at", "z"), ("power", "z"))}
+        if powers and (len(p) > 1 or kinds != powers) or any(kind in (*_IN_Z, *BOUND) for kind, _ in kinds):  # z may be in a sum, too
             raise Unknown("a function of z with poles")
     return x
 

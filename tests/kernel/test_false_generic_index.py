@@ -178,3 +178,13 @@ def test_an_index_hides_no_matrix_in_a_member_of_a_conjunction(index, good):
     made = statement(["and", ["=", 1, 1], says], [["M", ["matrix", 1, 1]]])
     assert accepted("conjunction", made, {"parts": [["generic index", {"lemmas": []}]] * 2}) is good
     assert accepted("counterexample", made, {"instance": {"sizes": {"n": 2}, "values": {"M": [[5]]}}}) is not good
+
+
+# ---------------------------------------------------------------------- poles
+def test_what_has_poles_is_no_polynomial():
+    """1/(z^n + 1), or one over a sum of powers of z, has no coefficients; z^-n has."""
+    z_n = ["^", ["z"], n]
+    for below, founded in ((z_n, True), (["*", ["z"], z_n], True), (["+", z_n, 1], False), (["-", ["z"], 2], False),
+                           (["sum", "k", 0, n, ["^", ["z"], k]], False)):
+        made = statement(["=", c, c], SCALAR, (), [["rec", "X", "t", 0, [1], ["/", at("X", t), below]]])
+        assert (not ill_founded(made, [{"n": 1}])) is founded
