@@ -210,6 +210,7 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
             return self._call(tree[1], (), self.value)
         if op == "at" and self.known.is_named_matrix(tree[1]):
             i, j = (*(self.index(a, env) for a in tree[2:]), {"": 1})[:2]
+            self._need_place(["sym", tree[1]], i, j, {})
             return self.entry(["sym", tree[1]], i, j, {})
         if op == "at":
             return self._call(tree[1], tuple(self.index(a, env) for a in tree[2:]), self.value)

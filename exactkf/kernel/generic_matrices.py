@@ -180,8 +180,9 @@ class Matrices:
             raise Unknown(f"recursion {name} does not keep the shape of its initial value")
 
     def _need_place(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
-        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is not what a rule says that it is there."""
-        if not self.ruled or self.ruled.isdisjoint(self.known.reached_by(tree)):
+        """Beyond its rows and columns a matrix has no entry; continued by what defines it, it is neither what a rule says that it is there nor
+        what it is where it is not opened."""
+        if not (self.ruled or self.letters) or self.known.reached_by(tree).isdisjoint(self.ruled | self.letters):
             return
         self._need_entry(tree, i, j, env)
 

@@ -188,3 +188,35 @@ def test_what_has_poles_is_no_polynomial():
                            (["sum", "k", 0, n, ["^", ["z"], k]], False)):
         made = statement(["=", c, c], SCALAR, (), [["rec", "X", "t", 0, [1], ["/", at("X", t), below]]])
         assert (not ill_founded(made, [{"n": 1}])) is founded
+
+
+# ---------------------------------------------------------------------- places
+BEYOND = ["+", n, 1]
+
+
+@pytest.mark.parametrize("read", [["entry", ["sym", "N"], BEYOND, 1], at("N", BEYOND, 1)])
+def test_a_rule_says_nothing_of_places_that_a_matrix_has_not(read):
+    """X = O for every t, and the formula for its entries is 1 below the last row: N = X[m] is not both there."""
+    zero = ["mat", "i", "j", n, n, when("<=", i, n, 0, 1)]
+    where = [["rec", "X", "t", 0, [zero], at("X", t)], ["let", "N", [], at("X", ["sym", "m"])]]
+    below = {"index": "t", "says": ["=", ["entry", at("X", t), BEYOND, 1], 1], "uses": [{"lemma": 0, "at": {"t": t}}]}
+    there = {"index": "s", "direct": True, "says": ["=", read, 1], "uses": [{"lemma": 0, "at": {"t": ["sym", "m"]}}]}
+    rule = {"index": "t", "rule": True, "says": ["=", at("X", t), ["O", n, n]]}
+    made = statement(["=", c, 0], SCALAR, (), where, ("n", "m"))
+    assert not accepted("generic index", made, {"lemmas": [below, there, rule], "uses": [{"lemma": 1, "at": {"s": 0}, "times": ["neg", c]}]})
+    inside = {**made, "says": ["forall", "k", 1, n, ["=", ["at", "N", k, k], 0]]}
+    assert accepted("generic index", inside, {"lemmas": [below, there, rule]})
+
+
+@pytest.mark.parametrize("read", [["entry", ["sym", "N"], 1, BEYOND], at("N", 1, BEYOND)])
+def test_a_matrix_that_is_closed_in_one_lemma_has_no_more_places_there(read):
+    """M I = M is read as a sum over the columns of M where M is opened, and as M where it is not: these differ beyond the last column."""
+    where = [["let", "M", ["k"], ["mat", "i", "j", n, n, when("<=", j, n, 0, 1)]], ["let", "N", [], ["*", at("M", 0), ["I", n]]]]
+    ones = {"index": "s", "direct": True, "says": ["=", ["entry", at("M", 0), 1, BEYOND], 1]}
+    zero = {"index": "s", "direct": True, "says": ["=", read, 0]}
+    both = [{"lemma": 0, "at": {"s": 0}, "times": ["neg", c]}, {"lemma": 1, "at": {"s": 0}, "times": c}]
+    closed = {"index": "s", "direct": True, "closed": ["M"], "says": ["=", c, 0], "uses": both}
+    made = statement(["=", c, 0], SCALAR, (), where)
+    assert not accepted("generic index", made, {"lemmas": [ones, zero, closed], "uses": [{"lemma": 2, "at": {"s": 0}}]})
+    same = {"index": "s", "direct": True, "closed": ["M"], "says": ["=", ["sym", "N"], at("M", 0)]}
+    assert accepted("generic index", {**made, "says": ["=", ["sym", "N"], at("M", 0)]}, {"lemmas": [ones, zero, same]})
