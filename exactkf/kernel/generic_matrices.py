@@ -34,6 +34,7 @@ class Matrices:
     sequences: set[str]
     recursive: set[str]
     ruled: set[str]
+    letters: set[str]
     kept: dict[str, bool]
     shapes: dict[tuple[Region, str], tuple[Form, Form]]
     shaped: dict[tuple[int, int, Region], tuple[tuple[Form, Form], Any, Any]]
