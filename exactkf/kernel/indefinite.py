@@ -53,6 +53,7 @@ class Indefinite:
     power_of_z: Callable[..., Symbolic]
     again: Callable[[tuple], Symbolic]
     _call: Callable[..., Symbolic]
+    _need_place: Callable[..., None]
 
     def total(self, low: Form, high: Form, summand: Callable[[Any, Form], Symbolic]) -> Symbolic:
         """Sum of the summand from low to high, cut where its form changes."""
@@ -233,6 +234,7 @@ class Indefinite:
             return self.linear(self.region.reduce(forms[0]))
         if key[0] == "entry":
             t, i, *j = (self.region.reduce(x) for x in forms)
+            self._need_place(["sym", key[1]], i, j[0] if j else {"": 1}, {})
             return self.entry(["at", key[1], ["sym", "@t"]], i, j[0] if j else {"": 1}, {"@t": t})
         if key[0] == "coeff" and len(forms) == 1:
             return self.coefficient(["sym", key[1]], self.region.reduce(forms[0]), {})
