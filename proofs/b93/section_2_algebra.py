@@ -219,7 +219,8 @@ claim("B93-L2.8", "where the controllability sum is invertible, so is G",
                                   base=order([], PARTS, PARTS, [], PARTS, lemmas=_kept(t)), step=order([], NEXT_PARTS, NEXT_PARTS, [], NEXT_PARTS, lemmas=_kept(t + 1)))],
                     also=[Ss[n] * x == NULL], base=order([], [inv(Ss[n])])),
           instances(8, **LENGTHS, made_by={**SUMMED, x: NULL}), instances(8, **LENGTHS, made_by=SUMMED), instances(8, **LENGTHS, made_by={Gam: (k, Zero(d, d))}),
-          instances(8, **LENGTHS, made_by={Gam: (k, Zero(d, d)), F: (k, Zero(d, p)), C: (k, Zero(q, d))})],
+          instances(8, **LENGTHS, made_by={Gam: (k, Zero(d, d)), F: (k, Zero(d, p)), C: (k, Zero(q, d))}),
+          restated("weak controllability: the sum is invertible with positive probability for some n", "an event that contains another is at least as probable")],
       note="The data are counted backwards here: A_0 is the A_n of the print, A_1 its A_{n-1}, so that both sums read as they are printed. G is Gam_0, and Gam_k the rest "
            "of the sum from its k-th T on, with the products B before it taken off; it may end in any nonnegative matrix, such as zero. By weak controllability the "
            "event that the controllability sum is invertible has positive probability for some n, and on it G is.")
