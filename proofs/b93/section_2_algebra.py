@@ -206,7 +206,7 @@ def _kept(s):
             zero & alike & (Xs[s] == T(Pi[s]) * x)]
 
 
-SUMMED = {Gam: (k, when(k > n, 0, _sum(k, 3)))}
+SUMMED = {Gam: (k, when(k > n, Zero(d, d), _sum(k, 3)))}
 LENGTHS = {"d": (1, 2), "p": (1, 2), "q": (1, 2), "n": (0, 1, 2)}
 claim("B93-L2.8", "where the controllability sum is invertible, so is G",
       x == NULL, sizes=["d", "p", "q", "n"],
