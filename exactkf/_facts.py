@@ -14,7 +14,7 @@ from typing import Any
 
 from exactkf.kernel.continuity import away_from_zero
 from exactkf.kernel.definite import _by_hypothesis, _is_number, definiteness
-from exactkf.kernel.every_size import _HELP, _parts
+from exactkf.kernel.every_size import HELP, members_of
 from exactkf.kernel.order import FACTS, Leaf, leaves
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.recursion import Induction, along, before, inductions
@@ -40,7 +40,7 @@ def _orders(certificate: Mapping[str, Any]) -> Iterator[tuple[Mapping[str, Any],
     if certificate["kind"] == "order":
         yield statement, evidence
     if certificate["kind"] == "conjunction":
-        for part, (kind, own) in zip(_parts(statement["says"]), evidence["parts"], strict=True):
+        for part, (kind, own) in zip(members_of(statement["says"]), evidence["parts"], strict=True):
             yield from _orders({"kind": kind, "statement": {**statement, "says": part}, "evidence": own})
     if certificate["kind"] != "word induction":
         return
@@ -83,7 +83,7 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
         yield "similarity"
     if op == "=" and len(terms) == 4 and not vector and isinstance(formula[1], list) and formula[1][0] == "rank":
         yield "rank"
-    leaf = Leaf(case, formula, terms, **{key: proof[key] for key in _HELP if key in proof})
+    leaf = Leaf(case, formula, terms, **{key: proof[key] for key in HELP if key in proof})
     if leaf.reader.steins:
         yield "Stein equation"
     for term in (x for tree in terms for x in _inverted(tree)):
@@ -115,6 +115,9 @@ def _of_form(reader: Reader, tree: Any) -> Iterator[str]:
         yield "block diagonal"
         for i, row in enumerate(tree[1:]):
             yield from _of_form(reader, row[i])
+    elif tree[0] == "-":
+        yield "trace"
+        yield from _of_form(reader, tree[2])
     elif tree[0] == "*":
         yield from _of_product(reader, tree)
     else:
@@ -136,6 +139,7 @@ def _of_product(reader: Reader, tree: Any) -> Iterator[str]:
     matrices = [x for x in tree[1:] if not _is_number(reader, x)]
     if len(matrices) < len(tree) - 1:
         yield "number"
+        yield from ("trace" for x in tree[1:] if isinstance(x, (list, tuple)) and x[0] == "tr")
     if len(matrices) > 1:
         yield "congruence"
         if definiteness(reader, tree) == 2:

@@ -10,7 +10,7 @@ from typing import Any
 from flint import fmpz
 
 from exactkf._facts import facts_used
-from exactkf.kernel.every_size import _parts
+from exactkf.kernel.every_size import members_of
 
 __all__ = ["multiples_in_words", "number_of", "over_primes", "proof_in_words"]
 
@@ -19,7 +19,7 @@ _FOR_EVERY_SIZE = {
     "order": "for every size: multiples of the assumptions in words; classical facts: {}",
     "word induction": "for every size, by induction: base and step by multiples of the assumptions in words; classical facts: {}",
     "generic index": "for every size, by induction: base and step as identities between coefficients, sums and entries at a generic index",
-    "arithmetic": "for every integer: the denied statement contradicts itself, case by case",
+    "arithmetic": "for all values: the denied statement contradicts itself, case by case",
 }
 
 
@@ -40,7 +40,7 @@ def proof_in_words(certificate: Mapping[str, Any]) -> str:
     """
     evidence, kind = certificate["evidence"], certificate["kind"]
     if kind == "conjunction":
-        members = zip(_parts(certificate["statement"]["says"]), evidence["parts"], strict=True)
+        members = zip(members_of(certificate["statement"]["says"]), evidence["parts"], strict=True)
         own = ({"kind": other, "statement": {**certificate["statement"], "says": part}, "evidence": e} for part, (other, e) in members)
         return "; ".join(dict.fromkeys(map(proof_in_words, own)))
     used = multiples_in_words(evidence) if kind == "membership" else ", ".join(facts_used(certificate)) or "none"

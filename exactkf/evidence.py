@@ -34,9 +34,9 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "combination",
-    "evaluation", "example", "fact", "first", "generic_index", "identity", "induction", "instances", "lemma", "multiplied", "null_vector",
-    "order", "part", "positivity", "restated", "shown_first", "steps", "unfolded", "use", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "cleared", "combination",
+    "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction", "instances", "lemma", "multiplied",
+    "null_vector", "order", "part", "positivity", "restated", "shown_first", "square_of", "steps", "unfolded", "use", "valued", "within",
 ]
 
 
@@ -228,14 +228,16 @@ def use(number: int | str | Expr, /, *args: Any, times: Any = None, **places: An
     return {"given" if isinstance(number, str) else "lemma": number, "at": {name: to_expr(x).tree for name, x in places.items()}, **more}
 
 
-def arithmetic(*hints: Sequence[Any]) -> Evidence:
-    """A statement about integers of any size follows from the rules of arithmetic (see `exactkf.kernel.arithmetic`).
+def arithmetic(*hints: Sequence[Any], member: int | None = None) -> Evidence:
+    """A statement about numbers and integers of any size follows from the rules of arithmetic (see `exactkf.kernel.arithmetic`).
 
     The statement is denied, and every case of that has to contradict itself. What exists is named like its index (``i``, and ``i1``,
     ``i2`` .. after that), and the hints may use these names. They are taken in their order, each as soon as all its names are there:
-    `by_rests`, `at_index`, `by_cases`, `by_induction`, `shown_first`, `unfolded`, `angles`, `multiplied`.
+    `by_rests`, `at_index`, `by_cases`, `by_induction`, `shown_first`, `unfolded`, `existing`, `valued`, `cleared`, `angles`, `multiplied`,
+    `square_of`, `in_threes`.
+    With ``member`` it is for that member of a conjunction, counted from 0.
     """
-    return Evidence("arithmetic", {"proof": tuple(hints)})
+    return Evidence("arithmetic", {"proof": tuple(hints), **({} if member is None else {"member": member})})
 
 
 def by_rests(x: Any, by: int, name: Expr, hints: Sequence[Sequence[Any]] = ()) -> tuple:
@@ -263,6 +265,21 @@ def multiplied(term: Any) -> tuple:
     return ("multiply", to_expr(term).tree)
 
 
+def cleared() -> tuple:
+    """Quotients are taken out of all that is known, in cases of the sign of what they divide by (see `exactkf.finders.clearing`)."""
+    return ("clear",)
+
+
+def square_of(term: Any) -> tuple:
+    """The square of this term is not negative."""
+    return ("square", to_expr(term).tree)
+
+
+def in_threes() -> tuple:
+    """Facts are multiplied three at a time, not two."""
+    return ("degree", 3)
+
+
 def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (), step: Sequence[Any] = ()) -> tuple:
     """The formula is shown for all ``name`` >= start, with hints for base and step."""
     return ("induct", _name(name), to_expr(start).tree, to_expr(formula).tree, (tuple(base), tuple(step), ()))
@@ -271,6 +288,16 @@ def by_induction(name: Expr, start: Any, formula: Any, base: Sequence[Any] = (),
 def unfolded(name: Expr, at: Any) -> tuple:
     """The value of a recursion at a term, by its definition."""
     return ("unfold", _name(name), to_expr(at).tree)
+
+
+def existing(name: Expr, at: Any) -> tuple:
+    """Whether the value of a recursion at a term exists, by its definition."""
+    return ("exist", _name(name), to_expr(at).tree)
+
+
+def valued(label: str = "") -> tuple:
+    """What the conclusion, or the hypothesis of this label, divides by is not zero, where it is evaluated (see `exactkf.kernel.values`)."""
+    return ("valued", label)
 
 
 def angles(kind: str, *terms: Any) -> tuple:
@@ -283,6 +310,8 @@ def angles(kind: str, *terms: Any) -> tuple:
     ``cosines``      a, b, n      when cos(pi a/n) and cos(pi b/n) are equal
     ``right``        n            cos(pi n/(2n)) = 0
     ``quotient``     x, y         (x/y) y = x
+    ``acute``        a, n         the sign of cos(pi a/n), for abs(a) <= n
+    ``root``         x            the square root of x
     ===============  ===========  ===============================================
     """
     return (kind, *(to_expr(x).tree for x in terms))

@@ -15,9 +15,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from itertools import combinations_with_replacement
+from functools import reduce
+from itertools import chain, combinations_with_replacement, islice
 from typing import Any
 
+from exactkf.finders.clearing import clear
 from exactkf.finders.effort import clock
 from exactkf.finders.simplex import combination
 from exactkf.kernel.arithmetic import ONE, Facts, Poly, plus, times
@@ -41,8 +43,10 @@ def find_arithmetic(statement: Mapping[str, Any], hints: Sequence[Hint], seconds
     A hint is a list: ``["divide", term, m, name, hints for each rest]``, ``["at", index, term]``, ``["cut", formula, hints for either case]``,
     ``["lemma", formula, [], hints]``,
     ``["induct", name, from, formula, hints for base, step and afterwards]``, ``["unfold", name, term]``, ``["quotient", x, y]``,
-    ``["product", a, b, n]``, ``["cosines", a, b, n]`` or ``["right", n]``.
-    By the term of ``["multiply", term]`` equations are multiplied too.
+    ``["product", a, b, n]``, ``["cosines", a, b, n]``, ``["right", n]``, ``["acute", a, n]``, ``["root", x]``, ``["exist", name, term]`` or
+    ``["valued", label]``; that the conclusion is evaluated takes the place of its denial.
+    By the term of ``["multiply", term]`` equations are multiplied too; with ``["clear"]`` quotients are taken out of the facts. The square of the term of
+    ``["square", term]`` is not negative; with ``["degree", 3]`` facts are multiplied three at a time.
     """
     try:
         return _Search(clock() + seconds).start(statement, hints)
@@ -61,7 +65,17 @@ class _Search:
         self.hypotheses = len(denied.facts)
         denied.add(denied.read(statement["says"], False))
         self.denied = len(denied.facts)
+        if ["valued", ""] in hints:
+            return self.evaluated(denied, [h for h in hints if h != ["valued", ""]])
         return self.prove(denied, list(hints))
+
+    def evaluated(self, facts: Facts, hints: list[Hint]) -> Proof:
+        """The conclusion has a truth value; its denial is among what that says."""
+        step = {"step": "valued", "of": ""}
+        (valued,) = facts.step(step)
+        forget = {"step": "forget", "facts": list(range(self.hypotheses, self.denied))}
+        self.hypotheses, self.denied = self.denied, len(valued.facts)
+        return {**step, "then": [{**forget, "then": [self.prove(valued.step(forget)[0], hints)]}]}
 
     def prove(self, facts: Facts, hints: list[Hint]) -> Proof:
         self.cases += 1
@@ -70,19 +84,28 @@ class _Search:
         if (found := closed(facts, 1, self.deadline)) is not None:
             return found
         if (step := _forced(facts)) is not None:
-            return self.after(facts, step, [hints])
+            return self.after(facts, step, [hints])  # always one case
         if (step := self.propagated(facts) or _pinned(facts)) is not None:
             return self.after(facts, step, [hints] * len(facts.step(step)))
         if (made := _hinted(facts, hints)) is not None:
             step, rests, lemmas = made
             return {**step, "then": [self.prove_lemma(case, len(facts.facts), rest) if k in lemmas else self.prove(case, rest)
                                      for k, (case, rest) in enumerate(zip(facts.step(step), rests, strict=True))]}
-        if (found := closed(facts, 2, self.deadline, [h[1] for h in hints if h[0] == "multiply"])) is not None:
+        if ["clear"] in hints and (proof := self.cleared(facts, hints)) is not None:
+            return proof
+        more, squares = ([h[1] for h in hints if h[0] == kind] for kind in ("multiply", "square"))
+        if (found := closed(facts, 3 if ["degree", 3] in hints else 2, self.deadline, more, squares)) is not None:
             return found
         parts = [(len(f[1]), n) for n, f in enumerate(facts.facts) if f is not None and f[0] == "or"]
         if parts:
             return self.after(facts, {"step": "split", "fact": min(parts)[1]}, [hints] * min(parts)[0])
         raise StuckAt("; ".join(f"{n}: {_shown(f)}" for n, f in enumerate(facts.facts) if f is not None))
+
+    def cleared(self, facts: Facts, hints: list[Hint]) -> Proof | None:
+        def zero(case: Facts) -> Proof:
+            return closed(case, 1, self.deadline) or closed(case, 2, self.deadline) or self.prove(case, [h for h in hints if h != ["clear"]])
+
+        return clear(facts, lambda case: self.prove(case, hints), zero, tree_of)
 
     def prove_lemma(self, facts: Facts, denied: int, hints: list[Hint]) -> Proof:
         """A lemma is denied, or base or step of an induction: what else is denied does not matter."""
@@ -113,15 +136,23 @@ def _forced(facts: Facts) -> Proof | None:
                 step = {"step": "solve", "fact": n, "variable": x if isinstance(x, str) else repr(x)}
                 with suppress(Rejected):
                     facts.step(step)
-                    return step
+                    return step if isinstance(x, str) or x[0] != "/" or _is_told(facts, x) else {
+                        "step": "quotient", "x": tree_of(dict(x[1])), "y": tree_of(dict(x[2]))}
         if fact is not None and fact[0] == "some":
             return {"step": "name", "fact": n, "name": _free(facts, fact[1])}
     return None
 
 
+def _is_told(facts: Facts, q: Any) -> bool:
+    """Whether (x/y) y = x is known, or one of two cases; it would be lost with q = x/y."""
+    x, y = dict(q[1]), dict(q[2])
+    equation = facts.relation("=", plus(times({(q,): 1}, y), x, -1))
+    return any(f == equation or f is not None and f[0] == "or" and equation in f[1] for f in facts.facts)
+
+
 def _pinned(facts: Facts) -> Proof | None:
     """What is neither more nor less than zero is zero."""
-    known = [f[1] for f in facts.facts if f is not None and f[0] == ">=" and set(f[1]) - {()}]
+    known = [f[1] for f in facts.facts if f is not None and f[0] == ">=" and set(f[1]) - {()} and not any(_is_existence(a) for m in f[1] for a in m)]
     equations = [f[1] for f in facts.facts if f is not None and f[0] == "="]
     equal = next((p for p in known if plus({}, p, -1) in known and p not in equations and plus({}, p, -1) not in equations), None)
     return None if equal is None else {"step": "cut", "formula": ["=", tree_of(equal), 0]}
@@ -142,7 +173,7 @@ def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]], t
     for place, (kind, *args) in enumerate(hints):
         rest = [*hints[:place], *hints[place + 1:]]
         try:
-            if kind == "multiply":
+            if kind in ("multiply", "square", "degree", "clear"):
                 continue
             if kind == "at":  # at every fact for all indices of that name, also those that come later
                 name, term, *used = args
@@ -162,7 +193,8 @@ def _hinted(facts: Facts, hints: list[Hint]) -> tuple[Proof, list[list[Hint]], t
 
 
 _PARTS = {"divide": ("term", "by", "name"), "cut": ("formula",), "lemma": ("formula",), "induct": ("name", "from", "formula"), "unfold": ("name", "term"),
-          "quotient": ("x", "y"), "product": ("a", "b", "n"), "cosines": ("a", "b", "n"), "right": ("term",)}
+          "quotient": ("x", "y"), "product": ("a", "b", "n"), "cosines": ("a", "b", "n"), "right": ("term",), "acute": ("a", "n"), "root": ("term",),
+          "exist": ("name", "term"), "valued": ("of",)}
 
 
 def _step(kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | None]:
@@ -171,23 +203,35 @@ def _step(kind: str, args: Sequence[Any]) -> tuple[Proof, list[list[Hint]] | Non
 
 
 # ---------------------------------------------------------------------- leaves
-def closed(facts: Facts, degree: int, deadline: float, more: Sequence[Any] = ()) -> Proof | None:
-    """A combination that contradicts itself: of facts, or of their products two at a time and of equations times variables."""
+def closed(facts: Facts, degree: int, deadline: float, more: Sequence[Any] = (), squares: Sequence[Any] = ()) -> Proof | None:
+    """A combination that contradicts itself: of facts, or of their products two or three at a time, of squares and of equations times variables."""
     strict = "strict"  # a row beside those of the monomials: one of the facts taken is strict, or 1 > 0 is
     columns: list[dict[Any, Any]] = [{**ONE, strict: 1}]
     terms: list[list[Any]] = [[[]]]
     for numbers, p in _products(facts, degree):
         columns.append({**p, strict: 1} if all(_known(facts, n)[0] == ">" for n in numbers) else p)
         terms.append([list(numbers)])
+    for tree, q in _readable(facts, squares):
+        columns.append(times(q, q))
+        terms.append([[], tree])
     multipliers = [*_multipliers(facts), *_readable(facts, more)] if degree > 1 else [(1, ONE)]
-    for n, fact in enumerate(facts.facts):
-        if fact is not None and fact[0] == "=" and fact[1]:
-            for tree, q in multipliers:
-                p = times(fact[1], q)
-                columns += [p, {m: -v for m, v in p.items()}]
-                terms += [[[n], tree], [[n], ["neg", tree]]]
+    for n, equation in _once(facts, "="):
+        for tree, q in multipliers:
+            p = times(equation, q)
+            columns += [p, {m: -v for m, v in p.items()}]
+            terms += [[[n], tree], [[n], ["neg", tree]]]
     found = combination(columns, {strict: 1}, deadline=deadline)
     return None if found is None else {"step": "close", "terms": [[str(c), *terms[k]] for k, c in found.items() if k]}
+
+
+def _once(facts: Facts, *relations: str) -> list[tuple[int, Poly]]:
+    """Numbers and polynomials of facts, each polynomial once, strict ones first; without those that say nothing."""
+    found: dict[frozenset, tuple[int, Poly]] = {}
+    for relation in relations:
+        for n, f in enumerate(facts.facts):
+            if f is not None and f[0] == relation and not (relation == ">=" and _is_trivial(f[1])) and (f[1] or relation == ">"):
+                found.setdefault(frozenset(f[1].items()), (n, f[1]))
+    return list(found.values())
 
 
 def _known(facts: Facts, number: int) -> Any:
@@ -195,16 +239,16 @@ def _known(facts: Facts, number: int) -> Any:
 
 
 def _products(facts: Facts, degree: int) -> Iterator[tuple[tuple[int, ...], Poly]]:
-    known = [(n, f[1]) for n, f in enumerate(facts.facts) if f is not None and (f[0] == ">" or f[0] == ">=" and not _is_trivial(f[1]))]
+    known = _once(facts, ">", ">=")
     yield from (((n,), p) for n, p in known)
     if degree > 1:
-        for (n, p), (m, q), _ in zip(*zip(*combinations_with_replacement(known, 2), strict=True), range(_MOST_PRODUCTS), strict=False) if known else ():
-            yield (n, m), times(p, q)
+        for several in islice(chain.from_iterable(combinations_with_replacement(known, d) for d in range(2, degree + 1)), _MOST_PRODUCTS):
+            yield tuple(n for n, _ in several), reduce(times, (p for _, p in several))
 
 
 def _multipliers(facts: Facts) -> list[tuple[Any, Poly]]:
     """Terms by which an equation is multiplied: one, and atoms of the facts."""
-    used = {a for f in facts.facts if f is not None and f[0] in ("=", ">=", ">") for m in f[1] for a in m}
+    used = {a for f in facts.facts if f is not None and f[0] in ("=", ">=", ">") for m in f[1] for a in m if not _is_existence(a)}
     return [(1, ONE), *((tree_of({(a,): 1}), {(a,): 1}) for a in sorted(used, key=repr))]
 
 
@@ -232,12 +276,17 @@ def _sum(terms: list[Any]) -> Any:
     return 0 if not terms else terms[0] if len(terms) == 1 else ["+", *terms]
 
 
+def _is_existence(a: Any) -> bool:
+    """Whether a value exists: a number that no term stands for."""
+    return isinstance(a, tuple) and (a[0] == "def" or any(_is_existence(b) for part in a[1:] if isinstance(part, tuple) for m, _ in part for b in m))
+
+
 def _atom_tree(a: Any) -> Any:
     if isinstance(a, str):
         return ["sym", a]
     if a[0] == "at":
         return ["at", a[1], tree_of(dict(a[2]))]
-    return ["cospi" if a[0] == "cos" else "/", *(tree_of(dict(part)) for part in a[1:])]
+    return [{"cos": "cospi"}.get(a[0], a[0]), *(tree_of(dict(part)) for part in a[1:])]
 
 
 def _shown(fact: Any) -> str:

@@ -187,6 +187,8 @@ class Sampler:
         return {k: self._value(kind[-1][0], args, flavour) for k in range(first, last + 1)}
 
     def _value(self, kind: str, args: list[int], flavour: str) -> Any:
+        if kind in _MATRICES and min(args) < 0:
+            raise Undefined("negative size")
         match kind:
             case "scalar":
                 return self.number(flavour)

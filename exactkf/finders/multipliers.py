@@ -125,6 +125,7 @@ class Scene:
         found += [["inv", t] for t in found if t[0] == "sym" and definiteness(self.reader, t) == 2]
         terms = self.subterms()
         found += [t[1] for t in terms if t[0] == "inv"] + [t for t in terms if t[0] == "inv"]
+        found += [["-", ["*", t, self.unit(value.rows[0])], t[1]] for t in terms if t[0] == "tr" and (value := self.value(t[1])) and len(value.rows) == 1]
         found += [t for t in terms if t[0] == "*" and len(t) % 2]  # M'M in I + PM'M is a weight of its own
         return self._distinct(t for t in found if self._level(t))
 
@@ -149,7 +150,7 @@ class Scene:
 
     def _numbers(self) -> list:
         """Scalars that occur and are not negative."""
-        return [t for t in self.subterms() if t[0] in ("sym", "*", "/", "+", "^") and not self._is_matrix(t) and self._sign(t)]
+        return [t for t in self.subterms() if t[0] in ("sym", "*", "/", "+", "^", "tr") and not self._is_matrix(t) and self._sign(t)]
 
     def _is_matrix(self, tree: Any) -> bool:
         try:
@@ -202,10 +203,12 @@ class Scene:
         names = [["sym", name] for name, _ in self.case["over"]]
         inverses = self._distinct([*([t for t in terms if t[0] == "inv"]), *(["inv", x] for x in names)])
         pool = [*inverses, *self._differences(), *names]
+        units, gains = self._units(names), [t for t in terms if t[0] == "*" and t[-1][:1] == ["inv"]]
+        yield from self._closed_loops(units, gains)
+        yield from (["-", s, t] for k, s in enumerate(gains) for t in gains[:k] if s[1] == t[1])
         for x, y in product(pool, pool):
             if x != y:
                 yield ["*", x, y]
-        units = self._units(names)
         simple = [*units, *names, *inverses]
         yield from (["-", x, y] for k, x in enumerate(simple) for y in simple[:k])
         yield from (["T", ["-", x, y]] for k, x in enumerate(inverses) for y in units)
@@ -213,10 +216,18 @@ class Scene:
         slices = [t for t in terms if t[0] == "*"]
         yield from (["-", u, t] for t in slices for u in units)
         yield from (["-", s, t] for k, s in enumerate(slices) for t in slices[:k] if len(s) == len(t))
-        yield from (["-", x, t] for t in slices if t[-1][:1] == ["inv"] for x in names)  # any gain less the best one
+        yield from (["-", x, t] for t in gains for x in names)  # any gain less the best one
+        yield from (["T", ["-", x, ["*", y, z]]] for y in inverses for x, z in product(names, names) if x != z)  # completed squares
         if self.formula[0] in ("psd", "pd") and (found := self._cells(self.formula[1])):
             simple += [["T", x] for x in names]
             yield from (["block", *([x] for x in column)] for column in product(simple, repeat=len(found[1])))
+
+    def _closed_loops(self, units: list, gains: list) -> Iterator[Any]:
+        """A - KC for a gain K = A P C' inv(S)."""
+        for t in gains:
+            if len(t) > 3:
+                heads = [*units, *(t[1] if k == 2 else ["*", *t[1:k]] for k in range(2, len(t) - 2))]
+                yield from (["-", x, [*t, _transposed(t[-2])]] for x in heads)
 
     # ------------------------------------------------------------------ blocks
     def _table(self, tree: Any) -> list | None:

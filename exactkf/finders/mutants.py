@@ -17,12 +17,11 @@ from typing import Any
 from exactkf.evidence import Evidence
 from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.equal import Original, subtree
-from exactkf.finders.prove import PROOFS, candidates, every_size
+from exactkf.finders.prove import PROOFS, candidates, every_size, replays
 from exactkf.finders.remembering import Remembering, nodes_of
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.replay import NotACertificate, Rejected, replay
 from exactkf.language.latex import latex
 from exactkf.language.mutate import Mutant, mutants, rewritings
 from exactkf.language.statement import as_tuples
@@ -159,13 +158,7 @@ def _proved(changed: dict, by: Sequence[Evidence]) -> bool:
     ways = [[e for e in by if e.kind != "order" or e is one] for one in orders or by[:1]]
     tries = chain((c for e in by if e.kind in PROOFS for c in candidates("mutant", changed, e)),
                   *(every_size("mutant", changed, way, 1.0) for way in ways))
-    for certificate in tries:
-        try:
-            replay(certificate)
-            return True
-        except (Rejected, NotACertificate):
-            continue
-    return False
+    return any(map(replays, tries))
 
 
 def _drop(data: dict, mutant: Mutant, sampler: Sampler | None, by: Sequence[Evidence], report: MutantReport) -> tuple[str, dict | None]:

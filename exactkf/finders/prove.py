@@ -18,11 +18,11 @@ from exactkf.evidence import Evidence
 from exactkf.finders.arithmetic import find_arithmetic
 from exactkf.finders.membership import find_induction, find_membership, find_order
 from exactkf.kernel.continuity import away_from_zero
-from exactkf.kernel.every_size import _parts
+from exactkf.kernel.every_size import members_of
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
 
-__all__ = ["PROOFS", "candidates", "every_size"]
+__all__ = ["PROOFS", "candidates", "every_size", "replays"]
 
 PROOFS = ("identity", "combination", "induction", "positivity", "evaluation")
 
@@ -56,9 +56,10 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     for e in by:
         if e.kind == "generic index":
             yield seal(id, "generic index", statement, e.hints)
-        if e.kind == "arithmetic" and (proof := find_arithmetic(statement, json.loads(json.dumps(e.hints["proof"])), 10 * seconds)) is not None:
+        if e.kind == "arithmetic" and "member" not in e.hints and (proof := _refuted(statement, e, seconds)) is not None:
             yield seal(id, "arithmetic", statement, {"proof": proof})
     if not statement["sizes"]:
+        yield from _by_members(id, statement, by, seconds, degree)
         return
     hints: dict[str, Any] = {e.kind: json.loads(json.dumps(dict(e.hints), default=dict)) for e in reversed(by) if e.kind in ("order", "induction")}
     asked = hints.get("order", {})
@@ -73,6 +74,11 @@ def every_size(id: str, statement: dict, by: Sequence[Evidence], seconds: float,
     for way in ways:
         yield from way(id, statement, asked, seconds, degree)
     yield from _by_members(id, statement, by, seconds, degree)
+
+
+def _refuted(statement: dict, evidence: Evidence, seconds: float) -> dict[str, Any] | None:
+    """A refutation of the denied statement, by the hints of an `arithmetic`."""
+    return find_arithmetic(statement, json.loads(json.dumps(evidence.hints["proof"])), 10 * seconds)
 
 
 def _by_induction(id: str, statement: dict, _asked: Mapping[str, Any], seconds: float, _degree: int, led: Mapping[str, Any]) -> Iterator[dict]:
@@ -102,21 +108,25 @@ def _by_order(id: str, statement: dict, asked: Mapping[str, Any], seconds: float
 def _by_members(id: str, statement: dict, by: Sequence[Evidence], seconds: float, degree: int) -> Iterator[dict]:
     """Each member of a conjunction in its own way, where some are about entries and some about words."""
     generic = [e for e in by if e.kind == "generic index"]
-    if statement["says"][0] != "and" or not generic:
+    numbers = [e for e in by if e.kind == "arithmetic" and "member" in e.hints]
+    if statement["says"][0] != "and" or not (generic or numbers):
         return
     parts = []
-    for member in _parts(statement["says"]):
+    for place, member in enumerate(members_of(statement["says"])):
         own = {**statement, "says": member}
+        found = (_refuted(own, e, seconds) for e in numbers if e.hints["member"] == place)
+        arithmetic = (seal(id, "arithmetic", own, {"proof": proof}) for proof in found if proof is not None)
         words = (way(id, own, {}, seconds, degree) for way in (_by_membership, _by_order))
-        tried = chain((seal(id, "generic index", own, e.hints) for e in generic), *words)
-        proof = next((c for c in tried if _replays(c)), None)
+        tried = chain(arithmetic, (seal(id, "generic index", own, e.hints) for e in generic), *words)
+        proof = next((c for c in tried if replays(c)), None)
         if proof is None:
             return
         parts.append([proof["kind"], proof["evidence"]])
     yield seal(id, "conjunction", statement, {"parts": parts})
 
 
-def _replays(certificate: dict) -> bool:
+def replays(certificate: dict) -> bool:
+    """Whether the checker accepts a candidate."""
     try:
         replay(certificate)
     except (Rejected, NotACertificate):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Statements about integers of any size, by refutation.
+"""Statements about numbers, and integers of any size, by refutation.
 
 The statement is denied, and what is known then is a list of facts: ``p = 0``, ``p >= 0``, ``p > 0`` for polynomials p
 with rational coefficients, disjunctions of facts, and facts for all or for some k between bounds. A proof is a tree of the steps below; each of
@@ -22,17 +22,21 @@ step            what it does
 ``product``     2 cos(a/n) cos(b/n) = cos((a + b)/n) + cos((a - b)/n), angles in multiples of pi
 ``cosines``     cos(a/n) = cos(b/n) if and only if a - b or a + b is 2 n j for an integer j; or n <= 0
 ``right``       cos(n/(2n)) = 0; or n <= 0
+``acute``       cos(a/n) > 0 and 2|a| < n, or = 0 and 4a^2 = n^2, or < 0 and 2|a| > n; or |a| > n, or n <= 0
+``root``        the square root of x is not negative, and its square is x; or x < 0
+``valued``      the conclusion, or a hypothesis, has a truth value, see `exactkf.kernel.values`
+``exist``       a value of a recursion exists or not, by its definition, see there
 ==============  =====================================================================================================
 
 Integers are the sizes, variables of type integer, indices, and polynomials in them with integer coefficients; for those
-p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quotients, cosines and values of recursions.
+p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quotients, square roots, cosines and values of recursions.
 
-Soundness. Let a quotient by zero and a value before the start of a recursion be any number, and cos(a/n) be 1 for n = 0. Then each
-term has a value on every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same,
-as all that decides it has a value. So the denied conclusion is a fact on an instance on which the conclusion is false. ``defined`` is
-not read, which could tell the difference. A definition takes the place of its name; one that leads back to itself is refused,
-unless recursions call themselves, or each other, at earlier indices. Each step goes from facts that are
-true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
+Soundness. Let a quotient by zero, the square root of a negative number and a value of a recursion that it does not have be any number, and cos(a/n) be 1
+for n = 0. Then each term has a value on every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same,
+as all that decides it has a value. So the denied conclusion is a fact on an instance on which the conclusion is false. ``defined``, which
+can tell the difference, is read as what it says, see `exactkf.kernel.values`. A definition takes the place of its name; one that leads back to itself
+is refused, unless recursions call themselves, or each other, at earlier indices; so are recursions whose values need not be numbers.
+Each step goes from facts that are true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
 Main definitions
 ----------------
@@ -52,50 +56,20 @@ from itertools import product
 from math import gcd, lcm
 from typing import Any
 
+from exactkf.kernel.facts_on_circle import ON_CIRCLE, equation, in_z, on_circle, zeros_inside
 from exactkf.kernel.numbers import Rejected, Unknown, fraction
+from exactkf.kernel.polynomial_facts import ONE, Fact, Names, Poly, either, frozen, joined, number, plus, times
+from exactkf.kernel.values import evaluated, existence, has_value, root
 from exactkf.kernel.wellformed import BINDERS, check_formula
 
 __all__ = ["Facts", "Poly", "arithmetic", "plus", "times"]
-
-#: products of atoms, sorted, with coefficients that are not zero
-Poly = dict[tuple, Any]
-#: ("=" or ">=" or ">", p); ("and" or "or", facts); ("all" or "some", name, low, high, body, names, affirmed)
-Fact = tuple
-Names = dict[str, Poly]
 
 _LARGEST_MODULUS = 1000
 _OPPOSITE = {"and": "or", "or": "and"}
 _QUANTIFIERS = {("forall", True): "all", ("forall", False): "some", ("exists", True): "some", ("exists", False): "all"}
 _RELATIONS = {"=", "!=", "<", "<=", ">", ">="}
-ONE: Poly = {(): 1}
-
-
-# ---------------------------------------------------------------------- polynomials
-def plus(x: Poly, y: Poly, c: Any = 1) -> Poly:
-    """x + c y."""
-    out = dict(x)
-    for m, v in y.items():
-        out[m] = out.get(m, 0) + c * v
-    return {m: v for m, v in out.items() if v}
-
-
-def times(x: Poly, y: Poly) -> Poly:
-    """x y."""
-    out: Poly = {}
-    for (m, v), (n, w) in product(x.items(), y.items()):
-        key = tuple(sorted(m + n, key=repr))
-        out[key] = out.get(key, 0) + v * w
-    return {m: v for m, v in out.items() if v}
-
-
-def number(c: Any) -> Poly:
-    """A constant."""
-    return {(): c} if c else {}
-
-
-def frozen(p: Poly) -> tuple:
-    """As an argument of an atom."""
-    return tuple(sorted(p.items(), key=repr))
+#: what decides between cases, and is no number of them
+_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "not", "and", "or", "=>", "<=>", "forall", "exists", "defined"}
 
 
 # ---------------------------------------------------------------------- what is known
@@ -105,7 +79,7 @@ class Facts:
     def __init__(self, statement: Mapping[str, Any]) -> None:
         self.statement = statement
         self.definitions = {d[1]: d for d in statement["where"]}
-        self.circular = _circular(self.definitions)
+        self.circular = _circular(self.definitions) | _not_numbers(statement, self.definitions)
         self.whole: set[str] = set()  # variables that are integers
         self.solved: dict[Any, Poly] = {}  # atoms that a step has solved for
         self.names: Names = {}  # of the statement, and those that steps have brought in
@@ -134,9 +108,9 @@ class Facts:
         if kind[0] == "integer":
             self.add(("and", [self.read([">=", ["sym", name], kind[1]], True), self.read(["<=", ["sym", name], kind[2]], True)]))
         elif kind[0] == "nonzero":
-            self.add(self._relation("!=", x))
+            self.add(self.relation("!=", x))
         elif kind[0] != "scalar":
-            self.add(self._relation(">" if kind[0] == "positive" else ">=", x))
+            self.add(self.relation(">" if kind[0] == "positive" else ">=", x))
 
     def copy(self) -> Facts:
         """The same, to go on from."""
@@ -161,42 +135,50 @@ class Facts:
         return new
 
     # ------------------------------------------------------------------ formulas
-    def read(self, tree: Any, affirmed: bool, names: Names | None = None) -> Fact:
-        """A formula, or its negation, as a fact."""
+    def read(self, tree: Any, affirmed: bool, names: Names | None = None, valued: bool = False) -> Fact:
+        """A formula, or its negation, as a fact; of a quantifier whose formula is evaluated, that it is so."""
         names = self.names if names is None else names
         op = tree[0] if isinstance(tree, list) else ""
         if op == "not":
             return self.read(tree[1], not affirmed, names)
         if op in ("and", "or"):
-            return _joined(op if affirmed else _OPPOSITE[op], [self.read(x, affirmed, names) for x in tree[1:]])
+            return joined(op if affirmed else _OPPOSITE[op], [self.read(x, affirmed, names) for x in tree[1:]])
         if op == "=>":
             return self.read(["or", ["not", tree[1]], tree[2]], affirmed, names)
         if op == "<=>":
-            return _joined("or", [_joined("and", [self.read(tree[1], x, names), self.read(tree[2], x == affirmed, names)]) for x in (True, False)])
+            return joined("or", [joined("and", [self.read(tree[1], x, names), self.read(tree[2], x == affirmed, names)]) for x in (True, False)])
         if op == "if":
-            return _joined("or", [_joined("and", [self.read(tree[1], x, names), self.read(tree[2 if x else 3], affirmed, names)]) for x in (True, False)])
+            return joined("or", [joined("and", [self.read(tree[1], x, names), self.read(tree[2 if x else 3], affirmed, names)]) for x in (True, False)])
+        if op == "defined":
+            return has_value(self, tree[1], affirmed, names)
+        if op in ON_CIRCLE:
+            return on_circle(self, tree, affirmed, names)
+        if op in ("=", "!=") and any(in_z(self, x, names) for x in tree[1:]):
+            if len(tree) != 3:
+                raise Unknown("a chain of equations in z")
+            return equation(self, tree[1], tree[2], affirmed == (op == "="), names)
         if op in _RELATIONS:
             pairs = list(zip(tree[1:], tree[2:], strict=False))
-            return _joined("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
+            return joined("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
         if op in ("forall", "exists"):
-            return self._quantified(tree, affirmed, names)
+            return self._quantified(tree, affirmed, names, valued)
         if op in ("sym", "at"):
-            body, inner = self._opened(tree, names)
+            body, inner = self.opened(tree, names)
             return self.read(body, affirmed, inner)
         raise Unknown(f"{op!r} in a statement about integers")
 
     def _comparison(self, op: str, x: Any, y: Any, affirmed: bool, names: Names) -> Fact:
-        cases = [(c + d, self._relation(op if affirmed else _DENIED[op], plus(p, q, -1)))
+        cases = [(c + d, self.relation(op if affirmed else _DENIED[op], plus(p, q, -1)))
                  for (c, p), (d, q) in product(self.cases(x, names), self.cases(y, names))]
-        return _either(cases)
+        return either(cases)
 
-    def _relation(self, op: str, p: Poly) -> Fact:
+    def relation(self, op: str, p: Poly) -> Fact:
         """p against zero."""
         minus = plus({}, p, -1)
         if op in ("<", "<="):
-            return self._relation({"<": ">", "<=": ">="}[op], minus)
+            return self.relation({"<": ">", "<=": ">="}[op], minus)
         if op == "!=":
-            return ("or", [self._relation(">", p), self._relation(">", minus)])
+            return ("or", [self.relation(">", p), self.relation(">", minus)])
         p = _cleared(p)
         if not self.is_whole(p):
             return (op, p)
@@ -213,22 +195,22 @@ class Facts:
         """An integer on every instance, as its coefficients and variables are."""
         return all(Fraction(v).denominator == 1 and all(a in self.whole for a in m) for m, v in p.items())
 
-    def _quantified(self, tree: list, affirmed: bool, names: Names) -> Fact:
+    def _quantified(self, tree: list, affirmed: bool, names: Names, valued: bool) -> Fact:
         op, name, low, high, body = tree
         cases = []
         for (c, p), (d, q) in product(self.cases(low, names), self.cases(high, names)):
             if not (self.is_whole(p) and self.is_whole(q)):
                 raise Unknown("a bound that need not be an integer")
-            cases.append((c + d, (_QUANTIFIERS[op, affirmed], name, p, q, body, names, affirmed)))
-        return _either(cases)
+            cases.append((c + d, (_QUANTIFIERS[op, affirmed], name, p, q, body, names, affirmed, valued)))
+        return either(cases)
 
-    def _opened(self, tree: list, names: Names) -> tuple[Any, Names]:
+    def opened(self, tree: list, names: Names) -> tuple[Any, Names]:
         """The body of a definition, and what the names in it stand for."""
         d = self.definitions.get(tree[1])
         if d is None or d[0] != "let" or len(d[2]) != len(tree) - 2 or tree[1] in names:
             raise Unknown(f"{tree[1]!r} in a statement about integers")
         if tree[1] in self.circular:
-            raise Unknown(f"{tree[1]!r}, whose definition leads back to itself")
+            raise Unknown(f"{tree[1]!r}, whose definition leads back to itself, or is of no numbers")
         return d[3], {**self.own(), **{p: self.term(a, names) for p, a in zip(d[2], tree[2:], strict=True)}}
 
     def own(self) -> Names:
@@ -255,12 +237,18 @@ class Facts:
         if op in ("sym", "at"):
             if self.definitions.get(tree[1], ("",))[0] == "rec" and len(tree) == 3 and tree[1] not in names:
                 return [(c, self.value_of(tree[1], p)) for c, p in self.cases(tree[2], names)]
-            body, inner = self._opened(tree, names)
+            body, inner = self.opened(tree, names)
             return self.cases(body, inner)
         if op == "cospi":
             return [(c + d, self.cosine(p, q)) for (c, p), (d, q) in product(self.cases(tree[1], names), self.cases(tree[2], names))]
         if op == "/":
             return [(c + d, self.quotient(p, q)) for (c, p), (d, q) in product(self.cases(tree[1], names), self.cases(tree[2], names))]
+        if op == "abs":
+            return [((*c, self.relation(sign, p)), q) for c, p in self.cases(tree[1], names) for sign, q in ((">=", p), ("<", plus({}, p, -1)))]
+        if op == "sqrt":
+            return [(c, self.square_root(p)) for c, p in self.cases(tree[1], names)]
+        if op == "roots_in":
+            return zeros_inside(self, tree, names)
         if op == "if":
             return [((self.read(tree[1], x, names), *c), p) for x in (True, False) for c, p in self.cases(tree[2 if x else 3], names)]
         if op == "^" and type(tree[2]) is int and 0 <= tree[2] <= 8:
@@ -281,7 +269,7 @@ class Facts:
     def value_of(self, name: str, at: Poly) -> Poly:
         """A value of a recursion."""
         if name in self.circular or not self.is_whole(at):
-            raise Unknown(f"a value of {name!r}, which leads back to itself, or not at an integer")
+            raise Unknown(f"a value of {name!r}, which leads back to itself or is no number, or not at an integer")
         return self.atom("at", name, frozen(at))
 
     def quotient(self, x: Poly, y: Poly) -> Poly:
@@ -289,6 +277,10 @@ class Facts:
         if set(y) == {()}:
             return plus({}, x, Fraction(1) / y[()])
         return self.atom("/", frozen(x), frozen(y))
+
+    def square_root(self, x: Poly) -> Poly:
+        """The square root of x, or any number for x < 0."""
+        return self.atom("sqrt", frozen(x))
 
     def cosine(self, a: Poly, n: Poly) -> Poly:
         """cos(pi a/n): the same for c a, c n with c > 0, and for -a, n."""
@@ -316,6 +308,10 @@ class Facts:
         kind, *parts = atom
         if kind == "at":
             return self.value_of(parts[0], self.put(dict(parts[1]), name, by))
+        if kind == "def":
+            return self.atom("def", parts[0], frozen(self.put(dict(parts[1]), name, by)))
+        if kind == "sqrt":
+            return self.square_root(self.put(dict(parts[0]), name, by))
         x, y = (self.put(dict(part), name, by) for part in parts)
         return self.cosine(x, y) if kind == "cos" else self.quotient(x, y)
 
@@ -384,8 +380,8 @@ class Facts:
 
     def _forget(self, step: Mapping[str, Any]) -> list[Facts]:
         new = self.copy()
-        for number in step["facts"]:
-            new = new.without(number)
+        for n in step["facts"]:
+            new = new.without(n)
         return [new]
 
     def _divide(self, step: Mapping[str, Any]) -> list[Facts]:
@@ -397,23 +393,27 @@ class Facts:
         return [new.and_(("=", plus(plus(x, j, -m), number(r), -1))) for r in range(m)]
 
     def _at(self, step: Mapping[str, Any]) -> list[Facts]:
-        _, name, low, high, body, names, affirmed = self.fact(step["fact"], "all")
+        _, name, low, high, body, names, affirmed, valued = self.fact(step["fact"], "all")
         x = self.value(step["term"])
         if not self.is_whole(x):
             raise Rejected("an index is an integer")
-        return [self.and_(_joined("or", [*self._outside(x, low, high), self.read(body, affirmed, {**names, name: x})]))]
+        return [self.and_(joined("or", [*self._outside(x, low, high), self.body(body, affirmed, {**names, name: x}, valued)]))]
+
+    def body(self, tree: Any, affirmed: bool, names: Names, valued: bool) -> Fact:
+        """What a quantifier says at one place."""
+        return evaluated(self, tree, affirmed, names) if valued else self.read(tree, affirmed, names)
 
     def _outside(self, x: Poly, low: Poly | None, high: Poly | None) -> list[Fact]:
-        return [self._relation(op, plus(x, bound, -1)) for op, bound in (("<", low), (">", high)) if bound is not None]
+        return [self.relation(op, plus(x, bound, -1)) for op, bound in (("<", low), (">", high)) if bound is not None]
 
     def _name(self, step: Mapping[str, Any]) -> list[Facts]:
-        _, name, low, high, body, names, affirmed = self.fact(step["fact"], "some")
+        _, name, low, high, body, names, affirmed, valued = self.fact(step["fact"], "some")
         new = self.without(step["fact"])
         k = new.fresh(step["name"])
         for op, bound in ((">=", low), ("<=", high)):
             if bound is not None:
-                new.add(new._relation(op, plus(k, bound, -1)))
-        new.add(new.read(body, affirmed, {**names, name: k}))
+                new.add(new.relation(op, plus(k, bound, -1)))
+        new.add(new.body(body, affirmed, {**names, name: k}, valued))
         return [new]
 
     def _solve(self, step: Mapping[str, Any]) -> list[Facts]:
@@ -433,7 +433,7 @@ class Facts:
             if left is not None and new.solved.setdefault(left, q) != q:
                 doubled.append(plus(new.solved[left], q, -1))
         new.facts = [None if f is None else new._put(f, x, by) for f in new.facts]
-        new.facts += [new._relation("=", p) for p in doubled]
+        new.facts += [new.relation("=", p) for p in doubled]
         new.names = {n: new.put(q, x, by) for n, q in new.names.items()}
         return [new]
 
@@ -449,11 +449,11 @@ class Facts:
         """The same fact with a term in place of a variable or an atom."""
         op = fact[0]
         if op in ("and", "or"):
-            return _joined(op, [self._put(f, name, by) for f in fact[1]])
+            return joined(op, [self._put(f, name, by) for f in fact[1]])
         if op in ("all", "some"):
             low, high = (None if p is None else self.put(p, name, by) for p in fact[2:4])
-            return (op, fact[1], low, high, fact[4], {k: self.put(p, name, by) for k, p in fact[5].items()}, fact[6])
-        return self._relation(op, self.put(fact[1], name, by))
+            return (op, fact[1], low, high, fact[4], {k: self.put(p, name, by) for k, p in fact[5].items()}, *fact[6:])
+        return self.relation(op, self.put(fact[1], name, by))
 
     def _induct(self, step: Mapping[str, Any]) -> list[Facts]:
         name, low, formula = step["name"], self.value(step["from"]), step["formula"]
@@ -463,66 +463,83 @@ class Facts:
         if not self.is_whole(low):
             raise Rejected("an induction starts at an integer")
         base = self.and_(self.read(formula, False, {**self.names, name: low}))
-        inner.add(inner._relation(">=", plus(k, low, -1)))
+        inner.add(inner.relation(">=", plus(k, low, -1)))
         inner.add(inner.read(formula, True))
         inner.add(inner.read(formula, False, {**inner.names, name: plus(k, ONE)}))
-        return [base, inner, self.and_(("all", name, low, None, formula, dict(self.names), True))]
+        return [base, inner, self.and_(("all", name, low, None, formula, dict(self.names), True, False))]
 
     # ------------------------------------------------------------------ what atoms are
     def _unfold(self, step: Mapping[str, Any]) -> list[Facts]:
         d, at = self.definitions.get(step["name"], ("",)), self.value(step["term"])
         if d[0] != "rec":
             raise Rejected(f"{step['name']!r} is no recursion")
-        _, name, index, start, initial, body = d
-        x = self.value_of(name, at)
-        ends = plus(at, number(start + len(initial)), -1)
-        cases = [("and", [self._relation("=", plus(at, number(start + k), -1)), self._equals(x, tree, self.own())])
-                 for k, tree in enumerate(initial)]
-        later = ("and", [self._relation(">=", ends), self._equals(x, body, {**self.own(), index: plus(at, ONE, -1)})])
-        return [self.and_(("or", [self._relation("<", plus(at, number(start), -1)), *cases, later]))]
+        x = self.value_of(d[1], at)
+        before, places = self.places(d, at)
+        return [self.and_(("or", [before, *(("and", [where, self._equals(x, tree, names)]) for where, tree, names in places)]))]
+
+    def places(self, recursion: Any, at: Poly) -> tuple[Fact, list[tuple[Fact, Any, Names]]]:
+        """That an index is before the start of a recursion; and that it is at one of the initial values, or later, with the term of the value there."""
+        _, _, index, start, initial, body = recursion
+        first = [(self.relation("=", plus(at, number(start + k), -1)), tree, self.own()) for k, tree in enumerate(initial)]
+        later = (self.relation(">=", plus(at, number(start + len(initial)), -1)), body, {**self.own(), index: plus(at, ONE, -1)})
+        return self.relation("<", plus(at, number(start), -1)), [*first, later]
 
     def _equals(self, x: Poly, tree: Any, names: Names) -> Fact:
-        return _either([(c, self._relation("=", plus(x, p, -1))) for c, p in self.cases(tree, names)])
+        return either([(c, self.relation("=", plus(x, p, -1))) for c, p in self.cases(tree, names)])
 
     def _quotient(self, step: Mapping[str, Any]) -> list[Facts]:
         x, y = self.value(step["x"]), self.value(step["y"])
-        return [self.and_(("or", [self._relation("=", y), self._relation("=", plus(times(self.quotient(x, y), y), x, -1))]))]
+        return [self.and_(("or", [self.relation("=", y), self.relation("=", plus(times(self.quotient(x, y), y), x, -1))]))]
+
+    def _root(self, step: Mapping[str, Any]) -> list[Facts]:
+        x = self.value(step["term"])
+        return [self.and_(("or", [self.relation("<", x), joined("and", root(self, x))]))]
+
+    def _valued(self, step: Mapping[str, Any]) -> list[Facts]:
+        """The hypotheses are true and the conclusion is false: all that tells so has a value."""
+        given = [(formula, True) for label, formula, _ in self.statement["given"] if label == step["of"]]
+        return [self.and_(*(evaluated(self, formula, x, self.names) for formula, x in given or [(self.statement["says"], False)]))]
+
+    def _exist(self, step: Mapping[str, Any]) -> list[Facts]:
+        name, at = step["name"], self.value(step["term"])
+        if self.definitions.get(name, ("",))[0] != "rec":
+            raise Rejected(f"{name!r} is no recursion")
+        return [self.and_(existence(self, name, at))]
+
+    def _acute(self, step: Mapping[str, Any]) -> list[Facts]:
+        a, n = self.value(step["a"]), self.value(step["n"])
+        x, two = self.cosine(a, n), number(2)
+        beyond = [self.relation(">", plus(plus({}, a, c), n, -1)) for c in (1, -1)]
+        signs = [joined("and", [self.relation(">", x), *(self.relation("<", plus(plus({}, times(two, a), c), n, -1)) for c in (1, -1))]),
+                 joined("and", [self.relation("=", x), self.relation("=", plus(times(times(two, a), times(two, a)), times(n, n), -1))]),
+                 *(joined("and", [self.relation("<", x), self.relation(">", plus(plus({}, times(two, a), c), n, -1))]) for c in (1, -1))]
+        return [self.and_(("or", [self.relation("<=", n), *beyond, *signs]))]
 
     def _product(self, step: Mapping[str, Any]) -> list[Facts]:
         a, b, n = (self.value(step[key]) for key in "abn")
         left = times(self.cosine(a, n), self.cosine(b, n))
-        return [self.and_(self._relation("=", plus(plus(self.cosine(plus(a, b), n), self.cosine(plus(a, b, -1), n)), left, -2)))]
+        return [self.and_(self.relation("=", plus(plus(self.cosine(plus(a, b), n), self.cosine(plus(a, b, -1), n)), left, -2)))]
 
     def _cosines(self, step: Mapping[str, Any]) -> list[Facts]:
         a, b, n = (self.value(step[key]) for key in "abn")
         gap = plus(self.cosine(a, n), self.cosine(b, n), -1)
         full = ["=", ["sym", "x"], ["*", ["sym", "m"], ["sym", "turns"]]]
         angles = [{"x": plus(a, b, c), "m": times(n, number(2))} for c in (-1, 1)]
-        same = ("and", [self._relation("=", gap), ("or", [("some", "turns", None, None, full, x, True) for x in angles])])
-        other = ("and", [self._relation("!=", gap), *(("all", "turns", None, None, full, x, False) for x in angles)])
-        return [self.and_(("or", [self._relation("<=", n), same, other]))]
+        same = ("and", [self.relation("=", gap), ("or", [("some", "turns", None, None, full, x, True, False) for x in angles])])
+        other = ("and", [self.relation("!=", gap), *(("all", "turns", None, None, full, x, False, False) for x in angles)])
+        return [self.and_(("or", [self.relation("<=", n), same, other]))]
 
     def _right(self, step: Mapping[str, Any]) -> list[Facts]:
         n = self.value(step["term"])
-        return [self.and_(("or", [self._relation("<=", n), self._relation("=", self.cosine(n, times(n, number(2))))]))]
+        return [self.and_(("or", [self.relation("<=", n), self.relation("=", self.cosine(n, times(n, number(2))))]))]
 
 
 _DENIED = {"=": "!=", "!=": "=", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 _STEPS = {"close": Facts._close, "split": Facts._split, "cut": Facts._cut, "forget": Facts._forget, "divide": Facts._divide, "at": Facts._at,
           "name": Facts._name,
-          "solve": Facts._solve, "induct": Facts._induct, "unfold": Facts._unfold, "quotient": Facts._quotient, "product": Facts._product,
+          "solve": Facts._solve, "induct": Facts._induct, "unfold": Facts._unfold, "quotient": Facts._quotient, "root": Facts._root,
+          "valued": Facts._valued, "exist": Facts._exist, "acute": Facts._acute, "product": Facts._product,
           "cosines": Facts._cosines, "right": Facts._right}
-
-
-def _either(cases: list[tuple[tuple[Fact, ...], Fact]]) -> Fact:
-    """One of the cases, whose conditions exclude each other and leave nothing out."""
-    return _joined("or", [_joined("and", [*conditions, fact]) for conditions, fact in cases])
-
-
-def _joined(op: str, facts: list[Fact]) -> Fact:
-    """A conjunction or disjunction, those of the same kind in it taken apart; of one fact it is that fact."""
-    flat = [f for fact in facts for f in (fact[1] if fact[0] == op else [fact])]
-    return flat[0] if len(flat) == 1 else (op, flat)
 
 
 def _cleared(p: Poly) -> Poly:
@@ -550,6 +567,32 @@ def _circular(definitions: Mapping[str, Any]) -> set[str]:
             reached[name] |= {y for x in reached[name] for y in reached[x]}
     wrong = {name for name, below in later.items() if any(x == name or name in reached[x] for x in below)}
     return {name for name in definitions if name in wrong or any(x in reached[name] and name in reached[x] for x in wrong)}
+
+
+#: what makes numbers of numbers
+_NUMBERS = {"rat", "sym", "at", "+", "-", "*", "neg", "/", "^", "if", "cospi", "abs", "sqrt"}
+_MATRICES = {"matrix", "symmetric", "psd", "pd", "nonsingular", "diagonal", "sequence_of", "signal_of", "poly", "monic"}
+
+
+def _not_numbers(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> set[str]:
+    """Recursions whose values may be matrices or polynomials, as anything else than numbers enters: factors need not commute, and a square has no sign."""
+    def strange(tree: Any) -> bool:
+        if not isinstance(tree, (list, tuple)) or not tree:
+            return False
+        if tree[0] not in _NUMBERS:
+            return tree[0] not in _CONDITIONS
+        if tree[0] in ("sym", "at") and tree[1] in other:
+            return True
+        return any(strange(x) for x in tree[1:])
+
+    other = {name for name, kind in statement["over"] if kind[0] in _MATRICES}
+    found = set[str]()
+    while True:
+        more = {name for name, d in definitions.items() if name not in found and (any(map(strange, [*d[4], d[5]])) if d[0] == "rec" else strange(d[3]))}
+        if not more:
+            return {name for name in found if definitions[name][0] == "rec"}
+        found |= more
+        other |= more
 
 
 def _without_earlier(tree: Any, recursions: set[str], index: str) -> Any:

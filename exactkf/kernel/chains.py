@@ -28,10 +28,10 @@ import json
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exactkf.kernel.known import Known
+from exactkf.kernel.generic_reading import Reading
 from exactkf.kernel.numbers import Unknown
-from exactkf.kernel.opaque import opaque, with_names
-from exactkf.kernel.region import Form, Region, form_key, plus
+from exactkf.kernel.opaque import parsed, with_names
+from exactkf.kernel.region import Form, form_key, plus
 from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Chains"]
@@ -41,40 +41,8 @@ _AS_ENTRIES = ("mat", "col", "block")  # matrices given by their entries
 Part = tuple[Any, Mapping[str, Form], bool]  # a matrix, its indices, and whether it is transposed
 
 
-class Chains:
+class Chains(Reading):
     """Words in a region; the rest of the reading of terms is elsewhere."""
-
-    region: Region
-    definitions: dict[str, Any]
-    sequences: set[str]
-    recursive: set[str]
-    inverting: set[str]
-    closed: set[str]
-    supported: set[str]
-    known: Known
-    limited: bool
-    atom: Callable[[tuple], Symbolic]
-    number: Callable[[Any], Symbolic]
-    index: Callable[..., Form]
-    condition: Callable[..., bool]
-    value: Callable[..., Symbolic]
-    entry: Callable[..., Symbolic]
-    coefficient: Callable[..., Symbolic]
-    shape: Callable[..., tuple[Form, Form]]
-    has_letters: Callable[[Any], bool]
-    is_matrix: Callable[[Any], bool]
-    total: Callable[..., Symbolic]
-    inverts: Callable[[Any], bool]
-    not_smaller: Callable[..., bool]
-    hides: Callable[..., bool]
-    deeper: Callable[..., Symbolic]
-    _meet: Callable[..., None]
-    _factors: Callable[..., tuple[list[list], list]]
-    _chain: Callable[..., Symbolic]
-    _is_power_of_number: Callable[..., bool]
-    _solved: Callable[..., Symbolic | None]
-    _opens: Callable[..., bool]
-    _need_one_shape: Callable[[Any], None]
 
     def word(self, parts: list[Part], i: Form, j: Form) -> Symbolic:
         """Entry (i, j) of a product of matrices of fitting sizes."""
@@ -203,8 +171,7 @@ class Chains:
             looked_at = power is _ONE and tree[0] == "at" and tree[1] in self.recursive  # at its index
             if not looked_at and self.hides(tree, env):
                 raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
-            text, forms = opaque(tree, env, self.index)
-            forms = [self.region.reduce(x) for x in forms]
+            text, forms = self.text(tree, env)
             if self.inverts(tree):
                 self._meet(text, forms)
             if not power:
@@ -217,7 +184,7 @@ class Chains:
             return self.number(0)
         if not word:
             return self.number(int(self.region.zero(plus(i, j, -1))))
-        if len(word) == 1 and word[0][3] == _ONE and (tree := json.loads(word[0][0]))[0] == "sym" and tree[1] in self.sequences:
+        if len(word) == 1 and word[0][3] == _ONE and (tree := parsed(word[0][0]))[0] == "sym" and tree[1] in self.sequences:
             return self.atom(("at", tree[1], form_key(j if word[0][2] else i)))
         ways = [(*_written(word), form_key(i), form_key(j)), (*_written(self._transposed(word)), form_key(j), form_key(i))]
         moves = any(name.startswith("#") for place in ways[0][1:] for name, _ in place)  # then indices are no reason, as they move in a sum
@@ -228,29 +195,21 @@ class Chains:
 
     def _flipped(self, text: str, flip: bool) -> bool:
         """Whether a letter is transposed: one that is symmetric is not."""
-        tree = json.loads(text)
-        return flip and not (tree[0] == "sym" and tree[1] in self.known.symmetric)
+        return flip and not ((tree := parsed(text))[0] == "sym" and tree[1] in self.known.symmetric)
 
     def again(self, key: tuple) -> Symbolic:
         """A word with other indices: where an exponent is zero now, or two letters are the same, it is another one."""
         *forms, i, j = (self.region.reduce(dict(x)) for x in key[2:])
-        return self.word([(with_names(json.loads(key[1])), {f"@{k}": x for k, x in enumerate(forms)}, False)], i, j)
+        return self.word([(with_names(key[1]), {f"@{k}": x for k, x in enumerate(forms)}, False)], i, j)
 
 
 def _written(word: list[tuple[str, list[Form], bool, Form]]) -> tuple:
     """Text of a word without its indices, and these."""
     trees, places = list[Any](), list[Form]()
     for text, forms, flip, power in word:
-        tree = _numbered(json.loads(text), len(places))
+        tree = parsed(text, len(places))
         places += forms
         if power != _ONE:
             tree, places = ["^", tree, ["#", len(places)]], [*places, power]
         trees.append(["T", tree] if flip else tree)
     return json.dumps(["*", *trees] if len(trees) > 1 else trees[0]), *map(form_key, places)
-
-
-def _numbered(tree: Any, first: int) -> Any:
-    """The tree with its indices numbered from there on."""
-    if not isinstance(tree, list):
-        return tree
-    return ["#", tree[1] + first] if tree[:1] == ["#"] else [_numbered(x, first) for x in tree]

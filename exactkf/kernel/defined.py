@@ -28,7 +28,6 @@ Main definitions
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from math import prod
@@ -69,7 +68,7 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
     if region.empty:
         return
     terms = make(region)
-    terms.within = terms.region.reduce(within), terms.known.connected(name)
+    terms.within = terms.region.reduce(within), terms.known.connected[name]
     try:
         if terms.is_matrix(tree):
             inside = [form for n, size in zip(("row", "column"), terms.shape(tree, env), strict=True) for form in ({n: 1, "": -1}, plus(size, {n: 1}, -1))]
@@ -213,7 +212,7 @@ class Witness:
         Square matrices are the identity at the point, so that their powers have values, whatever the exponents. A product of matrices
         that have values has a value, and so it is zero with a column that is, whatever the others are.
         """
-        tree, env = json.loads(key[1]), dict[str, Form]()
+        tree, env = with_names(key[1]), dict[str, Form]()
         kinds = [self._factor(x) for x in (tree[1:] if tree[0] == "*" else [tree])]
         if all(kinds):
             return Fraction(0) if "zero" in kinds else None
@@ -221,8 +220,7 @@ class Witness:
             raise Unknown("no value of a term that is not opened")
         for number in range(len(key) - 2):
             env[f"@{number}"] = {f"@{number}": 1}
-        matrix = with_names(tree[1])
-        if _looked_at(self, matrix, env):
+        if _looked_at(self, tree[1], env):
             return Fraction(1)
         raise Unknown("no value of a determinant")
 

@@ -112,7 +112,19 @@ def definiteness(reader: Reader, tree: Any) -> int:
         return definiteness(reader, args[0]) if sign(reader, args[1]) else 0
     if op == "block":
         return _block_diagonal(reader, args)
+    if op == "-" and len(args) == 2:
+        return _less_than_trace(reader, *args)
     return _congruence(reader, list(args)) if op == "*" else 0
+
+
+def _less_than_trace(reader: Reader, bound: Any, tree: Any) -> int:
+    """trace(X) I - X for a semidefinite matrix X."""
+    of_trace = isinstance(bound, (list, tuple)) and len(bound) == 3 and bound[0] == "*" and bound[1] == ["tr", tree] and _op(bound[2]) == "I"
+    return int(of_trace and isinstance(reader.read(tree), Blocks) and definiteness(reader, tree) > 0)
+
+
+def _op(tree: Any) -> Any:
+    return tree[0] if isinstance(tree, (list, tuple)) else ""
 
 
 def _block_diagonal(reader: Reader, table: Any) -> int:
@@ -175,6 +187,8 @@ def sign(reader: Reader, tree: Any) -> int:
     if op == "^" and isinstance(args[1], int) and args[1] > 0:
         below = sign(reader, args[0])
         return max(level, below, 2 * _never_zero(reader, args[0]) or 1) if args[1] % 2 == 0 else max(level, below)
+    if op == "tr" and isinstance(reader.read(args[0]), Blocks):
+        return max(level, int(definiteness(reader, args[0]) > 0))
     if op in ("*", "T", "inv"):
         return max(level, _sign_of_product(reader, list(args)) if op == "*" else 0, definiteness(reader, tree) if _is_one_row(reader, tree) else 0)
     return level

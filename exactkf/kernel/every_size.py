@@ -18,6 +18,8 @@ Main definitions
 ----------------
 `KINDS`
     Kinds of certificates and the functions that replay them.
+`members_of`
+    The members of a conjunction.
 """
 
 from __future__ import annotations
@@ -35,7 +37,7 @@ from exactkf.kernel.reader import Reader, relations, residual_blocks, word_sizes
 from exactkf.kernel.recursion import Induction, along, before, inductions
 from exactkf.kernel.words import Blocks, Poly, Relation, Size, Word, number, text, times_scalars
 
-__all__ = ["KINDS"]
+__all__ = ["HELP", "KINDS", "members_of"]
 
 
 def _need(condition: bool, step: str) -> None:
@@ -45,7 +47,7 @@ def _need(condition: bool, step: str) -> None:
 
 def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
     whole = Reader(statement)
-    goals = [(cell, k) for k, part in enumerate(_parts(statement["says"])) for b in residual_blocks(whole, part) for cell in b.cells()]
+    goals = [(cell, k) for k, part in enumerate(members_of(statement["says"])) for b in residual_blocks(whole, part) for cell in b.cells()]
     assumed = relations(whole)
     _need(len(goals) == len(evidence["terms"]), "as many lists of terms as blocks are needed")
     at, reader, known = -1, whole, assumed
@@ -56,14 +58,14 @@ def _membership(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> li
     return [f"det({_text(term)})" for term, _ in whole.inverses]
 
 
-def _parts(formula: Any) -> list[Any]:
+def members_of(formula: Any) -> list[Any]:
     """The members of a conjunction, in order."""
-    return [x for part in formula[1:] for x in _parts(part)] if formula[0] == "and" else [formula]
+    return [x for part in formula[1:] for x in members_of(part)] if formula[0] == "and" else [formula]
 
 
 def _up_to(statement: Mapping[str, Any], k: int, whole: Reader, assumed: dict[str, Relation]) -> tuple[Reader, dict[str, Relation]]:
     """What may be assumed for a member of a conjunction: those after it need not have a value where it is false."""
-    reader, parts = Reader(statement), _parts(statement["says"])
+    reader, parts = Reader(statement), members_of(statement["says"])
     for part in parts[:k + 1]:
         residual_blocks(reader, part)
     for part in parts[k + 1:]:
@@ -133,7 +135,7 @@ def _text(term: Blocks) -> str:
 
 
 #: what the proof of a leaf may bring in beside its terms
-_HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
+HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:
@@ -143,7 +145,7 @@ def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[st
     denominators: list[str] = []
     _need(len(todo) == len(evidence["parts"]), "as many parts as the conclusion has are needed")
     for place, ((case, formula), proof) in enumerate(zip(todo, evidence["parts"], strict=True), 1):
-        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in _HELP if key in proof})
+        leaf = Leaf(case, formula, proof["sum"], **{key: proof[key] for key in HELP if key in proof})
         blocks = proof["blocks"] if "blocks" in proof else [proof["terms"]]
         _need(len(blocks) == len(leaf.goals), f"part {place}: as many lists of terms as blocks are needed")
         for k, ((goal, rows, cols), terms) in enumerate(zip(leaf.goals, blocks, strict=True)):
@@ -184,7 +186,7 @@ def _conjunction(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> l
     A conjunction is looked at in order: where it is false on an instance, so is one of its members, which has a value there; and
     that member has been shown of all instances of the same hypotheses.
     """
-    members, denominators = _parts(statement["says"]), dict[str, None]()
+    members, denominators = members_of(statement["says"]), dict[str, None]()
     _need(statement["says"][0] == "and" and len(members) == len(evidence["parts"]), "as many proofs as members of the conjunction are needed")
     for place, (member, (kind, own)) in enumerate(zip(members, evidence["parts"], strict=True), 1):
         _need(kind in KINDS and kind != "conjunction", f"member {place}: a kind of proof for every size is needed")

@@ -32,9 +32,8 @@ from exactkf.kernel.chains import Chains
 from exactkf.kernel.generic_matrices import Matrices, first_value
 from exactkf.kernel.generic_polynomials import LARGEST_POWER, Polynomials
 from exactkf.kernel.indefinite import BOUND, Indefinite
-from exactkf.kernel.known import inverts, known, names
+from exactkf.kernel.known import inverts, known
 from exactkf.kernel.numbers import Undefined, Unknown
-from exactkf.kernel.opaque import opaque
 from exactkf.kernel.packed import BITS
 from exactkf.kernel.region import INDEX, Form, Region, form_key, plus
 from exactkf.kernel.symbolic import Symbolic, SymbolicField
@@ -65,13 +64,11 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
                  closed: Any = (), whole: Any = ()) -> None:
         self.statement, self.region, self.supported, self.rules, self.closed = statement, region, set(supported), dict(rules or {}), set(closed)
         self.whole = set(whole)
-        self.definitions = {d[1]: d for d in statement["where"]}
-        self.sequences = {name for name, kind in statement["over"] if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
-        self.scalars = {name for name, kind in statement["over"] if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
-        self.known = known(statement, self.definitions)
-        self.has_z, self.is_matrix, self.others = self.known.has_z, self.known.is_matrix, self.known.others
+        self.known = known(statement)
+        self.definitions, self.sequences, self.scalars = self.known.definitions, self.known.sequences, self.known.scalars
+        self.has_z, self.is_matrix = self.known.has_z, self.known.is_matrix
         self.recursive, self.in_z, self.inverting, self.kept = self.known.recursive, self.known.in_z, self.known.inverting, self.known.kept
-        self.letters = self.known.spread({name for name in self.closed & set(self.definitions) if self.known.is_matrix_function(name)})
+        self.letters = self.closed and self.known.spread({name for name in self.closed & self.definitions.keys() if self.known.is_matrix_function(name)})
         self.met: set[tuple] = set()  # inverses that what has been read contains, also where they cancel: it has a value where they exist
         self.sure: set[tuple] = set()  # those that are not only in sums which may be empty: where it has a value they exist
         self.ruled = {name for name, rule in self.rules.items() if self.is_matrix(rule[3]) or self.is_matrix(first_value(self.definitions[name]))}
@@ -80,7 +77,7 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
         self.places: dict[tuple, int] = {}
         self.nested = self.perhaps = 0
         self.called: dict[tuple, tuple[Symbolic, set[tuple], set[tuple], set[int]]] = {}
-        self.shapes: dict[tuple[Region, str], tuple[Form, Form]] = {}
+        self.shapes = self.known.shapes
         self.shaped: dict[tuple[int, int, Region], tuple[tuple[Form, Form], Any, Any]] = {}
         self.depth = 0
         self.in_values = False  # polynomials are read as functions of z
@@ -118,14 +115,15 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
 
     def has_letters(self, tree: Any) -> bool:
         """Whether a term contains a matrix that is not opened: a variable, or what is closed."""
-        return self.known.has_letters(tree) or bool(self.letters) and not self.letters.isdisjoint(names(tree))
+        return self.known.has_letters(tree) or bool(self.letters) and not self.letters.isdisjoint(self.known.names_in(tree))
 
     # ------------------------------------------------------------------ indices and conditions
     def index(self, tree: Any, env: Mapping[str, Form]) -> Form:
         if type(tree) is int:
             return {"": tree} if tree else {}
         form = env.get(tree[1]) if tree[0] == "sym" else None
-        return self.region.reduce(self._index(tree, env) if form is None else form)
+        form, region = self._index(tree, env) if form is None else form, self.region
+        return region.reduce(form) if region.solved else form
 
     def _index(self, tree: Any, env: Mapping[str, Form]) -> Form:
         if isinstance(tree, int):
@@ -222,12 +220,19 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
 
     def opaque(self, tree: Any, env: Mapping[str, Form], *place: Form) -> Symbolic:
         """The value of a term that is not opened, or its coefficient or entry at a place."""
-        text, forms = opaque(tree, env, self.index)
+        text, forms = self.text(tree, env)
         if self.hides(tree, env):
             raise Unknown("a recursion in a term that is not opened, at an index that may not be smaller")
         if self.inverts(tree):
             self._meet(text, forms)
         return self.atom(("opaque", text, *(form_key(self.region.reduce(x)) for x in (*forms, *place))))
+
+    def text(self, tree: Any, env: Mapping[str, Form]) -> tuple[str, list[Form]]:
+        """Text and indices of a term that is not opened."""
+        text, places, free = self.known.without_indices(tree)
+        if not free.isdisjoint(env):
+            raise Unknown("an index as a number, or beside one inside, in a term that is not opened")
+        return text, [self.index(x, env) for x in places]
 
     def inverts(self, tree: Any) -> bool:
         """Whether a term contains an inverse."""

@@ -17,46 +17,28 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from exactkf.kernel.known import MATRICES, OF_PARTS, Known
+from exactkf.kernel.generic_reading import Reading
+from exactkf.kernel.known import MATRICES, OF_PARTS
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.region import INDEX, Form, Region, Split, form_key, plus
 from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["Matrices", "first_value"]
 
+_ONE: Form = {"": 1}
+_NUMBER = _ONE, _ONE  # rows and columns
 
-class Matrices:
+
+class Matrices(Reading):
     """Shapes and entries in a region; the rest of the reading of terms is elsewhere."""
 
-    region: Region
-    definitions: dict[str, Any]
-    known: Known
-    sequences: set[str]
-    recursive: set[str]
-    ruled: set[str]
-    letters: set[str]
-    kept: dict[str, bool]
-    shapes: dict[tuple[Region, str], tuple[Form, Form]]
-    shaped: dict[tuple[int, int, Region], tuple[tuple[Form, Form], Any, Any]]
-    nested: int
-    others: Callable[[Any], bool]
-    is_matrix: Callable[[Any], bool]
-    has_letters: Callable[[Any], bool]
-    atom: Callable[[tuple], Symbolic]
-    number: Callable[[Any], Symbolic]
-    index: Callable[..., Form]
-    condition: Callable[..., bool]
-    value: Callable[..., Symbolic]
-    total: Callable[..., Symbolic]
-    matrix_sum: Callable[..., Symbolic]
-    word: Callable[..., Symbolic]
-    _call: Callable[..., Symbolic]
-
     def _is_power_of_number(self, tree: Any, env: Mapping[str, Form]) -> bool:
-        return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == ({"": 1}, {"": 1})
+        return tree[0] == "^" and isinstance(tree[2], int) and self.shape(tree[1], env) == _NUMBER
 
     def shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         """Numbers of rows and columns; a scalar is 1 x 1."""
+        if not isinstance(tree, int) and tree[0] == "sym" and (shape := self.shapes.get((self.region, tree[1]))) is not None:
+            return shape
         key = id(tree), id(env), self.region
         if (found := self.shaped.get(key)) is None:
             found = self.shaped[key] = self._shape(tree, env), tree, env  # which are kept, so that their ids stay their own
@@ -64,9 +46,9 @@ class Matrices:
 
     def _shape(self, tree: Any, env: Mapping[str, Form]) -> tuple[Form, Form]:
         if not self.is_matrix(tree):
-            if self.others(tree):
+            if not self.known.is_number(tree):
                 self._need_number(tree, env)
-            return {"": 1}, {"": 1}
+            return _NUMBER
         op = tree[0]
         if op == "mat":
             return self.index(tree[3], env), self.index(tree[4], env)
@@ -103,14 +85,14 @@ class Matrices:
             return both[0] if both[0] == both[1] else both[0 if self.condition(tree[1], env) else 1]
         if op == "sum":
             found = self._at_any(tree[1], env, lambda inner: self.shape(tree[4], inner))
-            if found != ({"": 1}, {"": 1}) and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
+            if found != _NUMBER and self.region.decide(plus(self.index(tree[3], env), self.index(tree[2], env), -1)) is not True:
                 raise Unknown("a sum of matrices without terms")  # it is the number zero
             return found
         if op == "*":
             chain = self._factors(tree, env)[1]
-            return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else ({"": 1}, {"": 1})
+            return (self.shape(chain[0], env)[0], self.shape(chain[-1], env)[1]) if chain else _NUMBER
         shapes = [self.shape(x, env) for x in tree[1:]]
-        if any(self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
+        if any(x != y and self.region.reduce(plus(x, y, -1)) for s in shapes[1:] for x, y in zip(s, shapes[0], strict=True)):
             raise Undefined("sizes do not fit")
         return shapes[0]
 
@@ -128,7 +110,7 @@ class Matrices:
         def read(x: Any) -> tuple[Form, Form]:
             return self._at_any(tree[1], env, lambda inner: self.shape(x, inner)) if tree[0] in ("sum", "prod") else self.shape(x, env)
 
-        if any(read(x) != ({"": 1}, {"": 1}) for x in tree[OF_PARTS[tree[0]]]):
+        if any(read(x) != _NUMBER for x in tree[OF_PARTS[tree[0]]]):
             raise Unknown("the size of a term that may be a matrix")
 
     def _at_any(self, name: str, env: Mapping[str, Form], shape: Callable[[Mapping[str, Form]], tuple[Form, Form]]) -> tuple[Form, Form]:
@@ -255,7 +237,7 @@ class Matrices:
 
     def _factors(self, tree: Any, env: Mapping[str, Form]) -> tuple[list[list], list]:
         """A product as products of size 1 x 1, and what is left; sizes that fit are checked."""
-        one: tuple[Form, Form] = ({"": 1}, {"": 1})
+        one = _NUMBER
         scalars, chain, shape = list[list](), list[Any](), one
         todo = list(tree[1:])
         while todo:
@@ -265,7 +247,7 @@ class Matrices:
                 todo = [*x[1:], *todo]
                 continue
             if chain and shape != one and mine != one:
-                if self.region.reduce(plus(shape[1], mine[0], -1)):
+                if shape[1] != mine[0] and self.region.reduce(plus(shape[1], mine[0], -1)):
                     raise Undefined("sizes do not fit")
                 chain, shape = [*chain, x], (shape[0], mine[1])
             elif mine == one and shape != one:

@@ -13,13 +13,12 @@ Main definitions
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from exactkf.kernel.known import Known
+from exactkf.kernel.generic_reading import Reading
 from exactkf.kernel.numbers import Unknown
-from exactkf.kernel.opaque import opaque
-from exactkf.kernel.region import Form, Region, form_key, plus
+from exactkf.kernel.region import Form, form_key, plus
 from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["LARGEST_POWER", "Polynomials"]
@@ -28,36 +27,8 @@ __all__ = ["LARGEST_POWER", "Polynomials"]
 LARGEST_POWER = 1000
 
 
-class Polynomials:
+class Polynomials(Reading):
     """Coefficients and functions of z in a region; the rest of the reading of terms is elsewhere."""
-
-    region: Region
-    definitions: dict[str, Any]
-    known: Known
-    closed: set[str]
-    whole: set[str]
-    supported: set[str]
-    recursive: set[str]
-    inverting: set[str]
-    limited: bool
-    within: tuple[Form, set[str]] | None
-    has_z: Callable[[Any], bool]
-    is_matrix: Callable[[Any], bool]
-    inverts: Callable[[Any], bool]
-    atom: Callable[[tuple], Symbolic]
-    number: Callable[[Any], Symbolic]
-    index: Callable[..., Form]
-    condition: Callable[..., bool]
-    value: Callable[..., Symbolic]
-    shape: Callable[..., tuple[Form, Form]]
-    total: Callable[..., Symbolic]
-    opaque: Callable[..., Symbolic]
-    deeper: Callable[..., Symbolic]
-    _call: Callable[..., Symbolic]
-    _sum: Callable[..., Symbolic]
-    _meet: Callable[..., None]
-    _opens: Callable[..., bool]
-    _factors: Callable[..., tuple[list[list], list]]
 
     def coefficient(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
         """Coefficient of z^m of a (pseudo-)polynomial."""
@@ -219,7 +190,7 @@ class Polynomials:
 
     def _function(self, tree: Any, env: Mapping[str, Form], flip: bool) -> Symbolic:
         """A function of z as it is: a characteristic polynomial, or a product of matrices that is a number."""
-        text, forms = opaque(tree, env, self.index)
+        text, forms = self.text(tree, env)
         if self.within is not None:
             raise Unknown("a recursion made of functions of z that are not opened")
         if self.inverts(tree):

@@ -23,10 +23,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from exactkf.kernel.generic_reading import Reading
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.packed import exponents
-from exactkf.kernel.region import Form, Region, Split, form_key, plus
-from exactkf.kernel.symbolic import Symbolic, SymbolicField
+from exactkf.kernel.region import Form, Split, form_key, plus
+from exactkf.kernel.symbolic import Symbolic
 
 __all__ = ["BOUND", "Indefinite"]
 
@@ -34,26 +35,8 @@ _LONGEST = 1000  # terms that are written out
 BOUND = ("sum", "prod")  # atoms (kind, body, end), in whose body '#' is bound
 
 
-class Indefinite:
+class Indefinite(Reading):
     """Sums and products in a region; the rest of the reading of terms is elsewhere."""
-
-    region: Region
-    field: SymbolicField
-    atoms: list[tuple]
-    nested: int
-    perhaps: int
-    within: tuple[Form, set[str]] | None
-    atom: Callable[[tuple], Symbolic]
-    number: Callable[[Any], Symbolic]
-    linear: Callable[[Form], Symbolic]
-    entry: Callable[..., Symbolic]
-    value: Callable[..., Symbolic]
-    coefficient: Callable[..., Symbolic]
-    named_at_z: Callable[..., Symbolic]
-    power_of_z: Callable[..., Symbolic]
-    again: Callable[[tuple], Symbolic]
-    _call: Callable[..., Symbolic]
-    _need_place: Callable[..., None]
 
     def total(self, low: Form, high: Form, summand: Callable[[Any, Form], Symbolic]) -> Symbolic:
         """Sum of the summand from low to high, cut where its form changes."""

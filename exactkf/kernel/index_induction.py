@@ -592,10 +592,14 @@ def _places(*polys: Mapping[int, int]) -> set[int]:
 
 def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | None:
     """An atom that occurs linearly with a constant factor: sums first, and atoms that the row is solved for already."""
-    found = []
+    found: list[tuple] = []
     present, below = _places(row.num), _places(*row.field.factors)  # those below would stay there
-    for place in sorted(present):
-        if not row.den and 1 << (BITS * place) not in row.num:
+
+    def order(place: int, left: int = 0) -> tuple:
+        return place not in first, left, place in below, _FIRST.index(terms.atoms[place][0]), place
+
+    for place in sorted(present, key=order):
+        if not row.den and (found or 1 << (BITS * place) not in row.num):  # nothing is left to be divided by: the first is the best
             continue
         parts = _parts(row, place)
         if set(parts) <= {0, 1} and 1 in parts:
@@ -604,7 +608,7 @@ def _pivot(terms: Terms, row: Symbolic, first: Collection[int] = ()) -> int | No
                 lead, times = row.field.cancel(lead, index, e)
                 left += e - times
             if set(lead) == {0}:
-                found.append((place not in first, left, place in below, _FIRST.index(terms.atoms[place][0]), place))
+                found.append(order(place, left))
     return min(found)[-1] if found else None
 
 

@@ -11,8 +11,12 @@ Main definitions
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
+
+from exactkf.kernel.opaque import without_indices
+from exactkf.kernel.region import Form, Region
 
 __all__ = ["MATRICES", "OF_PARTS", "Known", "inverts", "known", "names"]
 
@@ -26,8 +30,21 @@ OF_PARTS = {**dict.fromkeys(("+", "-", "*", "neg", "recip"), slice(1, None)), "/
             "if": slice(2, 4), "sum": slice(4, 5), "prod": slice(4, 5)}
 
 
+def _once(find: Callable[[Any, Any], Any]) -> Callable[[Any, Any], Any]:
+    """The same answer about a term, looked for once; a term that was looked at is kept, so that no other takes its id."""
+    def asked(self: Known, tree: Any) -> Any:
+        answers = self.answers[find]
+        answer = answers.get(id(tree))
+        if answer is None:
+            answer = answers[id(tree)] = find(self, tree), tree
+        return answer[0]
+
+    asked.__doc__ = find.__doc__
+    return asked
+
+
 class Known:
-    """What a statement alone decides; a term that was looked at is kept, so that no other takes its id.
+    """What a statement alone decides.
 
     Attributes
     ----------
@@ -35,43 +52,48 @@ class Known:
     recursive, inverting : definitions that are recursive, that invert matrices
     in_z : names whose value depends on z
     kept : recursions, with whether all their values are of one shape
+    shapes : shapes of names in a region, on which nothing else has an effect
     matrices, symmetric : matrix variables that are no columns, and those that are symmetric by their type
+    reached, connected : names that a definition leads to, and those that lead back to it
     """
 
-    def __init__(self, statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> None:
-        self.statement, self.definitions = statement, definitions
+    def __init__(self, statement: Mapping[str, Any]) -> None:
+        self.statement, self.definitions = statement, {d[1]: d for d in statement["where"]}
         self.kinds = dict(statement["over"])
+        self.sequences = {name for name, kind in self.kinds.items() if kind[0] in ("sequence", "signal", "vector") or kind[0] == "matrix" and kind[2] == 1}
+        self.scalars = {name for name, kind in self.kinds.items() if kind[0] in ("scalar", "nonzero", "positive", "nonneg")}
+        definitions = self.definitions
         polynomials = {name for name, kind in self.kinds.items() if kind[0] in ("poly", "monic")}
         self.recursive = _recursive(definitions)
         self.in_z = polynomials | _spread(definitions, lambda tree, found: _mentions_z(tree, found | polynomials))
         self.inverting = _spread(definitions, inverts)
         self.kept: dict[str, bool] = {}
+        self.shapes: dict[tuple[Region, str], tuple[Form, Form]] = {}
         self.matrices = {name for name, kind in self.kinds.items() if kind[0] in MATRICES and kind[-1] != 1}
         self.symmetric = {name for name, kind in self.kinds.items() if kind[0] in ("symmetric", "psd", "pd", "diagonal")}
         self._letters = self.matrices | _spread(definitions, lambda tree, found: not (self.matrices | found).isdisjoint(names(tree)))
-        self._with_letters: dict[int, tuple[Any, bool]] = {}
-        self._with_z: dict[int, tuple[Any, bool]] = {}
-        self._reached: dict[int, tuple[Any, set[str]]] = {}
-        self._matrices: dict[int, tuple[Any, bool]] = {}
-        self._others: dict[int, tuple[Any, bool]] = {}
+        self.answers: dict[Callable, dict[int, tuple[Any, Any]]] = defaultdict(dict)
         self._named = {name for name, kind in self.kinds.items() if kind[0] not in _NUMBERS}
         self._called = {name for name, kind in self.kinds.items() if kind[0] in ("sequence_of", "signal_of")}  # an entry is a matrix
         self._no_numbers = _spread(definitions, self._other)
         self.calls = {n: set(names(list(d))) & set(definitions) for n, d in definitions.items()}
+        self.reached = {n: self._leads_to(n) for n in definitions}
+        self.connected = {n: {m for m in found if n in self.reached[m]} for n, found in self.reached.items()}
 
+    @_once
     def has_z(self, tree: Any) -> bool:
         """Whether a term depends on z."""
-        if id(tree) not in self._with_z:
-            self._with_z[id(tree)] = tree, _mentions_z(tree, self.in_z)
-        return self._with_z[id(tree)][1]
+        return _mentions_z(tree, self.in_z)
 
+    @_once
     def has_letters(self, tree: Any) -> bool:
         """Whether a term contains a matrix variable, itself or by the names of definitions that do."""
-        if not self.matrices or isinstance(tree, int):
-            return False
-        if id(tree) not in self._with_letters:
-            self._with_letters[id(tree)] = tree, not self._letters.isdisjoint(names(tree))
-        return self._with_letters[id(tree)][1]
+        return not self._letters.isdisjoint(self.names_in(tree))
+
+    @_once
+    def names_in(self, tree: Any) -> set[str]:
+        """Names that occur in a term."""
+        return set(names(tree))
 
     def spread(self, letters: set[str]) -> set[str]:
         """These names, and the definitions that mention one of them, or one that does."""
@@ -82,15 +104,11 @@ class Known:
         d = self.definitions[name]
         return d[0] == "let" and name not in self.recursive and self.is_matrix(d[3])
 
+    @_once
     def is_matrix(self, tree: Any) -> bool:
         """Whether a term is a matrix, perhaps of one row and one column."""
         if isinstance(tree, int):
             return False
-        if id(tree) not in self._matrices:
-            self._matrices[id(tree)] = tree, self._of_matrices(tree)
-        return self._matrices[id(tree)][1]
-
-    def _of_matrices(self, tree: Any) -> bool:
         if tree[0] in ("mat", "col", "I", "O", "T", "block", "inv"):
             return True
         if tree[0] in ("^", "subst"):
@@ -112,11 +130,10 @@ class Known:
         d = self.definitions.get(name)
         return name in self.matrices or d is not None and d[0] == "let" and not d[2] and self.is_matrix(d[3])
 
-    def others(self, tree: Any) -> bool:
-        """Whether a term may be something else than a number or a polynomial."""
-        if id(tree) not in self._others:
-            self._others[id(tree)] = tree, self._other(tree, self._no_numbers)
-        return self._others[id(tree)][1]
+    @_once
+    def is_number(self, tree: Any) -> bool:
+        """Whether a term is surely a number or a polynomial."""
+        return not self.is_matrix(tree) and not self._other(tree, self._no_numbers)
 
     def _other(self, tree: Any, found: set[str]) -> bool:
         if isinstance(tree, int):
@@ -128,7 +145,18 @@ class Known:
         parts = OF_PARTS.get(tree[0])
         return tree[0] not in _OF_NUMBERS if parts is None else any(self._other(x, found) for x in tree[parts])
 
-    def reached(self, start: str) -> set[str]:
+    @_once
+    def without_indices(self, tree: Any) -> tuple[str, list, set[str]]:
+        """See `exactkf.kernel.opaque`."""
+        return without_indices(tree)
+
+    @_once
+    def reached_by(self, tree: Any) -> set[str]:
+        """Names in a term, and those that the definitions of these lead to."""
+        own = self.names_in(tree)
+        return own.union(*(self.reached[name] for name in own if name in self.definitions))
+
+    def _leads_to(self, start: str) -> set[str]:
         """Names that a definition leads to."""
         todo, seen = [start], set[str]()
         while todo:
@@ -137,25 +165,14 @@ class Known:
             todo.extend(new)
         return seen
 
-    def reached_by(self, tree: Any) -> set[str]:
-        """Names in a term, and those that the definitions of these lead to."""
-        if id(tree) not in self._reached:
-            own = set(names(tree))
-            self._reached[id(tree)] = tree, own.union(*(self.reached(name) for name in own if name in self.definitions))
-        return self._reached[id(tree)][1]
-
-    def connected(self, name: str) -> set[str]:
-        """Names that a definition leads to and that lead back to it."""
-        return {n for n in self.reached(name) if name in self.reached(n)}
-
 
 _last: list[Known] = []  # of one statement: many terms of it are read in a row
 
 
-def known(statement: Mapping[str, Any], definitions: Mapping[str, Any]) -> Known:
-    """What a statement with these definitions decides."""
+def known(statement: Mapping[str, Any]) -> Known:
+    """What a statement decides."""
     if not _last or _last[0].statement is not statement:
-        _last[:] = [Known(statement, definitions)]
+        _last[:] = [Known(statement)]
     return _last[0]
 
 

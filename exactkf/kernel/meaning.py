@@ -18,7 +18,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from math import isqrt
+from math import floor, isqrt
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
@@ -134,9 +134,7 @@ class World:
 
     def integer(self, tree: Any, local: Mapping[str, Any]) -> int:
         """Value of an index."""
-        k = self.value(tree, local)
-        if not isinstance(k, int) and getattr(k, "denominator", 0) == 1:
-            k = int(k)
+        k = _whole(self.value(tree, local))
         if not isinstance(k, int):
             raise Undefined(f"index {tree!r} is not an integer")
         return k
@@ -155,6 +153,8 @@ class World:
         definition = self.definitions.get(name)
         if definition is not None and (definition[0] == "rec" or definition[2]) and name not in self.values and name not in local:
             args = tuple([a if type(a) is int else local[a[1]] if a[0] == "sym" and a[1] in local else self.value(a, local) for a in tree[2:]])
+            if definition[0] == "rec" and type(args[0]) is not int:
+                args = (_whole(args[0]),)
             if self.symbolic:
                 _need_near(args)
             return self.call(name, args)
@@ -217,7 +217,12 @@ class World:
             while known > start and (name, (known,)) not in self.memory:
                 known -= 1
             for k in range(max(known, start + 1), args[0]):
-                self.call(name, (k,))
+                try:
+                    self.call(name, (k,))
+                except _TooDeep:
+                    raise
+                except Undefined:  # a later one may have a value without it
+                    pass
 
     def _define(self, definition: Any, args: tuple) -> Any:
         name = definition[1]
@@ -392,6 +397,14 @@ def indices(low: int, high: int) -> range:
     if high - low >= _LONGEST_RANGE:
         raise Unknown("too long a range")
     return range(low, high + 1)
+
+
+def _whole(x: Any) -> Any:
+    """The integer that a number is, however it was made, as 2n/2; anything else as it stands."""
+    if isinstance(x, Algebraic):
+        k = floor(x.enclosed(Fraction(1, 2))[1])
+        return k if x == k else x
+    return int(x) if not isinstance(x, int) and getattr(x, "denominator", 0) == 1 else x
 
 
 def count(n: int) -> int:
@@ -620,7 +633,7 @@ _SPECIAL: dict[str, Callable[[World, Any, Mapping[str, Any]], Any]] = {
 _PLAIN: dict[str, Callable] = {
     "z": lambda: Laurent({1: 1}),
     "+": _plus, "-": lambda x, y: x - y, "neg": lambda x: -x, "*": _times, "/": _over, "^": _power,
-    "sqrt": _sqrt, "cospi": cosine, "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
+    "sqrt": _sqrt, "cospi": lambda q, p: cosine(_whole(q), _whole(p)), "abs": lambda x: -_scalar(x) if sign(_scalar(x)) < 0 else _scalar(x),
     "diag": _diag, "I": lambda n: Matrix.identity(count(n)),
     "O": lambda r, c: Matrix.build(count(r), count(c), lambda i, j: 0),
     "T": lambda m: _matrix(m).transpose(), "inv": lambda m: _square(m).inverse(), "det": lambda m: _square(m).determinant(),

@@ -22,7 +22,7 @@ from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
-__all__ = ["FieldElement", "Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "fraction", "rational", "rationals", "sign"]
+__all__ = ["FieldElement", "Laurent", "Ratio", "Rejected", "Undefined", "Unknown", "added", "divide", "fraction", "need", "rational", "rationals", "sign"]
 
 
 class Undefined(Exception):
@@ -35,6 +35,12 @@ class Unknown(Exception):
 
 class Rejected(Exception):
     """A step of the certificate does not replay."""
+
+
+def need(condition: bool, step: str) -> None:
+    """Raise `Undefined` with the step that does not follow, unless the condition holds."""
+    if not condition:
+        raise Undefined(step)
 
 
 class FieldElement:

@@ -8,22 +8,22 @@ must have nothing to do with those outside.
 
 Main definitions
 ----------------
-`opaque`
+`without_indices`
     The text of a term without its indices, and these.
-`with_names`
-    Such a text, read, with names for the indices.
+`parsed`, `with_names`
+    Such a text, read, with its indices numbered on, or with names for them.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any
 
 from exactkf.kernel.numbers import Unknown
-from exactkf.kernel.region import Form
 
-__all__ = ["opaque", "with_names"]
+__all__ = ["parsed", "with_names", "without_indices"]
 
 #: operation -> positions of its indices; of those that bind, see _BINDS
 _INDICES = {"^": (2,), "coeff": (2,), "laurent": (2,), "entry": (2, 3), "rev": (2,), "I": (1,), "O": (1, 2)}
@@ -32,26 +32,25 @@ _BINDS = {"sum": ((1,), (2, 3), 4), "prod": ((1,), (2, 3), 4), "mat": ((1, 2), (
 _COMPARED = ("=", "!=", "<", "<=", ">", ">=")
 
 
-def opaque(tree: Any, env: Mapping[str, Form], index: Callable[[Any, Mapping[str, Form]], Form]) -> tuple[str, list[Form]]:
-    """Text and indices of a term; ``index`` reads an index in the environment."""
-    forms: list[Form] = []
+def without_indices(tree: Any) -> tuple[str, list, set[str]]:
+    """Text of a term without its indices, these, and names that must not be those of indices: what stands as a number, or beside an index bound inside."""
+    places, free = list[Any](), set[str]()
 
     def place(x: Any, bound: frozenset[str]) -> Any:
         names = _names(x)
         if names & bound:
-            if names - bound & env.keys():
-                raise Unknown("an index outside and one inside of a term that is not opened")
+            free.update(names - bound)
             return x
-        forms.append(index(x, env))
-        return ["#", len(forms) - 1]
+        places.append(x)
+        return ["#", len(places) - 1]
 
     def walk(x: Any, bound: frozenset[str]) -> Any:
         if isinstance(x, int):
             return x
         op = x[0]
         if op in ("sym", "z", "rat"):
-            if op == "sym" and x[1] in env and x[1] not in bound:
-                raise Unknown(f"index {x[1]!r} as a number")
+            if op == "sym" and x[1] not in bound:
+                free.add(x[1])
             return x
         if op == "at":
             return [op, x[1], *(place(a, bound) for a in x[2:])]
@@ -65,14 +64,25 @@ def opaque(tree: Any, env: Mapping[str, Form], index: Callable[[Any, Mapping[str
             raise Unknown(f"{op!r} in a term that is not opened")
         return [op, *(place(a, bound) if k in _INDICES.get(op, ()) else walk(a, bound) for k, a in enumerate(x[1:], 1))]
 
-    return json.dumps(walk(tree, frozenset())), forms
+    return json.dumps(walk(tree, frozenset())), places, free
 
 
-def with_names(tree: Any) -> Any:
-    """The tree of a text with ``@0``, ``@1``, .. for its indices."""
+@lru_cache(maxsize=1 << 12)
+def parsed(text: str, first: int = 0) -> Any:
+    """The tree of a text, its indices numbered from there on; it is given out again, and not to be changed."""
+    return _replaced(json.loads(text), lambda n: ["#", n + first])
+
+
+@lru_cache(maxsize=1 << 12)
+def with_names(text: str) -> Any:
+    """The tree of a text with ``@0``, ``@1``, .. for its indices; it is given out again, and not to be changed."""
+    return _replaced(json.loads(text), lambda n: ["sym", f"@{n}"])
+
+
+def _replaced(tree: Any, index: Callable[[int], list]) -> Any:
     if not isinstance(tree, list):
         return tree
-    return ["sym", f"@{tree[1]}"] if tree[:1] == ["#"] else [with_names(x) for x in tree]
+    return index(tree[1]) if tree[:1] == ["#"] else [_replaced(x, index) for x in tree]
 
 
 def _names(tree: Any) -> set[str]:

@@ -26,7 +26,7 @@ from typing import Any
 from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.intervals import Interval, around, inverse, minus, product, solved, times, total
 from exactkf.kernel.limits import STEPS, WORK, within
-from exactkf.kernel.numbers import Undefined, fraction
+from exactkf.kernel.numbers import fraction, need
 from exactkf.kernel.orbit_n import is_around, reduce_pair, spectral_polynomial, state_at
 from exactkf.kernel.orbit_sieve import minors, symplectic
 from exactkf.kernel.orbit_wandering import modular
@@ -50,14 +50,14 @@ def check_ahead(Q: list, S: list, answer: Mapping[str, Any], said: Mapping[str, 
         The `bits` of intervals.
     """
     T, escape = said["steps"], answer["escape"]
-    _need(type(T) is int and T >= 0, "the steps are not a number of steps")
+    need(type(T) is int and T >= 0, "the steps are not a number of steps")
     within(T.bit_length(), 1 << 8, "the bits of the number of steps")
     early = escape is not None and escape < T
-    _need(set(said) == {"steps", "escape", "certain", "exact" if "exact" in said else "state"}, "the state ahead does not have the members of one")
-    _need(said["certain"] is (escape is not None or answer["never_escapes"]), "whether an escape is excluded is another matter")
-    _need(said["escape"] is None if not early else type(said["escape"]) is int and said["escape"] == escape, "the escape before is not that of the answer")
+    need(set(said) == {"steps", "escape", "certain", "exact" if "exact" in said else "state"}, "the state ahead does not have the members of one")
+    need(said["certain"] is (escape is not None or answer["never_escapes"]), "whether an escape is excluded is another matter")
+    need(said["escape"] is None if not early else type(said["escape"]) is int and said["escape"] == escape, "the escape before is not that of the answer")
     if early:
-        _need("state" in said and said["state"] is None, f"there is no state after the escape at step {escape}")
+        need("state" in said and said["state"] is None, f"there is no state after the escape at step {escape}")
     elif "exact" in said:
         _exact(Q, S, T, said["exact"])
     else:
@@ -67,21 +67,21 @@ def check_ahead(Q: list, S: list, answer: Mapping[str, Any], said: Mapping[str, 
 def _shown(Q: list, S: list, T: int, state: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
     """Numbers of both kinds; rational ones, and states of before the reduction ends, by stepping."""
     claimed = [*state["a"], *state["g"]]
-    _need(set(state) == {"a", "g"} and len(state["a"]) == len(state["g"]) == len(Q) - 1, "the state is not a pair a, g")
+    need(set(state) == {"a", "g"} and len(state["a"]) == len(state["g"]) == len(Q) - 1, "the state is not a pair a, g")
     if any(isinstance(x, str) for x in claimed) or T <= reduce_pair(Q, S).start:
         within(T, STEPS, "the steps")
         q, s = state_at(Q, S, T)
         exact = _state([Fraction(1) * x / q[-1] for x in q], [Fraction(1) * x / q[-1] for x in s])
         for mine, value in zip(claimed, exact, strict=True):
             if isinstance(mine, str):
-                _need(value == fraction(mine), f"the state after {T} steps is another")
+                need(value == fraction(mine), f"the state after {T} steps is another")
             else:
                 lo, hi = map(fraction, mine["interval"])
-                _need(set(mine) == {"interval"} and value >= lo and value <= hi, f"the state after {T} steps is not within the interval")
+                need(set(mine) == {"interval"} and value >= lo and value <= hi, f"the state after {T} steps is not within the interval")
         return
     bits = evidence["ahead"]["bits"]
     found = state_within(Q, S, T, bits)
-    _need(all(is_around(mine, x, bits) for mine, x in zip(claimed, found, strict=True)), f"the state after {T} steps is not within the interval")
+    need(all(is_around(mine, x, bits) for mine, x in zip(claimed, found, strict=True)), f"the state after {T} steps is not within the interval")
 
 
 def _state(q: list, s: list) -> list:
@@ -92,22 +92,22 @@ def _state(q: list, s: list) -> list:
 # ---------------------------------------------------------------------- exactly
 def _exact(Q: list, S: list, T: int, said: Mapping[str, Any]) -> None:
     """Statement 2."""
-    _need(set(said) == {"a", "g", "denominator"} and len(said["a"]) == len(said["g"]) == len(Q) - 1, "the state is not a pair a, g")
-    _need(not any(isinstance(x, Algebraic) for x in Q), "an exact state far ahead is for rational data")
+    need(set(said) == {"a", "g", "denominator"} and len(said["a"]) == len(said["g"]) == len(Q) - 1, "the state is not a pair a, g")
+    need(not any(isinstance(x, Algebraic) for x in Q), "an exact state far ahead is for rational data")
     d, *entries = (_hexadecimal(x) for x in (said["denominator"], *said["a"], *said["g"]))
-    _need(d != 0, "the denominator is zero")
+    need(d != 0, "the denominator is zero")
     n = len(Q) - 1
     a, g = entries[:n], entries[n:]
     later = [[*(x + y for x, y in zip(a[::-1], g[::-1], strict=True)), d], [*g[::-1], 0]]  # times d
     reduced = reduce_pair(Q, S)
     if T <= reduced.start:
         state = state_at(Q, S, T)
-        _need(all(x * state[0][-1] == y * d for mine, p in zip(later, state, strict=True) for x, y in zip(mine, p, strict=True)),
+        need(all(x * state[0][-1] == y * d for mine, p in zip(later, state, strict=True) for x, y in zip(mine, p, strict=True)),
               f"the state after {T} steps is another")
         return
-    _need(reduced.escape is None, "the state is one behind an escape")
+    need(reduced.escape is None, "the state is one behind an escape")
     over = [divmod_poly([Fraction(x) for x in p], reduced.removed) for p in later]
-    _need(not any(rest for _, rest in over), "the factors in common do not divide the state")
+    need(not any(rest for _, rest in over), "the factors in common do not divide the state")
     m = len(reduced.Q) - 1
     if m:
         q_T, g_T = ([*p, *[Fraction(0)] * (m + 1 - len(p))][-2::-1] for p, _ in over)
@@ -119,13 +119,13 @@ def _solves(Q: list, S: list, T: int, d: int, q_T: list, g_T: list) -> None:
     q, g, m = Q[-2::-1], S[-2::-1], len(Q) - 1
     table, weight = _power(spectral_polynomial(Q, S), symplectic(q, g, 1 / q[-1]), T)
     X, top = table[:m], table[m]
-    _need(minors([modular(row, _PRIME) for row in X], _PRIME)[0] != 0, "the state is not determined")
+    need(minors([modular(row, _PRIME) for row in X], _PRIME)[0] != 0, "the state is not determined")
     last = q_T[-1]
-    _need(last != 0, "the last coefficient of the state is zero")
+    need(last != 0, "the last coefficient of the state is zero")
     u = [last - q[-1] * d, *(x * last - q[-1] * y for x, y in zip(q[:-1], q_T[:-1], strict=True))]
     for column, y, g_j in zip(zip(*X, strict=True), top, g, strict=True):
-        _need(sum(x * v for x, v in zip(column, u, strict=True)) == last * y, f"q is not that after {T} steps")
-        _need(q[-1] * sum(x * v for x, v in zip(column, g_T, strict=True)) == last * weight * g_j, f"g is not that after {T} steps")
+        need(sum(x * v for x, v in zip(column, u, strict=True)) == last * y, f"q is not that after {T} steps")
+        need(q[-1] * sum(x * v for x, v in zip(column, g_T, strict=True)) == last * weight * g_j, f"g is not that after {T} steps")
 
 
 def _power(D: list, S: list[list], T: int) -> tuple[list[list[int]], int]:
@@ -164,16 +164,16 @@ def _square(p: list[int]) -> list[int]:
 
 
 def _hexadecimal(text: Any) -> int:
-    _need(isinstance(text, str) and text.isascii() and text.removeprefix("-").isalnum(), "a number is not in hexadecimal digits")
+    need(isinstance(text, str) and text.isascii() and text.removeprefix("-").isalnum(), "a number is not in hexadecimal digits")
     return int(text, 16)
 
 
 # ---------------------------------------------------------------------- in intervals
 def state_within(Q: list, S: list, T: int, bits: Any) -> list[Interval]:
     """Intervals around a and g after T steps, more than the reduction takes; see statement 3."""
-    _need(type(bits) is int and 0 < bits < 1 << 18, "the bits are not a positive number")
+    need(type(bits) is int and 0 < bits < 1 << 18, "the bits are not a positive number")
     reduced = reduce_pair(Q, S)
-    _need(T > reduced.start and reduced.escape is None, "the state is one of before the reduction ends, or behind an escape")
+    need(T > reduced.start and reduced.escape is None, "the state is one of before the reduction ends, or behind an escape")
     m, one = len(reduced.Q) - 1, (1 << bits, 1 << bits)
     q, s = ([*([around(x, bits) for x in p[:-1]]), last] for p, last in ((reduced.Q, one), (reduced.S, (0, 0))))
     within(bits * T.bit_length() * max(m, 1) ** 3, WORK, "bits of the intervals")
@@ -223,8 +223,3 @@ def _plus(A: _Rows, B: _Rows) -> _Rows:
 
 def _turned(A: _Rows) -> _Rows:
     return [list(column) for column in zip(*A, strict=True)]
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import need
 from exactkf.kernel.orbit import check_order_one
 from exactkf.kernel.orbit_ahead import check_ahead
 from exactkf.kernel.orbit_n import check_orbit, number, spectral_polynomial, start_pair
@@ -29,7 +29,7 @@ def check_answer(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> N
     Undefined
         With the step that does not follow.
     """
-    _need({"question", "answer"} <= set(statement) <= {"question", "answer", "ahead"}, "the statement is not a question with an answer")
+    need({"question", "answer"} <= set(statement) <= {"question", "answer", "ahead"}, "the statement is not a question with an answer")
     question, answer = statement["question"], statement["answer"]
     core = {k: v for k, v in answer.items() if k not in ("slow", "structure")}
     several, told = "a" in question, "slow" in answer
@@ -37,21 +37,21 @@ def check_answer(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> N
         check_orbit(question, {**core, "rate": None} if told else core, evidence)
     else:
         fault = check_order_one(question, core)
-        _need(not fault, fault)
+        need(not fault, fault)
     Q, S = pair_of(question)
     if several and told:
         check_speed(Q, S, answer, evidence)
     elif told:
         moves = answer["behaviour"] == "converges" and answer["period"] is None and Q[0] != 0
         K = slowness(spectral_polynomial(Q, S)) if moves else None  # a double zero on the circle: |c| = 1 in `exactkf.kernel.orbit`
-        _need(answer["slow"] is None if K is None else type(answer["slow"]) is int and answer["slow"] == K, f"the slowness is {K}")
+        need(answer["slow"] is None if K is None else type(answer["slow"]) is int and answer["slow"] == K, f"the slowness is {K}")
     if "structure" in answer:
         said = answer["structure"]["field"]
-        _need(said is None or said == question["field"], "the field of the structure is not that of the question")
+        need(said is None or said == question["field"], "the field of the structure is not that of the question")
         own = Q[-1].field if isinstance(Q[-1], Algebraic) else None
         check_structure(Q, S, None if said is None else own, answer["structure"], evidence["structure"])
     if "ahead" in statement:
-        _need(question.get("system") != "riccati", "the state ahead is one of the filter")
+        need(question.get("system") != "riccati", "the state ahead is one of the filter")
         check_ahead(Q, S, answer, statement["ahead"], evidence)
 
 
@@ -62,8 +62,3 @@ def pair_of(question: Mapping[str, Any]) -> tuple[list, list]:
     field = None if question["field"] is None else AlgebraicField.of(question["field"])
     (alpha,), (gamma,) = ([number(x, field) for x in question[name]] for name in ("alpha", "gamma"))
     return [alpha, 0 * alpha + 1], [gamma, 0 * gamma]
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

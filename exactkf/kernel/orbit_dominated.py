@@ -34,7 +34,7 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.limits import BITS, DEGREE, STEPS, within
 from exactkf.kernel.linear import Matrix, char_coefficients
-from exactkf.kernel.numbers import Undefined, fraction
+from exactkf.kernel.numbers import fraction, need
 from exactkf.kernel.orbit_polynomial import determinants, interpolated
 from exactkf.kernel.orbit_sieve import exponent
 from exactkf.kernel.roots import count_circle, divmod_poly, times_poly
@@ -59,7 +59,7 @@ def last_escape(Q: list, S: list, evidence: Mapping[str, Any]) -> int:
         ``prime``, or ``radii``, those of statement 4; ``classes``, for k = 0, ..., N - 1 a list of the pairs M_i, C_i, first M_0.
     """
     classes = [[_powers(x) for x in parts] for parts in evidence["classes"]]
-    _need(bool(classes) and all(classes), "no class of times is named")
+    need(bool(classes) and all(classes), "no class of times is named")
     m, N = len(Q) - 1, len(classes)
     orders = [sum((len(x.M) - 1) * len(x.C) for x in parts) for parts in classes]
     within(max(orders) + 2 * m, 2 * DEGREE, "the order of a recursion")
@@ -68,21 +68,21 @@ def last_escape(Q: list, S: list, evidence: Mapping[str, Any]) -> int:
     values = determinants(Q, S, N * size)
     for k, (parts, order) in enumerate(zip(classes, orders, strict=True)):
         count = comb(2 * m, m) + order
-        _need(sum_of_powers(parts, count) == values[k::N][:count], f"the determinants at times {-k} modulo {N} are other sums of powers")
+        need(sum_of_powers(parts, count) == values[k::N][:count], f"the determinants at times {-k} modulo {N} are other sums of powers")
     if "radii" in evidence:
         inner, outer = map(fraction, evidence["radii"])
         return N * max(last_zero_by_size(parts, inner, outer) for parts in classes)
     p = evidence["prime"]
-    _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "what is to dominate is not at a prime")
+    need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "what is to dominate is not at a prime")
     return N * max(last_zero(parts, p) for parts in classes)
 
 
 def _powers(data: Any) -> Powers:
     M, C = data
     M, C = [fraction(c) for c in M], [[fraction(c) for c in row] for row in C]
-    _need(len(M) > 1 and M[-1] == 1 and M[0] != 0, "a polynomial is not monic of positive degree, or vanishes at zero")
+    need(len(M) > 1 and M[-1] == 1 and M[0] != 0, "a polynomial is not monic of positive degree, or vanishes at zero")
     within(len(M) - 1, DEGREE, "the degree of a polynomial")
-    _need(bool(C) and all(len(row) == len(M) - 1 for row in C), "there are not as many coefficients as zeros")
+    need(bool(C) and all(len(row) == len(M) - 1 for row in C), "there are not as many coefficients as zeros")
     return Powers(M, C)
 
 
@@ -114,14 +114,14 @@ def last_zero(parts: list[Powers], p: int) -> int:
     """A t from which on F(-t) is not zero; see statements 2 and 3."""
     first, d = parts[0], len(parts[0].M) - 1
     a = _valuations(first.M, p)
-    _need(1 in a, "no zero dominates")
+    need(1 in a, "no zero dominates")
     w = a[0] - a[1]
     others = [Fraction(a[1] - x, j - 1) for j, x in a.items() if j > 1] + [_largest(x.M, p) for x in parts[1:]]
-    _need(bool(others) and w > max(others), "no zero dominates")
+    need(bool(others) and w > max(others), "no zero dominates")
     u = max(others)
     h = max(Fraction(-v, len(x.M) - 1 - j) for x in parts for j, v in _valuations(x.M[:-1], p).items())
     bounds = [b * max(h, Fraction(0)) - v for x in parts for row in x.C for b, v in _valuations(row, p).items()]
-    _need(bool(bounds), "all coefficients are zero")
+    need(bool(bounds), "all coefficients are zero")
     n, c = _norm(first)
     g, H, less = len(n) - 1, sum(map(abs, n)), d * max(bounds) - exponent(c, p)
     t = ceil(max(Fraction(1), 2 * g / (w - u)))
@@ -135,11 +135,11 @@ def last_zero(parts: list[Powers], p: int) -> int:
 
 def last_zero_by_size(parts: list[Powers], inner: Fraction, outer: Fraction) -> int:
     """A t from which on F(-t) is not zero; see statement 4."""
-    _need(0 < inner < outer, "the radii are not positive and in increasing order")
+    need(0 < inner < outer, "the radii are not positive and in increasing order")
     first, d = parts[0], len(parts[0].M) - 1
     within(sum(x.bit_length() for r in (inner, outer) for x in (r.numerator, r.denominator)), 512, "bits of the radii")
-    _need(sum(_zeros_within(first.M, inner)[:2]) == 1 == _zeros_within(first.M, outer)[0], "no zero dominates")
-    _need(all(_zeros_within(x.M, outer)[0] == 0 for x in parts[1:]), "no zero dominates")
+    need(sum(_zeros_within(first.M, inner)[:2]) == 1 == _zeros_within(first.M, outer)[0], "no zero dominates")
+    need(all(_zeros_within(x.M, outer)[0] == 0 for x in parts[1:]), "no zero dominates")
     Y = 1 + max(abs(c) for x in parts for c in x.M)
     B = max(sum((abs(c) * Y**b for row in x.C for b, c in enumerate(row)), Fraction(0)) for x in parts)
     n, c = _norm(first)
@@ -187,11 +187,6 @@ def _norm(part: Powers) -> tuple[list[int], int]:
             image = times_poly([Fraction(0), Fraction(1)], image)
         values.append(char_coefficients(Matrix(rows))[0] * (-1) ** d)
     R = interpolated(values)
-    _need(bool(R), "the norm of the dominant coefficient is zero")
+    need(bool(R), "the norm of the dominant coefficient is zero")
     c = lcm(*(x.denominator for x in R))
     return [int(x * c) for x in R], c
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

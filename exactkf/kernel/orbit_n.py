@@ -56,11 +56,12 @@ from typing import Any, NamedTuple
 
 from exactkf.kernel.algebraic import Algebraic, AlgebraicField
 from exactkf.kernel.intervals import Interval, around, does_not_escape, is_schur, product
+from exactkf.kernel.irreducible import check_irreducible
 from exactkf.kernel.limits import BITS, ORDER, STEPS, WORK, within
-from exactkf.kernel.numbers import Undefined, divide, fraction, sign
+from exactkf.kernel.numbers import Undefined, divide, fraction, need, sign
 from exactkf.kernel.orbit_dominated import last_escape
 from exactkf.kernel.orbit_polynomial import check_by_polynomials
-from exactkf.kernel.orbit_sieve import check_irreducible, check_never_singular, reading
+from exactkf.kernel.orbit_sieve import check_never_singular, reading
 from exactkf.kernel.orbit_wandering import check_never_escapes, check_torus, has_infinite_order, modular_step
 from exactkf.kernel.roots import circle_sign_of, count_circle, count_real, divmod_poly, gcd_poly, times_poly, value_at
 from exactkf.kernel.spectral import check_circle_part, enclosed_factor
@@ -100,18 +101,18 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
     Undefined
         With the step that does not follow.
     """
-    _need(set(answer) == set(_FIELDS), "the answer does not have the fields of an answer")
+    need(set(answer) == set(_FIELDS), "the answer does not have the fields of an answer")
     Q, S = start_pair(question)
     n = len(Q) - 1
-    _need(type(answer["order"]) is int and answer["order"] == n, f"the order is {n}")
-    _need(answer["rate"] is None and answer["monotone_from"] is None and answer["region"] == "", "a field that is not decided is filled")
+    need(type(answer["order"]) is int and answer["order"] == n, f"the order is {n}")
+    need(answer["rate"] is None and answer["monotone_from"] is None and answer["region"] == "", "a field that is not decided is filled")
     behaviour = answer["behaviour"]
-    _need(behaviour in _CHECKS, f"behaviour {behaviour!r} is not decided for every order")
+    need(behaviour in _CHECKS, f"behaviour {behaviour!r} is not decided for every order")
     required = _REQUIRED[behaviour]
     filled = {k for k in ("escape", "limit", "period", "preperiod", "torus_dimension", "enters_positive_real") if answer[k] is not None}
-    _need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
+    need(required[0] <= filled <= required[0] | required[1], f"{behaviour!r} goes with other fields than {sorted(filled)}")
     never = behaviour in ("converges", "periodic", "eventually periodic", "not convergent, not periodic")
-    _need(answer["never_escapes"] is never or behaviour == "not convergent, not periodic" and answer["never_escapes"] is False,
+    need(answer["never_escapes"] is never or behaviour == "not convergent, not periodic" and answer["never_escapes"] is False,
           "never_escapes does not go with the behaviour")
     _CHECKS[behaviour](Q, S, answer, evidence)
 
@@ -120,9 +121,9 @@ def check_orbit(question: Mapping[str, Any], answer: Mapping[str, Any], evidence
 def number(x: Any, field: AlgebraicField | None) -> Any:
     """A number of a certificate, of the field if there is one."""
     if isinstance(x, list):
-        _need(field is not None, "an algebraic number needs the field")
+        need(field is not None, "an algebraic number needs the field")
         return field.element([fraction(c) for c in x])  # type: ignore[union-attr]
-    _need(isinstance(x, str), "a number is a string p/q")
+    need(isinstance(x, str), "a number is a string p/q")
     return field.element([fraction(x)]) if field is not None else fraction(x)
 
 
@@ -132,12 +133,12 @@ def _field(data: Any) -> AlgebraicField | None:
 
 def start_pair(question: Mapping[str, Any]) -> tuple[list, list]:
     """The two polynomials of a question."""
-    _need({"a", "g"} <= set(question) <= {"a", "g", "field", "order"}, "the question is not a pair a, g")
+    need({"a", "g"} <= set(question) <= {"a", "g", "field", "order"}, "the question is not a pair a, g")
     field = _field(question.get("field"))
     a, g = ([number(x, field) for x in question[k]] for k in ("a", "g"))
-    _need(len(a) == len(g) > 0, "a and g are of different or zero length")
+    need(len(a) == len(g) > 0, "a and g are of different or zero length")
     within(len(a), ORDER, "the order")
-    _need(question.get("order", len(a)) == len(a), "the order is not the length of a")
+    need(question.get("order", len(a)) == len(a), "the order is not the length of a")
     one = number("1", field)
     return [x + y for x, y in zip(a, g, strict=True)][::-1] + [one], g[::-1] + [one - one]
 
@@ -226,8 +227,8 @@ def _escapes(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     for count, (q, _) in enumerate(states(Q, S)):
         if count > T:
             break
-        _need(q[-1] != 0, "a leading coefficient is zero")
-    _need(count == T and _is_escape(Q, S, T), f"the orbit does not escape at step {T}")
+        need(q[-1] != 0, "a leading coefficient is zero")
+    need(count == T and _is_escape(Q, S, T), f"the orbit does not escape at step {T}")
 
 
 def _is_escape(Q: list, S: list, T: int) -> bool:
@@ -245,15 +246,15 @@ def state_at(Q: list, S: list, T: int) -> tuple[list, list]:
 
 def _converges(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
     reduced = reduce_pair(Q, S)
-    _need(reduced.escape is None, f"the orbit escapes at step {reduced.escape}")
+    need(reduced.escape is None, f"the orbit escapes at step {reduced.escape}")
     m = len(reduced.Q) - 1
     D = spectral_polynomial(reduced.Q, reduced.S)
     shape = spectral_sign(D) if m else "+"
-    _need(shape in ("+", "0+", "-", "-0"), "D changes sign on the circle")
-    _need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
-    _need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
+    need(shape in ("+", "0+", "-", "-0"), "D changes sign on the circle")
+    need((answer["period"] is not None) == (not any(x != 0 for x in S)), "an equilibrium, and nothing else that converges, has period one")
+    need(answer["period"] is None or _step_number(answer["period"], "period") == 1, "an equilibrium has period one")
     T = answer["enters_positive_real"]
-    _need((T is not None) == (shape in ("+", "-") and _is_schur(reduced.removed)), "the orbit comes to the positive real region exactly if D has no zero "
+    need((T is not None) == (shape in ("+", "-") and _is_schur(reduced.removed)), "the orbit comes to the positive real region exactly if D has no zero "
           "on the circle and a and b have no zero in common that is not inside")
     _settles(Q, S, reduced, _step_number(evidence["bounded"], "bounded") if T is None else _step_number(T, "enters_positive_real"))
     if answer["limit"] is not None:
@@ -269,7 +270,7 @@ def _settles(Q: list, S: list, reduced: Reduced, T: int) -> None:
     if late and first:
         before = state_at(Q, S, first - 1) if T == first else None
     if late and len(reduced.Q) == 1:
-        _need(T == first or T == 0, "the orbit rests before that step")
+        need(T == first or T == 0, "the orbit rests before that step")
         state = (reduced.Q, [0])
     else:
         for t, pair in enumerate(states(reduced.Q, reduced.S) if late else states(Q, S), first):
@@ -278,13 +279,13 @@ def _settles(Q: list, S: list, reduced: Reduced, T: int) -> None:
             if t == T:
                 state = pair
                 break
-    _need(state is not None, f"the orbit escapes before step {T}")
-    _need(T == 0 or before is not None and sign(before[1][-2] * before[1][-2] - before[0][-1] * before[0][-1]) > 0,
+    need(state is not None, f"the orbit escapes before step {T}")
+    need(T == 0 or before is not None and sign(before[1][-2] * before[1][-2] - before[0][-1] * before[0][-1]) > 0,
           "the orbit had settled a step earlier")
     q, s = state  # type: ignore[misc]
     if not late:
         q, s = coprime(q, s)
-    _need(is_bounded(q, s), f"the orbit has not settled at step {T}")
+    need(is_bounded(q, s), f"the orbit has not settled at step {T}")
 
 
 def coprime(Q: list, S: list) -> tuple[list, list]:
@@ -311,22 +312,22 @@ def _limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str, Any]) -
     w = exact_factor(D, evidence)
     one = w[-1]
     full = times_poly(w, [one * x for x in reduced.removed])
-    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, value in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(same_number(claimed, value), "the limit is another number than the coefficient of the spectral factor")
+        need(same_number(claimed, value), "the limit is another number than the coefficient of the spectral factor")
 
 
 def exact_factor(D: list, evidence: Mapping[str, Any]) -> list:
     """The exact monic w of the evidence: D is proportional to w(z) w(1/z), and w has no zero outside the closed disc."""
     field = next((x.field for x in D if isinstance(x, Algebraic)), None) or _field(evidence.get("field"))
     w = [number(x, field) for x in evidence["factor"]]
-    _need(2 * len(w) == len(D) + 1 and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
-    _need(w[0] != 0, "the spectral factor vanishes at zero")
+    need(2 * len(w) == len(D) + 1 and w[-1] == 1, "the spectral factor is not monic of the order of the reduced pair")
+    need(w[0] != 0, "the spectral factor vanishes at zero")
     square = times_poly(w, w[::-1])
-    _need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
+    need(all(x * D[-1] == y * square[-1] for x, y in zip(square, D, strict=True)), "w(z) w(1/z) is not proportional to D")
     if len(w) > 1:
         stable = is_schur(w) if field is not None and spectral_sign(D) in ("+", "-") else count_circle(w)[2] == 0
-        _need(stable, "the spectral factor has a zero outside the closed disc")
+        need(stable, "the spectral factor has a zero outside the closed disc")
     return w
 
 
@@ -335,7 +336,7 @@ def factor_within(D: list, evidence: Mapping[str, Any]) -> tuple[list[Interval],
     field = next((x.field for x in D if isinstance(x, Algebraic)), None)
     e, pairs = [number(x, field) for x in evidence["circle"]], [(fraction(lo), fraction(hi), k) for lo, hi, k in evidence.get("pairs", ())]
     bits, center = evidence["bits"], evidence["center"]
-    _need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
+    need(type(bits) is int and 64 <= bits < 1 << 16 and all(type(v) is int for v in center), "the center is not a list of integers")
     check_circle_part(D, e, pairs)
     return enclosed_factor(D, e, pairs, center, bits), bits
 
@@ -344,9 +345,9 @@ def _enclosed_limit(reduced: Reduced, D: list, limit: Any, evidence: Mapping[str
     """The same in intervals."""
     w, bits = factor_within(D, evidence)
     full = product(w, [around(x, bits) for x in reduced.removed], bits)
-    _need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
+    need(set(limit) == {"alpha", "gamma"} and limit["gamma"] == "0" and len(limit["alpha"]) == len(full) - 1, "the limit is not of the form alpha, 0")
     for claimed, (lo, hi) in zip(limit["alpha"], reversed(full[:-1]), strict=True):
-        _need(is_around(claimed, (lo, hi), bits), "the limit is not within the interval")
+        need(is_around(claimed, (lo, hi), bits), "the limit is not within the interval")
 
 
 def is_around(claimed: Any, found: Interval, bits: int) -> bool:
@@ -361,32 +362,32 @@ def same_number(claimed: Any, value: Any) -> bool:
     """A number of the answer is the value."""
     if isinstance(claimed, str):
         return value == fraction(claimed)
-    _need(set(claimed) == {"minpoly", "interval"}, "a number of the limit is not a zero of a polynomial in an interval")
+    need(set(claimed) == {"minpoly", "interval"}, "a number of the limit is not a zero of a polynomial in an interval")
     p, (lo, hi) = [fraction(c) for c in claimed["minpoly"]], (fraction(x) for x in claimed["interval"])
-    _need(lo < hi and count_real(p, lo, hi) - (value_at(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
+    need(lo < hi and count_real(p, lo, hi) - (value_at(p, hi) == 0) == 1, "an interval of the limit does not hold exactly one root")
     return value > lo and value < hi and value_at(p, value) == 0
 
 
 def _periodic(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
     reduced = reduce_pair(Q, S)
     p = _step_number(answer["period"], "period")
-    _need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
+    need(reduced.escape is None and len(reduced.Q) > 1, "the pair is not periodic")
     before = 0 if answer["preperiod"] is None else _step_number(answer["preperiod"], "preperiod")
-    _need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
+    need(reduced.start == before and (before > 0) == (answer["preperiod"] is not None), f"the orbit comes back to step {reduced.start} first")
     D = spectral_polynomial(reduced.Q, reduced.S)
     D = [divide(c, D[-1]) for c in D]
-    _need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
+    need(p > 1 and power_of_z(p, D) == [1], f"the zeros of D are not distinct roots of unity of order {p}")
     primes, rest = list[int](), p
     degree = (len(D) - 1) * (len(D[-1].field.modulus) - 1 if isinstance(D[-1], Algebraic) else 1)
     for q in range(2, degree + 2):  # a root of unity of an order that q divides has degree at least q - 1
         while rest % q == 0:
             primes, rest = [*primes, q], rest // q
-    _need(rest == 1 and all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
+    need(rest == 1 and all(power_of_z(p // q, D) != [1] for q in primes), f"a divisor of {p} is a period")
     if isinstance(D[-1], Algebraic):
-        _need(does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
+        need(does_not_escape(reduced.Q, reduced.S, p, evidence["bits"]), "the orbit may escape within a period")
     else:
         count = sum(1 for _, _ in zip(range(p + 1), states(reduced.Q, reduced.S), strict=False))
-        _need(count == p + 1, "the orbit escapes within a period")
+        need(count == p + 1, "the orbit escapes within a period")
 
 
 def power_of_z(k: int, modulus: list) -> list:
@@ -419,16 +420,16 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
     if answer["never_escapes"] is False:  # the planes of the powers of S go on after an escape as before
         _searched(Q, S, evidence)
     elif "modulus" in evidence:
-        _need(algebraic is None, "a modulus alone is for rational data")
+        need(algebraic is None, "a modulus alone is for rational data")
         if "after" in evidence:
             Q, S = state_at(reduced.Q, reduced.S, _step_number(evidence["after"], "after"))
             Q, S = ([Fraction(x) / Q[-1] for x in p] for p in (Q, S))
         check_never_escapes(Q, S, evidence["modulus"])
     elif "order" in evidence:
-        _need(algebraic is None, "polynomials in the time are for rational data")
+        need(algebraic is None, "polynomials in the time are for rational data")
         check_by_polynomials(reduced.Q, reduced.S, D, evidence["order"])
     elif "dominated" in evidence:
-        _need(algebraic is None, "sums of powers are for rational data")
+        need(algebraic is None, "sums of powers are for rational data")
         T = last_escape(reduced.Q, reduced.S, evidence["dominated"])
         _searched(reduced.Q, reduced.S, {"searched": T, "modulus": evidence["dominated"]["modulus"]})
     elif "signs" in evidence:
@@ -443,16 +444,16 @@ def _wanders(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[str,
 
 def _aperiodic(D: list, degree: int, place: Any) -> None:
     """The zeros of D are not distinct roots of unity."""
-    _need(len(place) in (1, 2), "a place is a modulus and, for algebraic data, a residue")
+    need(len(place) in (1, 2), "a place is a modulus and, for algebraic data, a residue")
     p, root = place[0], place[1] if len(place) == 2 else None
-    _need(type(p) is int and p > 1, "a modulus is an integer above one")
-    _need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
+    need(type(p) is int and p > 1, "a modulus is an integer above one")
+    need(has_infinite_order(reading([divide(c, D[-1]) for c in D], p, root), (len(D) - 1) * degree, p), "S may be of finite order")
 
 
 def _nonconvergent(Q: list, S: list) -> Reduced:
     reduced = reduce_pair(Q, S)
-    _need(reduced.escape is None and len(reduced.Q) > 1, "the orbit escapes or comes to rest")
-    _need(spectral_sign(spectral_polynomial(reduced.Q, reduced.S)) == "+-", "D does not change sign on the circle")
+    need(reduced.escape is None and len(reduced.Q) > 1, "the orbit escapes or comes to rest")
+    need(spectral_sign(spectral_polynomial(reduced.Q, reduced.S)) == "+-", "D does not change sign on the circle")
     return reduced
 
 
@@ -466,12 +467,12 @@ def _searched(Q: list, S: list, evidence: Mapping[str, Any]) -> None:
     steps, N = _step_number(evidence["searched"], "searched"), evidence.get("modulus")
     if N is None:
         count = sum(1 for _ in zip(range(steps + 1), states(Q, S), strict=False))
-        _need(count == steps + 1 and (steps == 0 or not _is_escape(Q, S, steps - 1)), "the orbit escapes in the steps searched")
+        need(count == steps + 1 and (steps == 0 or not _is_escape(Q, S, steps - 1)), "the orbit escapes in the steps searched")
     else:
         q, s = (reading(p, N, evidence.get("residue")) for p in (Q, S))
         for _ in range(steps):
             r = 1 - s[-2] * s[-2]
-            _need(gcd(r, N) == 1, "the orbit may escape in the steps searched")
+            need(gcd(r, N) == 1, "the orbit may escape in the steps searched")
             q, s = modular_step(q, s, N)
 
 
@@ -486,11 +487,6 @@ _REQUIRED: dict[str, tuple[set[str], set[str]]] = {
 
 
 def _step_number(x: Any, name: str) -> int:
-    _need(type(x) is int and x >= 0, f"{name} is not a number of steps")
+    need(type(x) is int and x >= 0, f"{name} is not a number of steps")
     within(x, STEPS, name)
     return x
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

@@ -17,7 +17,7 @@ from typing import Any
 
 from exactkf.kernel.limits import STEPS, within
 from exactkf.kernel.linear import Matrix, char_coefficients
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import need
 from exactkf.kernel.orbit_sieve import backward
 from exactkf.kernel.roots import count_real, divmod_poly, squarefree
 
@@ -28,15 +28,15 @@ def check_by_polynomials(Q: list, S: list, D: list, N: Any) -> None:
     """Accept if no det X_t, t >= 0, of a reduced rational pair is zero, N being a common order of the zeros of D."""
     parts = squarefree(D)
     size = (len(Q) - 1) * (max(k for _, k in parts) - 1) + 1
-    _need(type(N) is int and N > 0, "an order is a positive integer")
+    need(type(N) is int and N > 0, "an order is a positive integer")
     within(N * size * len(Q) ** 3, STEPS, "determinants, times the cube of their size")
     one = D[-1] / D[-1]
     unity = [-one, *[one - one] * (N - 1), one]
-    _need(all(not divmod_poly(unity, f)[1] for f, _ in parts), f"a zero of D is no root of unity of order {N}")
+    need(all(not divmod_poly(unity, f)[1] for f, _ in parts), f"a zero of D is no root of unity of order {N}")
     values = determinants(Q, S, N * size)
     for k in range(N):
         p = interpolated(values[k::N])
-        _need(bool(p) and not _has_positive_integer([c * (-1) ** i for i, c in enumerate(p)]), f"a determinant vanishes at a time {-k} modulo {N}")
+        need(bool(p) and not _has_positive_integer([c * (-1) ** i for i, c in enumerate(p)]), f"a determinant vanishes at a time {-k} modulo {N}")
 
 
 def determinants(Q: list, S: list, count: int) -> list[Fraction]:
@@ -82,8 +82,3 @@ def _has_positive_integer(p: list[Fraction]) -> bool:
             continue
         todo += [(lo, (lo + hi) // 2), ((lo + hi) // 2, hi)]
     return False
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

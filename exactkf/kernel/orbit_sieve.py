@@ -11,7 +11,6 @@ Main definitions
 `intersected`           what two periodic sets of integers have in common
 `symplectic`            the matrix S_m
 `reading`               numbers modulo a power of a prime
-`check_irreducible`     the modulus of a field is irreducible
 
 Main statements
 ---------------
@@ -22,12 +21,13 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
 1. *One prime.*  If p divides no denominator and S_m^L = I modulo p, det X_t modulo p depends on t modulo L only.  Where it is
    not zero modulo p it is not zero.
 2. *Several primes.*  A t with det X_t = 0 is in the periodic set of every prime, and so in their intersection.
-3. *Orbits that come from an escape.*  If det X_{-k} = 0, k > 0, then -k is in all these sets.  Let p >= 5, M = S_m^L = I + pB over the
-   p-adic integers.  det X_{-k + Ls} is p s (f + p u(s)), u a power series with integral coefficients, because
-   p^j binomial(s, j) has the coefficients of p^j / j!, divisible by p for j = 1 and by p^2 for j > 1.  If that is
-   not zero modulo p^2 at s = 1, p does not divide f, and there is no other zero of the form -k + Ls.
-4. *Algebraic data.*  theta is a zero of an irreducible polynomial F, monic and p-integral, and r a zero of F modulo p.  A p-integral polynomial
-   that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
+3. *Orbits that come from an escape.*  If X_{-k}, k > 0, has a kernel of dimension r > 0, then -k is in all these sets.  Let p >= 3, M = S_m^L = I + pB
+   over the p-adic integers.  X_{-k + Ls} = X_{-k} + p s (W + p U(s)), U power series with integral coefficients, because p^j binomial(s, j) is
+   s times a polynomial with the coefficients of p^j / j!, divisible by p for j = 1 and by p^2 for j > 1.  A basis of the kernel over the p-adic integers
+   goes on to one of the whole space; in it r columns of X_{-k} are zero, so det X_{-k + Ls} = (ps)^r (f + p u(s)), u like U.  If that is
+   not zero modulo p^{r+1} at s = 1, p does not divide f, and there is no other zero of the form -k + Ls.
+4. *Algebraic data.*  theta is a zero of an irreducible polynomial F (`exactkf.kernel.irreducible`), monic and p-integral, and r a zero of F modulo
+   p.  A p-integral polynomial that vanishes at theta is a multiple of F, also among p-integral ones, so theta -> r defines a homomorphism; a place is p with r.
    If r is a simple zero it lifts to the p-adic integers, and the homomorphism with it.
 5. *Powers of a prime.*  If S_m^L = I modulo p then S_m^{L p^a} = I modulo p^{a+1}: (I + p^j A)^p = I + p^{j+1} (...) for j > 0.  So det X_t
    modulo p^{a+1} depends on t modulo L p^a only.  If the common period of several primes is a multiple of that, as L' of another may have the factor p, each
@@ -38,8 +38,6 @@ exactly if some det X_t, t >= 0, is zero, two steps before the first of them.
    X_t u = 0 and Y_t u = Ku or Y_t u = -Ku, p-integral and not zero modulo p.  Hence it is enough that for either sign e, for every t >= 0, the matrix
    (X_t; Y_t - eK) has full rank over the rational numbers; if it has not, there is a vector, not zero modulo p, that it takes to zero modulo p^{a+1}.
    Modulo p that is so for one t in p or so, where det X_t vanishes for two.
-7. *Irreducible.*  Let F have integral coefficients, H the largest modulus of a quotient by the leading one: the zeros have a modulus
-   less than H + 1.  If F = GK then |G(n)|, |K(n)| > c for an integer n > H + 1 + c.  So if F(n) is c times a prime, F is irreducible (Murty).
 """
 
 from __future__ import annotations
@@ -47,18 +45,18 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from fractions import Fraction
 from itertools import islice
-from math import comb, gcd, isqrt, lcm
+from math import comb, gcd, isqrt
 from operator import mul
 from struct import iter_unpack
 from typing import Any
 
-from exactkf.kernel.algebraic import Algebraic, AlgebraicField
+from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.limits import MINORS, STEPS, WORK, within
-from exactkf.kernel.linear import Matrix, char_coefficients
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.linear import Matrix, char_coefficients, echelon
+from exactkf.kernel.numbers import Undefined, need
 from exactkf.kernel.orbit_wandering import modular
 
-__all__ = ["backward", "check_irreducible", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "minors", "reading",
+__all__ = ["backward", "check_never_singular", "exponent", "has_null_vector", "intersected", "intertwiner", "minors", "reading",
            "step_matrix", "symplectic", "zeros_modulo"]
 
 _MOST = 10**5  # times that several primes leave
@@ -80,12 +78,12 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any, sign: int =
         Zeros modulo primes that are known from a call for the other sign with the same pair.
     """
     read = {} if read is None else read
-    _need(bool(places), "no prime is named")
+    need(bool(places), "no prime is named")
     m, period, left, work = len(Q) - 1, 1, [0], 0
     depths: dict[int, int] = {}
     for i, (p, L, root) in enumerate(map(_place, places)):
-        _need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
-        _need(type(L) is int and 0 < L < STEPS, "a period is not a positive integer")
+        need(type(p) is int and 1 < p < STEPS and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+        need(type(L) is int and 0 < L < STEPS, "a period is not a positive integer")
         values = reading([*Q[-2::-1], *S[-2::-1]], p, root)
         if (p, L, root) not in read:
             work += comb(2 * m, m) * L
@@ -93,19 +91,19 @@ def check_never_singular(Q: list, S: list, places: Any, before: Any, sign: int =
             read[p, L, root] = zeros_modulo(values[:m], values[m:], p, L)
         found = read[p, L, root]
         period, left = intersected(period, left, L, _deeper(Q, S, found, p, L, root, 0, sign) if sign else found, _MOST)
-        _need(len(left) < _MOST, "too many times are left")
+        need(len(left) < _MOST, "too many times are left")
         for j, (r, K, residue) in enumerate(map(_place, places[:i + 1])):
             a = exponent(period // K, r)
             if a > depths.get(j, 0):
                 left, depths[j] = _deeper(Q, S, left, r, K, residue, a, sign), a
     if left:
         singular = _singular_before(Q, S, before)
-        alone = [(k, L) for k in singular for p, L, root in map(_place, places) if p > 3 and L > k and _alone(Q, S, k, p, L, root)]
-        _need(all(any((t + k) % L == 0 for k, L in alone) for t in left), f"nothing excludes an escape at times {left[0]} modulo {period}")
+        alone = [(k, L) for k, r in singular for p, L, root in map(_place, places) if p > 2 and L > k and _alone(Q, S, k, r, p, L, root)]
+        need(all(any((t + k) % L == 0 for k, L in alone) for t in left), f"nothing excludes an escape at times {left[0]} modulo {period}")
 
 
 def _place(data: Any) -> tuple[Any, Any, Any]:
-    _need(len(data) in (2, 3), "a place is a prime, a period and, for algebraic data, a residue")
+    need(len(data) in (2, 3), "a place is a prime, a period and, for algebraic data, a residue")
     return data[0], data[1], data[2] if len(data) == 3 else None
 
 
@@ -194,54 +192,21 @@ def reading(values: list, p: int, root: int | None = None, power: int = 1) -> li
     """Numbers modulo a power of a prime; algebraic ones by a zero modulo p of the modulus of their field; see statement 4."""
     field = next((x.field for x in values if isinstance(x, Algebraic)), None)
     if field is None:
-        _need(root is None, "rational data have no generator")
+        need(root is None, "rational data have no generator")
         return modular(values, p**power)
-    _need(field.irreducible, "the modulus of the field is not known to be irreducible")
+    need(field.irreducible, "the modulus of the field is not known to be irreducible")
     if type(root) is not int:
         raise Undefined("the residue of the generator is missing")
-    _need(type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
+    need(type(p) is int and 1 < p < 10**11 and all(p % r for r in range(2, isqrt(p) + 1)), "a place is not a prime")
     modulus = modular([Fraction(c) / field.modulus[-1] for c in field.modulus], p**power)
     value = _horner(modulus, root, p**power)
-    _need(value % p == 0, f"the residue of the generator is no zero modulo {p}")
+    need(value % p == 0, f"the residue of the generator is no zero modulo {p}")
     if power > 1:  # Hensel's lemma
         slope = _horner([k * c for k, c in enumerate(modulus)][1:], root, p)
-        _need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
+        need(slope != 0, f"the residue of the generator is no simple zero modulo {p}")
         for _ in range(power - 1):  # each time for one more power
             root = (root - _horner(modulus, root, p**power) * pow(slope, -1, p)) % p**power
     return [_horner(modular(x.c, p**power), root, p**power) if isinstance(x, Algebraic) else modular([x], p**power)[0] for x in values]
-
-
-def check_irreducible(field: AlgebraicField, n: Any) -> None:
-    """Accept if the modulus is irreducible because its value at n is a prime times a small number; see statement 7."""
-    common = lcm(*(Fraction(c).denominator for c in field.modulus))
-    F = [int(c * common) for c in field.modulus]
-    content = gcd(*F)
-    F = [c // content for c in F]
-    _need(type(n) is int and n > 0, "the argument is not a positive integer")
-    H = max(abs(Fraction(x, F[-1])) for x in F)
-    _need(n > H + 2, "the argument is too small")
-    value, c = abs(sum(x * n**k for k, x in enumerate(F))), 1
-    for r in range(2, 100):
-        while value % r == 0 and n > H + 1 + c * r:
-            value, c = value // r, c * r
-    _need(_is_prime(value), "the modulus of the field is not shown to be irreducible")
-    field.irreducible = True
-
-
-def _is_prime(n: int) -> bool:
-    """By the strong test to the bases 2, ..., 41, which is right below 3.3 * 10^24 (Sorenson and Webster)."""
-    bases = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
-    _need(n < 3317044064679887385961981, "a value is too large for the test of primality")
-    if n < 43:
-        return n in bases
-    odd, twos = n - 1, 0
-    while odd % 2 == 0:
-        odd, twos = odd // 2, twos + 1
-    for a in bases:
-        x = pow(a, odd, n)
-        if x not in (1, n - 1) and all((x := x * x % n) != n - 1 for _ in range(twos - 1)):
-            return False
-    return True
 
 
 def _horner(f: list[int], x: int, N: int) -> int:
@@ -261,14 +226,14 @@ def zeros_modulo(q: list[int], g: list[int], p: int, L: int) -> set[int]:
     S, size = step_matrix(q, g, p), isqrt(L) + 1
     m, eye = len(q), [[int(i == j) for j in range(2 * len(q))] for i in range(2 * len(q))]
     within(comb(2 * m, m) * size, MINORS, "minors")
-    _need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
+    need(comb(2 * m, m) * p * p < 1 << 64, "the minors are too many")
     top, rows = [minors(eye[:m], p)], [list(row) for row in zip(*S, strict=True)]
     power = eye[:m]
     for _ in range(size - 1):
         power = _product(power, rows, p)
         top.append(minors(power, p))
     leap = _power(S, size, p)
-    _need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
+    need(_product(_power(leap, L // size, p), [list(c) for c in zip(*_power(S, L % size, p), strict=True)], p) == eye, f"S is not of order {L} modulo {p}")
     packed = [sum(x << 64 * i for i, x in enumerate(column)) for column in zip(*top, strict=True)]
     columns, found = eye[:m], set()  # the first m columns of S^{jB}, as rows
     for start in range(0, L, size):
@@ -309,7 +274,7 @@ def _power(A: list[list[int]], k: int, p: int) -> list[list[int]]:
 
 def step_matrix(q: list[int], g: list[int], N: int) -> list[list[int]]:
     """S_m modulo N."""
-    _need(gcd(q[-1], N) == 1, f"S is singular modulo {N}")
+    need(gcd(q[-1], N) == 1, f"S is singular modulo {N}")
     return [[x % N for x in row] for row in symplectic(q, g, pow(q[-1], -1, N))]
 
 
@@ -346,28 +311,23 @@ def _dot(x: Iterable, y: Iterable) -> Any:
     return sum(rest, first)
 
 
-def _singular_before(Q: list, S: list, before: Any) -> list[int]:
-    """The k of those named with det X_{-k} = 0, checked exactly."""
-    _need(all(type(k) is int and 0 < k < 1000 for k in before), "times before the start are positive numbers")
+def _singular_before(Q: list, S: list, before: Any) -> list[tuple[int, int]]:
+    """The k of those named with det X_{-k} = 0, and the dimension of the kernel of X_{-k}, exactly."""
+    need(all(type(k) is int and 0 < k < 1000 for k in before), "times before the start are positive numbers")
     q, g, zero = Q[-2::-1], S[-2::-1], Q[-1] - Q[-1]
     X: list = [[zero + int(i == j) for j in range(len(q))] for i in range(len(q))]
     Y: list = [[zero] * len(q) for _ in q]
     found = []
     for k in range(1, max(before, default=0) + 1):
         X, Y = backward(X, Y, q, g)
-        if k in before and char_coefficients(Matrix(X))[0] == 0:
-            found.append(k)
+        if k in before and (r := len(q) - len(echelon(Matrix(X))[1])):
+            found.append((k, r))
     return found
 
 
-def _alone(Q: list, S: list, k: int, p: int, L: int, root: int | None) -> bool:
-    """Whether det X_{L-k} is not zero modulo p^2; see statement 3, where det X_{-k} = 0 and S^L = I modulo p are known."""
-    m = len(Q) - 1
-    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, 2)
-    X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], p * p), L - k, p * p)[:m]]
-    return char_coefficients(Matrix(X))[0] % (p * p) != 0
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)
+def _alone(Q: list, S: list, k: int, r: int, p: int, L: int, root: int | None) -> bool:
+    """Whether det X_{L-k} is not zero modulo p^{r+1}; see statement 3, where the kernel of X_{-k} and S^L = I modulo p are known."""
+    m, N = len(Q) - 1, p ** (r + 1)
+    values = reading([*Q[-2::-1], *S[-2::-1]], p, root, r + 1)
+    X = [row[:m] for row in _power(step_matrix(values[:m], values[m:], N), L - k, N)[:m]]
+    return char_coefficients(Matrix(X))[0] % N != 0

@@ -9,9 +9,9 @@ Main definitions
 
 Main statements
 ---------------
-What rate and slowness mean, and that D alone gives them, is proved in `exactkf.dynamics.speed`: the rate is the square of the largest modulus rho
-of the zeros of D inside the circle, if none is on it; otherwise convergence is like K/t, K the sum of (k/2)^2 over the zeros on the circle, k their
-multiplicities.
+What is checked here is a number that D alone gives: the square of the largest modulus rho of the zeros of D inside the circle, if none is on it; otherwise
+K, the sum of (k/2)^2 over the zeros on the circle, k their multiplicities.  That the orbit converges at the rate rho^2, or like K/t, is not checked:
+`exactkf.dynamics.speed` derives it in words, the rate from a theorem of Nevai and Totik, which is cited.
 
 1. *In an interval.*  With E(z^2) = D(z) D(-z), rho^2 is the largest modulus of the zeros of E inside the circle.  D is palindromic, so if m of the 2m
    zeros of E are in |z| < hi < 1, and fewer in |z| < lo, then lo <= rho^2 < hi, and no zero is on the circle.
@@ -30,7 +30,7 @@ from typing import Any
 
 from exactkf.kernel.intervals import Interval, around, minus, times
 from exactkf.kernel.limits import DEGREE, within
-from exactkf.kernel.numbers import Undefined, fraction
+from exactkf.kernel.numbers import fraction, need
 from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial
 from exactkf.kernel.roots import count_circle, count_real, divmod_poly, gcd_poly, squarefree, times_poly, value_at
 
@@ -42,12 +42,12 @@ def check_speed(Q: list, S: list, answer: Mapping[str, Any], evidence: Mapping[s
     reduced, rate = reduce_pair(Q, S), answer["rate"]
     D = spectral_polynomial(reduced.Q, reduced.S)
     if answer["behaviour"] != "converges" or answer["period"] is not None:
-        _need(rate is answer["slow"] is None, "an orbit that does not come nearer to a limit has no speed")
+        need(rate is answer["slow"] is None, "an orbit that does not come nearer to a limit has no speed")
         return
     K = slowness(D) if len(D) > 1 else None
-    _need(answer["slow"] is None if K is None else type(answer["slow"]) is int and answer["slow"] == K, f"the slowness is {K}")
+    need(answer["slow"] is None if K is None else type(answer["slow"]) is int and answer["slow"] == K, f"the slowness is {K}")
     if K is not None or len(D) == 1:
-        _need(rate == (None if K else "0"), "the rate is not as decided")
+        need(rate == (None if K else "0"), "the rate is not as decided")
     else:
         check_rate(D, rate, evidence["speed"])
 
@@ -63,19 +63,19 @@ def check_rate(D: list, rate: Any, evidence: Mapping[str, Any]) -> None:
     The evidence has the `bits` of intervals and, for a rate that is a zero of a polynomial, the `ends` of statement 2 and the polynomials `norms`.
     """
     bits = evidence["bits"]
-    _need(type(bits) is int and 0 < bits < 1 << 16, "the bits are not a positive number")
+    need(type(bits) is int and 0 < bits < 1 << 16, "the bits are not a positive number")
     lo, hi = map(fraction, rate["interval"] if "ends" not in evidence else evidence["ends"])
     if "ends" not in evidence:
-        _need(set(rate) == {"interval"}, "the rate is not an interval")
+        need(set(rate) == {"interval"}, "the rate is not an interval")
     elif isinstance(rate, str):
         p = [-fraction(rate), Fraction(1)]
     else:
-        _need(set(rate) == {"minpoly", "interval"}, "the rate is not a zero of a polynomial in an interval")
+        need(set(rate) == {"minpoly", "interval"}, "the rate is not a zero of a polynomial in an interval")
         p, (left, right) = [fraction(c) for c in rate["minpoly"]], map(fraction, rate["interval"])
-        _need(len(p) > 1 and left < lo and hi < right and count_real(p, left, right) - (value_at(p, right) == 0) == 1,
+        need(len(p) > 1 and left < lo and hi < right and count_real(p, left, right) - (value_at(p, right) == 0) == 1,
               "the interval of the rate does not hold exactly one zero")
     E, m = times_poly(D, [-c if k % 2 else c for k, c in enumerate(D)])[::2], len(D) // 2
-    _need(0 <= lo <= hi < 1 and count_within(E, hi, bits) == m > (count_within(E, lo, bits) if lo else 0), "the rate is not within the interval")
+    need(0 <= lo <= hi < 1 and count_within(E, hi, bits) == m > (count_within(E, lo, bits) if lo else 0), "the rate is not within the interval")
     if "ends" in evidence:
         _only_product(D, p, lo, hi, [[fraction(c) for c in N] for N in evidence["norms"]])
 
@@ -87,7 +87,7 @@ def _only_product(D: list, p: list, lo: Fraction, hi: Fraction, norms: list[list
         product = times_poly(product, N)
     within(len(product), DEGREE * 2, "the degree of a norm")
     simple = divmod_poly(D, gcd_poly(D, [k * c for k, c in enumerate(D)][1:]))[0]
-    _need(len(product) > 1 and product[-1] != 0 and not divmod_poly(product, simple)[1], "a zero of D is not among those named")
+    need(len(product) > 1 and product[-1] != 0 and not divmod_poly(product, simple)[1], "a zero of D is not among those named")
     for N in norms:
         R = _products_of_zeros(N)
         while not (divided := divmod_poly(R, p))[1]:
@@ -96,7 +96,7 @@ def _only_product(D: list, p: list, lo: Fraction, hi: Fraction, norms: list[list
         for c in reversed(R):  # both ends are positive
             ends = [x * y for x in (low, high) for y in (lo, hi)]
             low, high = min(ends) + c, max(ends) + c
-        _need(low > 0 or high < 0, "the rate may be another product of zeros")
+        need(low > 0 or high < 0, "the rate may be another product of zeros")
 
 
 def _products_of_zeros(N: list[Fraction]) -> list[Fraction]:
@@ -129,15 +129,10 @@ def count_within(p: list, radius: Fraction, bits: int) -> int:
         spare = max(0, bits - max(abs(x).bit_length() for ends in q for x in ends))  # a positive factor, so that small numbers keep their digits
         q = [(low << spare, high << spare) for low, high in q]
         first, last = (times(x, x, bits) for x in (q[0], q[-1]))
-        _need(first[1] < last[0] or last[1] < first[0], "a comparison is not decided in so many bits")
+        need(first[1] < last[0] or last[1] < first[0], "a comparison is not decided in so many bits")
         small = first[1] < last[0]
         a, b = (q[-1], q[0]) if small else (q[0], q[-1])
         moved = [minus(times(a, x, bits), times(b, y, bits)) for x, y in zip(q, q[::-1], strict=True)]
         inside += small
         q = moved[1:] if small else moved[:-1]
     return inside
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

@@ -5,6 +5,8 @@ All is recomputed from the pair (Q, S) of the question but what is named here. N
 
 Main statements
 ---------------
+0. *Which D.*  d, kappa, the sign and the zeros on the circle are those of the pair (Q, S) itself; S_m, its blocks and its subspaces belong to the pair that
+   is left when common factors are taken out, D in 2 and 3 to that pair.
 1. *Zeros on the circle.*  In x = z + 1/z they are the zeros of D in [-2, 2], of half the multiplicity if x is 2 or -2.  Numbers in increasing
    order, each a zero of the square-free factor of the multiplicity that is named with it, are all if there are as many as Sturm's theorem counts.
 2. *Jordan blocks.*  If v, Sv, ..., S^{2m-1} v are independent and D(S) v = 0, then D is the characteristic polynomial of S, up to a factor, and there is
@@ -27,15 +29,16 @@ from typing import Any
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import Interval, around, inverse, minus, solved, times
 from exactkf.kernel.limits import within
-from exactkf.kernel.numbers import Undefined, divide, fraction, sign
+from exactkf.kernel.numbers import divide, fraction, need, sign
 from exactkf.kernel.orbit_n import exact_factor, factor_within, is_around, number, reduce_pair, same_number, spectral_polynomial, spectral_sign
 from exactkf.kernel.orbit_sieve import symplectic
 from exactkf.kernel.roots import chebyshev, count_circle, count_real, gcd_poly, squarefree, times_poly, value_at
 
-__all__ = ["check_cyclic", "check_structure", "subspace", "subspace_within"]
+__all__ = ["SIGNS", "check_cyclic", "check_structure", "subspace", "subspace_within"]
 
 _MEMBERS = {"field", "order", "start", "gcd", "factor", "d", "kappa", "sign", "circle_zeros", "positive_real", "S", "jordan", "dominant", "codominant"}
-_SIGNS = {"+": "positive", "0+": "nonnegative", "0": "zero", "-0": "nonpositive", "-": "negative", "+-": "indefinite"}
+#: the sign of D on the circle, in words
+SIGNS = {"+": "positive", "0+": "nonnegative", "0": "zero", "-0": "nonpositive", "-": "negative", "+-": "indefinite"}
 
 
 def check_structure(Q: list, S: list, field: AlgebraicField | None, said: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
@@ -51,37 +54,38 @@ def check_structure(Q: list, S: list, field: AlgebraicField | None, said: Mappin
     evidence : mapping
         A vector `cyclic` of integers with the `bits` of the intervals of statement 2, and `factor`, the spectral factor as for a limit.
     """
-    _need(set(said) == _MEMBERS, "the structure does not have the members of one")
+    need(set(said) == _MEMBERS, "the structure does not have the members of one")
     reduced = reduce_pair(Q, S)
     m, D = len(reduced.Q) - 1, spectral_polynomial(reduced.Q, reduced.S)
-    d, shape = D[m:], spectral_sign(D)
+    whole = spectral_polynomial(Q, S)
+    d, shape = whole[len(Q) - 1:], spectral_sign(whole)
 
     def are(name: str, values: Sequence | None) -> None:
         mine = said[name]
         same = mine is None if values is None else len(mine) == len(values) and all(number(x, field) == y for x, y in zip(mine, values, strict=True))
-        _need(same, f"{name} is not as recomputed")
+        need(same, f"{name} is not as recomputed")
 
     for name, value in (("order", m), ("start", reduced.start)):
-        _need(type(said[name]) is int and said[name] == value, f"{name} is not as recomputed")
+        need(type(said[name]) is int and said[name] == value, f"{name} is not as recomputed")
     are("gcd", gcd_poly(Q, S))
     are("factor", reduced.removed)
     are("d", d)
     are("kappa", [divide(2 * x, d[0]) for x in d[1:]] if d[0] != 0 else None)
-    _need(said["sign"] == _SIGNS[shape], f"D is {_SIGNS[shape]} on the circle")
-    real = spectral_sign(spectral_polynomial(Q, S)) == "+" and count_circle(Q)[0] == len(Q) - 1
-    _need(said["positive_real"] is real, f"that the state is positive real is {real}")
-    _zeros_on_circle(chebyshev(D), said["circle_zeros"])
+    need(said["sign"] == SIGNS[shape], f"D is {SIGNS[shape]} on the circle")
+    real = shape == "+" and count_circle(Q)[0] == len(Q) - 1
+    need(said["positive_real"] is real, f"that the state is positive real is {real}")
+    _zeros_on_circle(chebyshev(whole), said["circle_zeros"])
     if m == 0 or reduced.escape is not None:
-        _need(said["S"] is None and said["jordan"] == [] and said["dominant"] is said["codominant"] is None, "there is no S")
+        need(said["S"] is None and said["jordan"] == [] and said["dominant"] is said["codominant"] is None, "there is no S")
         return
     q, g = reduced.Q[-2::-1], reduced.S[-2::-1]
     rows = symplectic(q, g, divide(1, q[-1]))
-    _need([len(row) for row in said["S"]] == [2 * m] * 2 * m, "S is of another size")
-    _need(all(number(x, field) == y for mine, row in zip(said["S"], rows, strict=True) for x, y in zip(mine, row, strict=True)), "S is not as recomputed")
-    _need(all(set(block) == {"polynomial", "size"} for block in said["jordan"]), "a block is a polynomial with a size")
+    need([len(row) for row in said["S"]] == [2 * m] * 2 * m, "S is of another size")
+    need(all(number(x, field) == y for mine, row in zip(said["S"], rows, strict=True) for x, y in zip(mine, row, strict=True)), "S is not as recomputed")
+    need(all(set(block) == {"polynomial", "size"} for block in said["jordan"]), "a block is a polynomial with a size")
     _blocks(D, rows, [([number(x, field) for x in block["polynomial"]], block["size"]) for block in said["jordan"]], evidence)
-    if shape == "+-":
-        _need(said["dominant"] is said["codominant"] is None, "no subspace is dominant where D changes sign on the circle")
+    if spectral_sign(D) == "+-":
+        need(said["dominant"] is said["codominant"] is None, "no subspace is dominant where D changes sign on the circle")
     else:
         _subspaces(q, D, said, evidence["factor"])
 
@@ -92,31 +96,31 @@ def _zeros_on_circle(h: list, zeros: Sequence[Mapping[str, Any]]) -> None:
     parts = squarefree(h) if len(h) > 1 else []
     places = []
     for zero in zeros:
-        _need(set(zero) == {"two_cos", "multiplicity"} and type(zero["multiplicity"]) is int, "a zero on the circle is a number with its multiplicity")
+        need(set(zero) == {"two_cos", "multiplicity"} and type(zero["multiplicity"]) is int, "a zero on the circle is a number with its multiplicity")
         x, k = zero["two_cos"], zero["multiplicity"]
         at_end = isinstance(x, str) and abs(fraction(x)) == 2
         found = [f for f, n in parts if n * (1 + at_end) == k]
-        _need(len(found) == 1, f"D has no zeros of multiplicity {k} like that")
+        need(len(found) == 1, f"D has no zeros of multiplicity {k} like that")
         places.append(_place(found[0], x))
-    _need(all(a[1] <= b[0] and a != b for a, b in pairwise(places)), "the zeros on the circle are not in increasing order")
+    need(all(a[1] <= b[0] and a != b for a, b in pairwise(places)), "the zeros on the circle are not in increasing order")
     count = sum(count_real(f, -2, 2) + (value_at(f, -2) == 0) for f, _ in parts)
-    _need(count == len(zeros), f"D has {count} zeros on the circle, a pair of conjugates counted once")
+    need(count == len(zeros), f"D has {count} zeros on the circle, a pair of conjugates counted once")
 
 
 def _place(f: list, named: Any) -> tuple[Fraction, Fraction]:
     """An interval in which the number named is, and is a zero of f: itself, or without its ends."""
     if isinstance(named, str):
         x = fraction(named)
-        _need(abs(x) <= 2 and value_at(f, x) == 0, "a number is no zero of D on the circle")
+        need(abs(x) <= 2 and value_at(f, x) == 0, "a number is no zero of D on the circle")
         return x, x
     lo, hi = map(fraction, named["interval"])
-    _need(-2 <= lo < hi <= 2, "an interval leaves [-2, 2]")
+    need(-2 <= lo < hi <= 2, "an interval leaves [-2, 2]")
     if set(named) == {"interval"}:
-        _need(sign(value_at(f, lo)) * sign(value_at(f, hi)) < 0, "an interval may not hold a zero of D")
+        need(sign(value_at(f, lo)) * sign(value_at(f, hi)) < 0, "an interval may not hold a zero of D")
         return lo, hi
     p = [fraction(c) for c in named["minpoly"]]
-    _need(set(named) == {"interval", "minpoly"} and _between(p, lo, hi) == 1, "an interval does not hold exactly one zero of its polynomial")
-    _need(_between(gcd_poly(f, [f[-1] * 0 + c for c in p]), lo, hi) == 1, "a number is no zero of D")
+    need(set(named) == {"interval", "minpoly"} and _between(p, lo, hi) == 1, "an interval does not hold exactly one zero of its polynomial")
+    need(_between(gcd_poly(f, [f[-1] * 0 + c for c in p]), lo, hi) == 1, "a number is no zero of D")
     return lo, hi
 
 
@@ -131,23 +135,23 @@ def _blocks(D: list, rows: list[list], blocks: list[tuple[list, Any]], evidence:
     distinct: list = [1]
     whole: list = [1]
     for f, size in blocks:
-        _need(type(size) is int and 0 < size < len(D) and len(f) > 1 and f[-1] == 1, "a block belongs to the zeros of a monic polynomial")
+        need(type(size) is int and 0 < size < len(D) and len(f) > 1 and f[-1] == 1, "a block belongs to the zeros of a monic polynomial")
         distinct = times_poly(distinct, f)
-        _need(len(distinct) <= len(D), "there are more zeros than eigenvalues")
+        need(len(distinct) <= len(D), "there are more zeros than eigenvalues")
         for _ in range(size):
             whole = times_poly(whole, f)
-    _need(len(gcd_poly(distinct, [k * c for k, c in enumerate(distinct)][1:])) == 1, "the zeros of the polynomials of the blocks are not distinct")
-    _need(len(whole) == len(D) and all(x * D[-1] == y for x, y in zip(whole, D, strict=True)), "the polynomials of the blocks do not make D")
+    need(len(gcd_poly(distinct, [k * c for k, c in enumerate(distinct)][1:])) == 1, "the zeros of the polynomials of the blocks are not distinct")
+    need(len(whole) == len(D) and all(x * D[-1] == y for x, y in zip(whole, D, strict=True)), "the polynomials of the blocks do not make D")
     check_cyclic(D, rows, evidence["cyclic"], evidence["bits"])
 
 
 def check_cyclic(D: list, rows: list[list], v: Any, bits: Any) -> None:
     """Accept a vector for which statement 2 shows that D is the characteristic polynomial of the matrix, with one block for each zero."""
-    _need(len(v) == len(rows) and all(type(x) is int for x in v) and type(bits) is int and 0 < bits < 1 << 16, "the vector is not one of integers")
+    need(len(v) == len(rows) and all(type(x) is int for x in v) and type(bits) is int and 0 < bits < 1 << 16, "the vector is not one of integers")
     images: list[list] = [[D[-1] * 0 + x for x in v]]
     for _ in rows:
         images.append([_dot(row, images[-1]) for row in rows])
-    _need(all(_dot(D, column) == 0 for column in zip(*images, strict=True)), "D(S) does not annihilate the vector")
+    need(all(_dot(D, column) == 0 for column in zip(*images, strict=True)), "D(S) does not annihilate the vector")
     within(len(rows) ** 3 * bits, 10**8, "bits of an elimination")
     solved([[around(x, bits) for x in image] for image in images[:-1]], [[] for _ in rows], bits)
 
@@ -158,12 +162,12 @@ def _subspaces(q: list, D: list, said: Mapping[str, Any], evidence: Mapping[str,
         w, bits = factor_within(D, evidence)
         for name in ("dominant", "codominant"):
             u = subspace_within(w, q, bits, name == "dominant")
-            _need(len(said[name]) == len(u) and all(is_around(x, y, bits) for x, y in zip(said[name], u, strict=True)), f"the {name} subspace is another")
+            need(len(said[name]) == len(u) and all(is_around(x, y, bits) for x, y in zip(said[name], u, strict=True)), f"the {name} subspace is another")
         return
     exact = exact_factor(D, evidence)
     for name in ("dominant", "codominant"):
         u = subspace(exact, q, name == "dominant")
-        _need(len(said[name]) == len(u) and all(same_number(x, y) for x, y in zip(said[name], u, strict=True)), f"the {name} subspace is another")
+        need(len(said[name]) == len(u) and all(same_number(x, y) for x, y in zip(said[name], u, strict=True)), f"the {name} subspace is another")
 
 
 def subspace(w: list, q: list, dominant: bool) -> list:
@@ -184,8 +188,3 @@ def subspace_within(w: list[Interval], q: list, bits: int, dominant: bool) -> li
 
 def _dot(x: Sequence, y: Sequence) -> Any:
     return sum((a * b for a, b in zip(x, y, strict=True)), 0 * x[0])
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

@@ -21,8 +21,9 @@ from typing import Any
 
 from exactkf.kernel.algebraic import Algebraic
 from exactkf.kernel.limits import STEPS, within
-from exactkf.kernel.numbers import Undefined, divide, fraction
+from exactkf.kernel.numbers import divide, fraction, need
 from exactkf.kernel.roots import chebyshev, count_circle, count_real, divmod_poly, gcd_poly, squarefree, times_poly
+from exactkf.kernel.roots_modulo import common_modulo, power_modulo
 from exactkf.kernel.torus import CircleNumbers, check_independent, is_relation
 
 __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_order", "modular", "modular_step", "wandering_factor"]
@@ -30,12 +31,12 @@ __all__ = ["check_never_escapes", "check_torus", "common_order", "has_infinite_o
 
 def _residue(x: Any, N: int) -> int:
     x = Fraction(x)
-    _need(gcd(x.denominator, N) == 1, f"{N} divides a denominator")
+    need(gcd(x.denominator, N) == 1, f"{N} divides a denominator")
     return x.numerator * pow(x.denominator, -1, N) % N
 
 
 def modular(p: list, N: Any) -> list[int]:
-    _need(type(N) is int and N > 1, "a modulus is an integer above one")
+    need(type(N) is int and N > 1, "a modulus is an integer above one")
     return [_residue(x, N) for x in p]
 
 
@@ -54,31 +55,8 @@ def check_never_escapes(Q: list, S: list, N: Any) -> None:
             kept = state
         g, steps = state[1][-2], steps + 1
         within(steps * len(Q), STEPS, "steps of the orbit modulo N, times its order")
-        _need(gcd(1 - g * g, N) == 1, f"1 - g^2 is no unit modulo {N}")
+        need(gcd(1 - g * g, N) == 1, f"1 - g^2 is no unit modulo {N}")
         state = modular_step(*state, N)
-
-
-def _modular_power(base: list[int], k: int, modulus: list[int], p: int) -> list[int]:
-    """base^k modulo a monic polynomial, modulo p."""
-    out = [1]
-    for bit in bin(k)[2:]:
-        out = _modular_rest(times_poly(out, out), modulus, p)
-        if bit == "1":
-            out = _modular_rest(times_poly(out, base), modulus, p)
-    return out
-
-
-def _modular_rest(f: list[int], modulus: list[int], p: int) -> list[int]:
-    f = [x % p for x in f]
-    n = len(modulus) - 1
-    while len(f) > n:
-        c = f.pop()
-        if c:
-            for i in range(n):
-                f[len(f) - n + i] = (f[len(f) - n + i] - c * modulus[i]) % p
-    while f and f[-1] == 0:
-        f.pop()
-    return f
 
 
 @cache
@@ -105,7 +83,7 @@ def has_infinite_order(D: list[int], degree: int, p: int) -> bool:
 
     D is monic and read modulo p, and its zeros have at most the given degree over the rational numbers.
     """
-    return _modular_power([0, 1], common_order(degree), D, p) != [1]
+    return power_modulo([0, 1], common_order(degree), D, p) != [1]
 
 
 # ---------------------------------------------------------------------- the torus
@@ -120,18 +98,18 @@ def check_torus(D: list, d: int, evidence: Mapping[str, Any]) -> None:
     """
     f, k = _over_a_field(D, evidence) if any(isinstance(c, Algebraic) for c in D) else _over_the_rationals(D, evidence)
     if k <= 1:
-        _need(d == k, f"the dimension is {k}")
+        need(d == k, f"the dimension is {k}")
         return
     numbers = CircleNumbers.of(f, evidence["zeros"])
-    _need(len(numbers.zeros) == k, f"there are {k} zeros")
+    need(len(numbers.zeros) == k, f"there are {k} zeros")
     free = evidence["independent"]["of"]
-    _need(all(type(i) is int and 0 <= i < k for i in free) and len(set(free)) == len(free) == d > 0, f"{d} of the zeros are to be named")
+    need(all(type(i) is int and 0 <= i < k for i in free) and len(set(free)) == len(free) == d > 0, f"{d} of the zeros are to be named")
     if d > 1:
         check_independent(numbers, free, evidence["independent"]["bits"], evidence["independent"]["basis"])
     for i in set(range(k)) - set(free):
         exponents: list = next((r[1] for r in evidence["relations"] if r[0] == i), [])
-        _need(len(exponents) == d + 1 and all(type(e) is int for e in exponents) and exponents[-1] != 0, f"no relation for the zero {i}")
-        _need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
+        need(len(exponents) == d + 1 and all(type(e) is int for e in exponents) and exponents[-1] != 0, f"no relation for the zero {i}")
+        need(is_relation(numbers, [*free, i], exponents), f"the relation for the zero {i} does not hold")
 
 
 def _over_the_rationals(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
@@ -140,7 +118,7 @@ def _over_the_rationals(D: list, evidence: Mapping[str, Any]) -> tuple[list, int
     if evidence.get("factor") is not None:  # factors without zeros on the circle do not matter
         f, rest = [fraction(c) for c in evidence["factor"]], f
         rest, left = divmod_poly(rest, f)
-        _need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
+        need(not left and (len(rest) == 1 or count_circle(rest)[1] == 0), "what is left has a zero on the circle")
     return f, count_circle(f)[1] // 2 if len(f) > 1 else 0
 
 
@@ -155,18 +133,18 @@ def _over_a_field(D: list, evidence: Mapping[str, Any]) -> tuple[list, int]:
     if len(odd) == 1 or count_circle(odd)[1] == 0:
         return [Fraction(1)], 0
     whole = [fraction(c) for c in evidence["norm"]]
-    _need(_coprime_modulo(whole, [i * c for i, c in enumerate(whole)][1:]), "the rational multiple is not square-free")
-    _need(not divmod_poly([odd[-1] - odd[-1] + c for c in whole], odd)[1], "the rational polynomial is no multiple of D's factor")
+    need(_coprime_modulo(whole, [i * c for i, c in enumerate(whole)][1:]), "the rational multiple is not square-free")
+    need(not divmod_poly([odd[-1] - odd[-1] + c for c in whole], odd)[1], "the rational polynomial is no multiple of D's factor")
     f = wandering_factor(whole)
     of_unity = divmod_poly(whole, f)[0]
     k = (count_circle(odd)[1] - len(gcd_poly(odd, [odd[-1] - odd[-1] + c for c in of_unity])) + 1) // 2
     if k > 1:
         odd = [divide(c, odd[-1]) for c in odd]
         paired = all(x == y for x, y in zip(odd, odd[::-1], strict=True)) and whole == whole[::-1]
-        _need(paired and len(odd) % 2 == len(whole) % 2 == 1, "the zeros do not come in pairs")  # -1 by itself would be none of x
+        need(paired and len(odd) % 2 == len(whole) % 2 == 1, "the zeros do not come in pairs")  # -1 by itself would be none of x
         for lo, hi in evidence["zeros"]:
             one = [count_real(chebyshev(p), fraction(lo), fraction(hi)) for p in (odd, whole)]
-            _need(one == [1, 1], "an interval does not hold one zero of D")
+            need(one == [1, 1], "an interval does not hold one zero of D")
     return f, k
 
 
@@ -201,16 +179,4 @@ def _coprime_modulo(f: list, g: list, p: int = 2**31 - 1) -> bool:
     """Whether rational polynomials are coprime modulo a prime that does not divide the leading coefficient of the first: then they are coprime."""
     if any(c.denominator % p == 0 for c in [*f, *g]) or f[-1].numerator % p == 0:
         return False
-    x, y = modular(f, p), modular(g, p)
-    while y and y[-1] == 0:
-        y.pop()
-    while y:
-        u = pow(y[-1], -1, p)
-        y = [c * u % p for c in y]
-        x, y = y, _modular_rest(x, y, p)
-    return len(x) == 1
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)
+    return len(common_modulo(modular(f, p), modular(g, p), p)) == 1

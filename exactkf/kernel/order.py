@@ -42,6 +42,7 @@ FACTS = {
     "congruence": "X'PX is semidefinite if P is, and definite if P is and X is nonsingular or has full column rank",
     "block diagonal": "a block diagonal matrix is semidefinite, or definite, if its blocks are",
     "inverse": "the inverse of an invertible semidefinite matrix is definite",
+    "trace": "a semidefinite matrix X is at most trace(X) I, and its trace is not negative",
     "square root": "a semidefinite matrix is the square of one",
     "null vectors": "a null vector of a sum of semidefinite matrices is one of each of them, and one of X'PX is one of PX; x'Px = 0 gives Px = 0",
     "nonsingular": "a definite matrix, a transpose, an inverse and a product of nonsingular matrices are nonsingular",

@@ -153,6 +153,8 @@ class Reader:
                 return Blocks((rows,), (cols,), [[{((), (name,)): 1}]])
             if self.kinds[name][0] in ("scalar", "nonzero", "positive", "nonneg"):
                 return {(((name, 1),), ()): 1}
+        if name in self.statement["sizes"]:
+            return {(((name, 1),), ()): 1}
         if name in self.lets and self.lets[name][0] == "let" and not self.lets[name][2]:
             body = self.lets[name][3]
             return self._entries(name, body) if isinstance(body, (list, tuple)) and body[0] in ("mat", "col") else self.read(body)
@@ -263,8 +265,12 @@ class Reader:
             ((scalars, _),) = base
             return self._to_size(scalars, self.size(tree[2], local))
         base = self._inverse(base) if tree[2] < 0 else base
-        if tree[2] == 0 or abs(tree[2]) > _LARGEST_POWER:
+        if abs(tree[2]) > _LARGEST_POWER:
             raise Unknown(f"power {tree[2]}")
+        if tree[2] == 0:
+            if isinstance(base, Blocks) and self.total(base.rows) != self.total(base.cols):
+                raise Undefined(f"a {shape(base)} matrix is not square")
+            return Blocks.unit(base.rows) if isinstance(base, Blocks) else dict(ONE)
         acc = base
         for _ in range(abs(tree[2]) - 1):
             acc = self._times(acc, base)
@@ -456,7 +462,7 @@ class Reader:
         for term, inverse in self.inverses:
             if x in (inverse, self.transpose(inverse)):
                 return self._quotient(self.det(term))
-        return self._det_name(x)
+        return self.scalar(x) if _is_number(x) else self._det_name(x)
 
     def _det_name(self, x: Blocks) -> Poly:
         name = min("; ".join(", ".join(text(p, "1") for p in row) for row in y.grid) for y in (x, self.transpose(x)))
@@ -464,6 +470,32 @@ class Reader:
         if known not in (x, self.transpose(x)):
             raise Unknown(f"two meanings of det({name})")
         return {(((f"det({name})", 1),), ()): 1}
+
+    def _read_trace(self, tree: Any, local: Mapping[str, Any]) -> Poly:
+        x = self.read(tree[1], local)
+        return self.trace(x) if isinstance(x, Blocks) else x
+
+    def trace(self, x: Blocks) -> Poly:
+        """Trace: that of an identity is its size; of a word a scalar, the same for words that a turn of the circle or a transpose takes to each other."""
+        if self.total(x.rows) != self.total(x.cols):
+            raise Undefined(f"a {shape(x)} matrix is not square")
+        if x.rows != x.cols:
+            raise Unknown("the trace of a matrix whose rows and columns are in different blocks")
+        out: Poly = {}
+        for i, rows in enumerate(x.rows):
+            for (scalars, word), c in x.grid[i][i].items():
+                own: Poly = {(scalars, ()): c}
+                value: Poly = self._trace_of_word(word) if word else {(((n, 1),) if n else (), ()): k for n, k in rows}
+                out = add(out, multiply(own, value))
+        return out
+
+    def _trace_of_word(self, word: Word) -> Poly:
+        """tr(AB) = tr(BA), and tr(X') = tr(X); a word that starts with one row is a number."""
+        turns = [word[k:] + word[:k] for k in range(len(word))]
+        numbers = [w for w in turns if self.sizes[w[0]][0] == _ONE_ROW]
+        same = [v for w in numbers or turns for v in (w, self._transpose_word(w))]
+        name = self.scalar_name(min(same)) if numbers else f"tr({'*'.join(min(same))})"
+        return {(((name, 1),), ()): 1}
 
     def _read_identity(self, tree: Any, local: Mapping[str, Any]) -> Any:
         size = self.size(tree[1], local)
@@ -528,7 +560,7 @@ def _is_number(x: Any) -> bool:
 
 _METHODS = {
     "rat": "rational", "sym": "name", "at": "call", "+": "sum", "-": "difference", "neg": "minus", "*": "product", "/": "quotient",
-    "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block", "det": "det",
+    "^": "power", "T": "transpose", "inv": "inverse", "I": "identity", "O": "zero", "block": "block", "det": "det", "tr": "trace",
     "kernel": "kernel", "stein": "stein",
 }
 

@@ -103,7 +103,7 @@ class Region:
 
     def reduce(self, form: Form) -> Form:
         """The form with solved parameters inserted."""
-        if self.solved.keys().isdisjoint(form):
+        if not self.solved or self.solved.keys().isdisjoint(form):
             return form
         for name in [n for n in form if n in self.solved]:
             form = self._put(form, name, self.solved[name])
@@ -119,15 +119,17 @@ class Region:
 
     def decide(self, form: Form) -> bool | None:
         """form >= 0: True, False, or None where it depends."""
-        form = self.reduce(form)
+        key = tuple(form.items())  # in whatever order
+        if key not in self.answers:
+            self.answers[key] = self._decided(self.reduce(form))
+        return self.answers[key]
+
+    def _decided(self, form: Form) -> bool | None:
         if not form or len(form) == 1 and "" in form:
             return form.get("", 0) >= 0
-        key = form_key(form)
-        if key not in self.answers:
-            below = plus({n: -c for n, c in form.items()}, {"": 1}, -1)
-            answer = self._at_sight(form_key(below), key)
-            self.answers[key] = answer if answer is not None else True if not self._possible(below) else None if self._possible(form) else False
-        return self.answers[key]
+        below = plus({n: -c for n, c in form.items()}, {"": 1}, -1)
+        answer = self._at_sight(form_key(below), form_key(form))
+        return answer if answer is not None else True if not self._possible(below) else None if self._possible(form) else False
 
     def _at_sight(self, below: tuple, form: tuple) -> bool | None:
         """The answer, where one form of the region and the negative of what is asked for differ by a constant."""
@@ -150,9 +152,9 @@ class Region:
 
     def and_(self, *forms: Form) -> Region:
         """The part with these forms >= 0; regions do not change, so that one that is asked for again is the same."""
-        key = tuple(map(form_key, forms))
+        key = tuple([tuple(form.items()) for form in forms])
         if key not in self.parts:
-            self.parts[key] = _made((*map(form_key, self.forms), *key), tuple((n, form_key(f)) for n, f in self.solved.items()))
+            self.parts[key] = _made((*map(form_key, self.forms), *map(form_key, forms)), tuple((n, form_key(f)) for n, f in self.solved.items()))
         return self.parts[key]
 
     def cases(self, form: Form) -> Iterator[Region]:

@@ -16,7 +16,7 @@ the evidence, and a digest of all that. `replay` accepts it or raises
 ``order``        for every size: semidefinite terms, inverses, and multiples of the assumptions
 ``word induction``  for every size: base and step, each by an ``order``
 ``generic index``  for every size: coefficients and sums at a generic index, by induction
-``arithmetic``   for every integer: the denied statement contradicts itself in every case
+``arithmetic``   for numbers and integers of any size: the denied statement contradicts itself in every case
 ``positivity``   lhs - rhs = sum of c q^2 (products of hypotheses), with symbols
 ``orbit``        the answer about an orbit follows from the question
 ===============  ==================================================================
@@ -36,6 +36,7 @@ from typing import Any
 
 from exactkf.kernel.every_size import KINDS
 from exactkf.kernel.instances import admissible, generic, read_instance
+from exactkf.kernel.limits import collecting_seldom
 from exactkf.kernel.linear import Matrix, symplectic_form
 from exactkf.kernel.meaning import Generic, World, indices
 from exactkf.kernel.numbers import Laurent, Ratio, Rejected, Undefined, Unknown, rationals
@@ -94,7 +95,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
             raise NotACertificate("the id of a certificate is a string")
         if digest(certificate) != certificate["digest"]:
             raise Rejected("digest: the certificate was altered after it was written")
-        with rationals(quotient):
+        with rationals(quotient), collecting_seldom():
             evidence = certificate["evidence"]
             _well_formed(certificate)
             return _KINDS[certificate["kind"]](certificate["statement"], evidence if trials is None else {**evidence, "cancelled": trials})

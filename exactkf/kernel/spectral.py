@@ -25,7 +25,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from exactkf.kernel.intervals import Interval, around, minus, product, stable_factor
-from exactkf.kernel.numbers import Undefined, sign
+from exactkf.kernel.numbers import need, sign
 from exactkf.kernel.roots import chebyshev, circle_sign_of, count_circle, divmod_poly, squarefree, times_poly, value_at
 
 __all__ = ["Pair", "check_circle_part", "enclosed_factor"]
@@ -36,28 +36,28 @@ Pair = tuple[Fraction, Fraction, int]
 
 def check_circle_part(D: list, e: list, pairs: Sequence[Pair]) -> None:
     """Accept if e and the pairs are all zeros of D on the circle, with half of their multiplicity."""
-    _need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
-    _need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
+    need(e[-1] == 1 and e[0] * e[0] == 1 and all(x == e[0] * y for x, y in zip(e, e[::-1], strict=True)), "a zero of e is not on the circle")
+    need(len(e) == 1 or count_circle(e)[1] == len(e) - 1, "a zero of e is not on the circle")
     rest, left = divmod_poly(D, times_poly(e, e))
-    _need(not left, "e^2 does not divide D")
+    need(not left, "e^2 does not divide D")
     if not pairs:
-        _need(len(rest) == 1 or circle_sign_of(rest) in ("+", "-"), "D has other zeros on the circle than the squares of e")
+        need(len(rest) == 1 or circle_sign_of(rest) in ("+", "-"), "D has other zeros on the circle than the squares of e")
         return
-    _need(all(type(k) is int and k > 0 for _, _, k in pairs), "half of a multiplicity is not a positive integer")
+    need(all(type(k) is int and k > 0 for _, _, k in pairs), "half of a multiplicity is not a positive integer")
     named = 0
     for f, multiplicity in squarefree(rest):
         inside, on, _ = count_circle(f)
         if on:
             paired = f == f[::-1] and len(f) % 2 == 1 and value_at(f, 1) != 0 and value_at(f, -1) != 0
-            _need(multiplicity % 2 == 0 and paired and inside + on + inside == len(f) - 1,
+            need(multiplicity % 2 == 0 and paired and inside + on + inside == len(f) - 1,
                   "the zeros on the circle do not come in pairs of even multiplicity")
             mine = sorted((lo, hi) for lo, hi, k in pairs if 2 * k == multiplicity)
-            _need(2 * len(mine) == on, f"there are {on} zeros of multiplicity {multiplicity} on the circle")
-            _need(all(-2 <= lo < hi <= 2 for lo, hi in mine) and all(a[1] <= b[0] for a, b in zip(mine, mine[1:], strict=False)), "the intervals overlap")
+            need(2 * len(mine) == on, f"there are {on} zeros of multiplicity {multiplicity} on the circle")
+            need(all(-2 <= lo < hi <= 2 for lo, hi in mine) and all(a[1] <= b[0] for a, b in zip(mine, mine[1:], strict=False)), "the intervals overlap")
             in_x = chebyshev(f)
-            _need(all(sign(value_at(in_x, lo)) * sign(value_at(in_x, hi)) < 0 for lo, hi in mine), "an interval may not hold a zero")
+            need(all(sign(value_at(in_x, lo)) * sign(value_at(in_x, hi)) < 0 for lo, hi in mine), "an interval may not hold a zero")
             named += len(mine)
-    _need(named == len(pairs), "a pair is not on the circle")
+    need(named == len(pairs), "a pair is not on the circle")
 
 
 def enclosed_factor(D: list, e: list, pairs: Sequence[Pair], center: list[int], bits: int) -> list[Interval]:
@@ -86,8 +86,3 @@ def _quotient(p: list[Interval], q: list[Interval], bits: int) -> list[Interval]
             p[shift + i] = minus(p[shift + i], x)
         p.pop()
     return out[::-1]
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

@@ -40,7 +40,7 @@ from typing import Any, NamedTuple
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import generator
 from exactkf.kernel.limits import within
-from exactkf.kernel.numbers import Undefined, fraction
+from exactkf.kernel.numbers import Undefined, fraction, need
 from exactkf.kernel.roots import chebyshev
 from exactkf.kernel.rotation import least_height
 
@@ -61,13 +61,13 @@ class CircleNumbers(NamedTuple):
         """From a polynomial with zeros in pairs and intervals as pairs of strings, in increasing order and without overlap."""
         common = lcm(*(Fraction(c).denominator for c in f))
         integral = [int(c * common) for c in f]
-        _need(len(f) % 2 == 1 and integral == integral[::-1], "the zeros do not come in pairs")
+        need(len(f) % 2 == 1 and integral == integral[::-1], "the zeros do not come in pairs")
         in_x = [int(c) for c in chebyshev(integral)]
         read = [(fraction(lo), fraction(hi)) for lo, hi in zeros]
         for lo, hi in read:
-            _need(-2 <= lo < hi <= 2, "an interval is not between -2 and 2")
+            need(-2 <= lo < hi <= 2, "an interval is not between -2 and 2")
             AlgebraicField([Fraction(c) for c in in_x], lo, hi)  # refused unless there is exactly one zero in it
-        _need(all(x[1] <= y[0] for x, y in zip(read, read[1:], strict=False)), "two intervals overlap")
+        need(all(x[1] <= y[0] for x, y in zip(read, read[1:], strict=False)), "two intervals overlap")
         return cls(integral, in_x, read)
 
     def log_norm(self) -> int:
@@ -177,15 +177,15 @@ def bound_of_relations(numbers: CircleNumbers, s: int) -> int:
 def check_independent(numbers: CircleNumbers, chosen: Sequence[int], bits: Any, basis: Any) -> None:
     """Accept if no product of powers of the chosen numbers is a root of unity; see statement 2."""
     s = len(chosen)
-    _need(type(bits) is int and bits > 0, "the number of bits is not a positive integer")
+    need(type(bits) is int and bits > 0, "the number of bits is not a positive integer")
     within(bits, _MOST_BITS >> 2, "bits of an angle")
     rows = [[_integer(x) for x in row] for row in basis]
-    _need(len(rows) == s + 1 and all(len(row) == s + 1 for row in rows), "the basis is not square")
+    need(len(rows) == s + 1 and all(len(row) == s + 1 for row in rows), "the basis is not square")
     angles = [angle(numbers, i, bits) for i in chosen]
-    _need(all((row[-1] - sum(map(mul, row, angles))) % (1 << bits) == 0 for row in rows), "a vector is not in the lattice")
+    need(all((row[-1] - sum(map(mul, row, angles))) % (1 << bits) == 0 for row in rows), "a vector is not in the lattice")
     shortest, volume = _gram_schmidt(rows)
-    _need(volume == 1 << 2 * bits, "the vectors are no basis of the lattice")
-    _need(shortest > s * (s + 1) * bound_of_relations(numbers, s) ** 2, "the lattice may have a short vector")
+    need(volume == 1 << 2 * bits, "the vectors are no basis of the lattice")
+    need(shortest > s * (s + 1) * bound_of_relations(numbers, s) ** 2, "the lattice may have a short vector")
 
 
 def _gram_schmidt(rows: list[list[int]]) -> tuple[Fraction, Fraction]:
@@ -198,17 +198,12 @@ def _gram_schmidt(rows: list[list[int]]) -> tuple[Fraction, Fraction]:
             c = sum(map(mul, row, u)) / size
             v = [x - c * y for x, y in zip(v, u, strict=True)]
         size = sum((x * x for x in v), Fraction(0))
-        _need(size > 0, "the vectors are dependent")
+        need(size > 0, "the vectors are dependent")
         found.append((v, size))
         least, volume = size if least is None else min(least, size), volume * size
     return least or Fraction(0), volume
 
 
 def _integer(x: Any) -> int:
-    _need(type(x) is int, "an entry is not an integer")
+    need(type(x) is int, "an entry is not an integer")
     return x
-
-
-def _need(condition: bool, step: str) -> None:
-    if not condition:
-        raise Undefined(step)

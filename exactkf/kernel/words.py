@@ -18,7 +18,8 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any, NamedTuple
 
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.limits import WORDS
+from exactkf.kernel.numbers import Undefined, Unknown
 
 __all__ = ["ONE", "Blocks", "Poly", "Relation", "Size", "Word", "add", "multiply", "number", "shape", "size_tree", "text", "times_scalars"]
 
@@ -50,6 +51,8 @@ def add(p: Poly, q: Poly, factor: Any = 1) -> Poly:
 
 def multiply(p: Poly, q: Poly) -> Poly:
     """p q, scalars commuting, words concatenated."""
+    if len(p) * len(q) > WORDS:
+        raise Unknown(f"a product of polynomials with more than {WORDS} words")
     out: Poly = {}
     get = out.get
     for (s, u), a in p.items():

@@ -8,7 +8,8 @@ import pytest
 from exactkf.finders.arithmetic import find_arithmetic
 from exactkf.kernel.arithmetic import Facts
 from exactkf.kernel.numbers import Rejected, Unknown
-from exactkf.kernel.replay import replay, seal
+from exactkf.kernel.replay import seal
+from tests.kernel.acceptance import is_accepted
 
 n, m, x, k, t = (["sym", name] for name in "nmxkt")
 NOTHING = {"step": "close", "terms": [["1", []]]}
@@ -19,11 +20,7 @@ def statement(says, sizes=("n",), over=(), given=(), where=()):
 
 
 def accepted(made, proof):
-    try:
-        replay(seal("X", "arithmetic", made, {"proof": proof}))
-    except Rejected:
-        return False
-    return True
+    return is_accepted(seal("X", "arithmetic", made, {"proof": proof}))
 
 
 def found(made, *hints):
@@ -221,10 +218,23 @@ def test_cosines_are_equal_for_the_angles_that_they_are_for():
         Facts(statement(["=", x, x], over=[["x", ["scalar"]]])).term(cos(x, 3))
 
 
-def test_what_is_defined_is_not_asked():
-    """With a value for every quotient all terms are defined; so the checker does not read 'defined'."""
-    with pytest.raises(Unknown):
-        Facts(statement(["=", n, n])).read(["defined", ["/", 1, n]], True)
+# ---------------------------------------------------------------------- what is a number
+def test_values_of_recursions_of_matrices_or_polynomials_are_no_numbers():
+    """Two matrices need not commute, and the square of a polynomial has no sign: such recursions are refused, by whatever way a matrix comes in."""
+    matrix = ["rows", [0, 1], [0, 0]]
+    for start, over in ((matrix, ()), (["sym", "A"], [["A", ["matrix", 2, 2]]]), (["z"], ()), (["sym", "L"], ()), (["entry", matrix, 1, 1], ())):
+        where = [["let", "L", [], matrix], *(["rec", name, "t", 0, [start], ["at", name, t]] for name in "VW")]
+        v, w = ["at", "V", n], ["at", "W", n]
+        assert not found(statement(["=", ["*", v, w], ["*", w, v]], over=over, where=where))
+        assert not found(statement([">=", ["*", v, v], 0], over=over, where=where))
+    numbers = [["rec", name, "t", 0, [2], ["at", name, t]] for name in "VW"]
+    assert found(statement(["=", ["*", ["at", "V", n], ["at", "W", n]], ["*", ["at", "W", n], ["at", "V", n]]], where=numbers))
+
+
+def test_a_matrix_enters_through_another_recursion():
+    where = [["rec", "V", "t", 0, [["at", "W", t]], ["at", "V", t]], ["rec", "W", "t", 0, [["I", 2]], ["at", "W", t]]]
+    where[0][4] = [["at", "W", 0]]
+    assert not found(statement([">=", ["*", ["at", "V", n], ["at", "V", n]], 0], where=where))
 
 
 # ---------------------------------------------------------------------- small statements, against their values

@@ -203,3 +203,68 @@ def test_the_values_of_a_recursion_have_one_shape():
     for step, true in ((["block", [at("x", t)], [["col", "i", 1, 0]]], False), (["+", at("x", t), ["O", n, 1]], True)):
         made = statement(["always", "t", says], [], (), [["rec", "x", "t", 0, [start], step]])
         assert accepted("generic index", made, {"lemmas": [{"index": "t", "says": says, "uses": uses}], "uses": uses}) == true
+
+
+# ---------------------------------------------------------------------- traces
+M, N, S, v = (["sym", name] for name in ("M", "N", "S", "v"))
+TRACED = [["M", ["matrix", n, k]], ["N", ["matrix", k, n]], ["A", ["matrix", n, n]], ["S", ["symmetric", n]], ["P", ["psd", n]], ["v", ["matrix", n, 1]]]
+
+
+def tr(*factors):
+    return ["tr", factors[0] if len(factors) == 1 else ["*", *factors]]
+
+
+@pytest.mark.parametrize("left, right, true", [
+    (tr(M, N), tr(N, M), True), (tr(M, N), tr(["T", M], ["T", N]), True), (tr(A, M, N), tr(N, A, M), True), (tr(A, S, P), tr(["T", A], P, S), True),
+    (tr(A, S, P), tr(A, P, S), False), (tr(A, A), tr(A, ["T", A]), False), (tr(A, S, P), ["*", tr(A), tr(S, P)], False),
+    (tr(v, ["T", v], A), tr(["T", v], A, v), True), (tr(v, ["T", v], A), tr(["T", v], ["+", A, ["I", n]], v), False),
+    (tr(["I", ["+", n, 2]]), ["+", n, 2], True), (tr(["I", n]), 1, False), (tr(["I", n]), k, False), (tr(["*", n, ["I", n]]), ["^", n, 2], True),
+    (tr(["block", [A, M], [N, ["*", N, M]]]), ["+", tr(A), tr(M, N)], True), (tr(["block", [A, M], [N, ["*", N, M]]]), ["+", tr(A), tr(M, ["T", M])], False),
+])
+def test_the_trace_of_a_product(left, right, true):
+    """Factors may be moved around the circle, and all turned; no more than that."""
+    assert accepted("membership", statement(["=", left, right], TRACED, sizes=["n", "k"]), {"terms": [[]]}) == true
+
+
+def test_the_trace_of_what_is_not_square():
+    """[M, N'] has no trace, and a matrix whose blocks are cut differently in rows and columns is not read."""
+    over = [["X", ["matrix", n, k]], ["Y", ["matrix", n, n]], ["Z", ["matrix", k, k]], ["W", ["matrix", k, n]]]
+    cut = ["block", [["sym", "X"], ["sym", "Y"]], [["sym", "Z"], ["sym", "W"]]]
+    for term in (M, cut):
+        assert not accepted("membership", statement(["=", ["tr", term], ["tr", term]], [*TRACED, *over], sizes=["n", "k"]), {"terms": [[]]})
+
+
+@pytest.mark.parametrize("bound, term, true", [
+    (P, P, True), (["+", P, ["I", n]], ["+", P, ["I", n]], True), (S, S, False), (["T", A], A, False), (P, ["I", n], False), (["neg", P], ["neg", P], False)])
+def test_semidefinite_matrices_are_below_their_traces(bound, term, true):
+    """trace(X) I - X is semidefinite for a semidefinite X, and for that X alone."""
+    below = ["-", ["*", ["tr", bound], ["I", n]], term]
+    made = statement(["psd", below], TRACED, sizes=["n", "k"])
+    assert accepted("order", made, {"parts": [{"sum": [below], "terms": []}]}) == true
+    strict = statement(["pd", below], TRACED, sizes=["n", "k"])
+    assert not accepted("order", strict, {"parts": [{"sum": [below], "terms": []}]})
+
+
+@pytest.mark.parametrize("term, op, true", [
+    (P, ">=", True), (S, ">=", False), (["neg", P], ">=", False),
+    (["+", P, ["I", n]], ">", False), (["*", A, P], ">=", False), (["*", A, P, ["T", A]], ">=", True)])
+def test_the_sign_of_a_trace(term, op, true):
+    """The trace of a definite matrix without rows is zero."""
+    made = statement([op, ["tr", term], 0], TRACED, sizes=["n", "k"])
+    assert accepted("order", made, {"parts": [{"sum": [["*", ["tr", term], ["I", 1]]], "terms": []}]}) == true
+    assert not accepted("order", made, {"parts": [{"sum": [], "terms": []}]})
+
+
+@pytest.mark.parametrize("says, true", [(["=", ["^", A, 0], ["I", n]], True), (["=", ["^", A, 0], A], False), (["=", ["^", M, 0], ["^", M, 0]], False),
+                                        (["=", ["^", ["tr", A], 0], 1], True)])
+def test_the_power_zero(says, true):
+    """It is the identity, of a square matrix."""
+    assert accepted("membership", statement(says, TRACED, sizes=["n", "k"]), {"terms": [[]]}) == true
+
+
+@pytest.mark.parametrize("term, value, true", [
+    (["*", ["T", v], A, v], ["*", ["T", v], A, v], True), (["*", ["T", v], A, v], ["*", ["T", v], ["T", A], v], True),
+    (["*", ["T", v], A, v], ["*", ["T", v], v], False), (["*", 2, ["*", ["T", v], v]], ["*", ["T", v], v], False)])
+def test_the_determinant_of_a_number(term, value, true):
+    """That of a matrix with one row is its entry."""
+    assert accepted("membership", statement(["=", ["det", term], ["tr", value]], TRACED, sizes=["n", "k"]), {"terms": [[]]}) == true

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from exactkf.evidence import fact, generic_index, lemma, use
-from exactkf.kernel.replay import Rejected, replay, seal
+from exactkf.kernel.replay import seal
 from exactkf.language import (
     Statement,
     T,
@@ -30,6 +30,7 @@ from exactkf.language import (
     vector,
     when,
 )
+from tests.kernel.acceptance import is_accepted
 
 n, m, t, k, j, i, s, a, b, c, f, g, h, A, B, p, q, x, y = symbols("n m t k j i s a b c f g h A B p q x y")
 SOME = [standing("n >= 1", n >= 1)]
@@ -38,11 +39,7 @@ HALVES = lemma(s, 2 * sum_of(i, 1, s, i) == s * s + s, uses=[use(0, s=s)])
 
 def accepts(says, evidence, **statement):
     """Whether a certificate of the statement is accepted."""
-    try:
-        replay(seal("test", "generic index", Statement(says, **statement).to_json(), evidence.hints))
-        return True
-    except Rejected:
-        return False
+    return is_accepted(seal("test", "generic index", Statement(says, **statement).to_json(), evidence.hints))
 
 
 # ---------------------------------------------------------------------- indices as numbers

@@ -20,6 +20,7 @@ from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.order import Leaf
 from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.language import Expr, Identity, Statement, T, block, given, hstack, invertible, kernel_basis, let, matrix, observable, symbols, vstack
+from tests.kernel.acceptance import is_accepted
 
 A, B, C, M, N, X, m, n, p = symbols("A B C M N X m n p")
 OVER = {A: matrix(n, n), B: matrix(m, m), C: matrix(p, n), X: matrix(n, m), M: matrix(n, n)}
@@ -33,13 +34,7 @@ def statement(says: Expr, *hypotheses, **more) -> dict:
 
 def proved(made: dict, *by) -> bool:
     """The finder has a certificate that the checker accepts."""
-    def accepted(certificate: dict) -> bool:
-        try:
-            replay(certificate)
-        except Rejected:
-            return False
-        return True
-    return any(accepted(c) for c in every_size("X", made, list(by), 5.0))
+    return any(map(is_accepted, every_size("X", made, list(by), 5.0)))
 
 
 # ---------------------------------------------------------------------- what it means

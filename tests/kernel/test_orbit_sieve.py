@@ -10,17 +10,20 @@ from fractions import Fraction
 from itertools import islice, product
 
 import pytest
-from flint import fmpq, fmpz_mat
+from flint import fmpq, fmpq_poly, fmpz_mat, nmod_mat
 
 from exactkf.dynamics.every_order import decide
+from exactkf.dynamics.wandering import convergence_modulo
 from exactkf.exact import sqrt_field
 from exactkf.kernel.algebraic import AlgebraicField
+from exactkf.kernel.irreducible import check_irreducible
 from exactkf.kernel.linear import Matrix, char_coefficients
 from exactkf.kernel.numbers import Undefined
-from exactkf.kernel.orbit_n import reduce_pair, start_pair, states
+from exactkf.kernel.orbit_n import reduce_pair, spectral_polynomial, start_pair, states
 from exactkf.kernel.orbit_sieve import (
+    _alone,
     _deeper,
-    check_irreducible,
+    _singular_before,
     check_never_singular,
     has_null_vector,
     intersected,
@@ -151,6 +154,45 @@ def test_times_before_the_start_are_checked():
     for before in ([], [2], [3], [-1], [0]):
         with pytest.raises(Undefined):
             check_never_singular(Q, S, places, before)
+
+
+#: three times in a row before the start at which X is singular, with a kernel of dimension two in the middle
+THREE = decide([fmpq(-1), fmpq(0), fmpq(3)], [fmpq(-3), fmpq(0), fmpq(0)])
+
+
+def test_kernels_of_dimension_two():
+    """They are excluded modulo the cube of a prime, and each of the times is needed."""
+    Q, S, places, before = parts(THREE)
+    assert before == [3, 4, 5] and [r for _, r in _singular_before(Q, S, before)] == [1, 2, 1]
+    replay(THREE.certificate)
+    for some in ([3, 4], [3, 5], [4, 5], [4], [2, 3, 4]):
+        with pytest.raises(Undefined):
+            check_never_singular(Q, S, places, some)
+
+
+def is_singular(power):
+    """Whether the first half of the rows and columns is singular."""
+    m = power.nrows() // 2
+    return nmod_mat([[int(power[i, j]) for j in range(m)] for i in range(m)], power.modulus()).det() == 0
+
+
+@pytest.mark.parametrize("p", [3, 5, 7])
+def test_a_time_that_is_alone_is_so_in_steps(p):
+    """No X with a time congruent to it modulo the period is singular, as far as stepping modulo a large prime goes; some are refused."""
+    rng, kept, large = random.Random(p), {True: 0, False: 0}, 2**61 - 1
+    while min(kept.values()) < 4 and sum(kept.values()) < 400:
+        Q, S, T = escaping(rng, rng.choice((1, 2, 3)))
+        with suppress(Undefined):
+            q, g = Q[-2::-1], S[-2::-1]
+            L, _ = order_and_zeros(reading(q, p), reading(g, p), p)
+            step = nmod_mat(step_matrix(reading(q, large), reading(g, large), large), large)
+            singular = [k for k in range(1, 30) if is_singular(step.inv() ** k)]
+            for k, r in _singular_before(Q, S, singular) if L and max(singular, default=L) < L < 200 else ():
+                found = _alone(Q, S, k, r, p, L, None)
+                kept[found] += 1
+                assert not found or not any(is_singular(step ** (L * s - k)) for s in range(1, 40))
+                assert not found or (T + 2 + k) % L  # it escapes two steps before X is singular, at a time of another class
+    assert kept[True] >= 4
 
 
 def test_an_orbit_that_escapes_is_never_excluded():
@@ -339,12 +381,14 @@ def test_times_modulo_a_power_are_those_of_steps():
 
 def test_a_rest_modulo_a_prime_is_checked():
     """From the step on gamma vanishes modulo the prime; another step, another prime, or a step after an escape do not do."""
-    answer = RESTS
-    replay(answer.certificate)
-    evidence = answer.certificate["evidence"]
-    assert set(evidence) >= {"modulus", "after"}
+    by_prime, after = convergence_modulo(*parts(RESTS)[:2], fmpq_poly(spectral_polynomial(*([fmpq(str(x)) for x in p] for p in parts(RESTS)[:2]))).numer())
+    certificate = copy.deepcopy(RESTS.certificate)
+    evidence = certificate["evidence"]
+    evidence.update(modulus=by_prime, after=after)
+    certificate["digest"] = digest(certificate)
+    replay(certificate)
     for name, value in (("after", evidence["after"] - 1), ("after", -1), ("after", "1"), ("modulus", evidence["modulus"] + 1), ("modulus", 1), ("after", None)):
-        changed = copy.deepcopy(answer.certificate)
+        changed = copy.deepcopy(certificate)
         changed["evidence"][name] = value
         changed["digest"] = digest(changed)
         with pytest.raises(Rejected):
@@ -396,3 +440,36 @@ def test_a_place_of_a_field_is_checked():
             reading([x], p, root)
     with pytest.raises(Undefined, match="simple"):
         reading([x], 2, 0, 2)
+
+
+# ---------------------------------------------------------------------- multiple zeros beside several wandering ones
+#: D with a double zero at 1 or -1 and zeros on and off the circle, none of which dominates at a prime
+HARD = [([4, 1, -2], [3, -3, fmpq(-5, 2)]), ([-1, -3, 3], [3, 2, 2]), ([1, -2, 0], [-2, 2, -1])]
+
+
+@pytest.mark.parametrize(("a", "g"), HARD)
+def test_multiple_zeros_beside_wandering_ones(a, g):
+    """They are decided by primes taken one after the other; the certificate replays, and not without places, or with others."""
+    answer = decide([fmpq(x) for x in a], [fmpq(x) for x in g])
+    certificate = answer.certificate
+    assert answer.never_escapes and "signs" in certificate["evidence"]
+    replay(certificate)
+    for side, places in enumerate(certificate["evidence"]["signs"]):
+        (p, L), *rest = places
+        for wrong in ([], [[p, L + 1], *rest], [[p * p, L], *rest], [[p, 1], *rest], [[p + 1, L], *rest]):
+            changed = copy.deepcopy(certificate)
+            changed["evidence"]["signs"][side] = wrong
+            changed["digest"] = digest(changed)
+            with pytest.raises(Rejected):
+                replay(changed)
+    assert stepped([fmpq(x) for x in a], [fmpq(x) for x in g], 60)[1] is None
+
+
+def test_several_places_at_a_prime():
+    """Algebraic data with a multiple zero of D: where two places lie over one prime each excludes other times."""
+    R = sqrt_field(3).gen()
+    answer = decide([0 * R + 1 / (R - R + 3), -1 + R / 3, R / 3 - 1 / (R - R + 3)], [1 + R / 3, -1 + 2 * R, R / 3 - 2 / (R - R + 3)])
+    assert answer.never_escapes
+    replay(answer.certificate)
+    signs = answer.certificate["evidence"]["signs"]
+    assert any(len({tuple(x[:1]) for x in places}) < len(places) for places in signs)

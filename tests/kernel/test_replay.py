@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 import copy
+import gc
 import json
 import os
 import random
 import subprocess
 import sys
+from contextlib import suppress
 from fractions import Fraction
 
 import pytest
@@ -247,6 +249,25 @@ def test_empty_evidence_is_rejected():
     rejected("instances", {"instances": []}, over={"x": scalar()}, says=x == x)
     rejected("identity", {"cases": []}, over={"x": scalar()}, says=x == x)
     rejected("evaluation", {"cases": [{}]}, over={"k": integer(3, 1)}, says=k == 0)
+
+
+@pytest.mark.parametrize("first", [0, 700, 10**6])
+def test_garbage_is_looked_for_as_before_afterwards(first):
+    """A replay, accepted or not, leaves the collector as it was; one that never looks does not look within either."""
+    seen = []
+    good = certificate("identity", {"cases": [{}]}, over={"x": scalar()}, says=x == x)
+    bad = certificate("identity", {"cases": [{}]}, over={"x": scalar()}, says=x == x + 1)
+    before = gc.get_threshold()
+    try:
+        gc.set_threshold(first, 11, 12)
+        for one in (good, bad):
+            with suppress(Rejected), pytest.MonkeyPatch.context() as patch:
+                patch.setitem(exactkf.kernel.replay._KINDS, "identity", lambda *a: seen.append(gc.get_threshold()) or exactkf.kernel.replay._identity(*a))
+                replay(one)
+            assert gc.get_threshold() == (first, 11, 12)
+    finally:
+        gc.set_threshold(*before)
+    assert [most for most, *_ in seen] == [first and max(first, 10_000)] * 2
 
 
 # ---------------------------------------------------------------------- tampering

@@ -39,6 +39,7 @@ from exactkf.language import (
     symbols,
     symmetric_matrix,
 )
+from tests.kernel.acceptance import is_accepted
 
 F, M, N, P, Q, R, W, X, Z_, n, t = symbols("F M N P Q R W X Z_ n t")
 OVER = {M: matrix(n, n), N: matrix(n, n), F: matrix(n, n), Q: positive_semidefinite(n), P: positive_definite(n), R: symmetric_matrix(n), X: symmetric_matrix(n)}
@@ -50,13 +51,7 @@ def statement(says: Expr, *hypotheses, **more) -> dict:
 
 
 def proved(made: dict, *by) -> bool:
-    def accepted(certificate: dict) -> bool:
-        try:
-            replay(certificate)
-        except Rejected:
-            return False
-        return True
-    return any(accepted(c) for c in every_size("X", made, list(by) or [order()], 5.0))
+    return any(map(is_accepted, every_size("X", made, list(by) or [order()], 5.0)))
 
 
 # ---------------------------------------------------------------------- its value
