@@ -79,8 +79,9 @@ _SCALARS = {"nonzero": "nonzero", "positive": "positive", "nonnegative": "nonneg
 _FUNCTIONS = {"det": "det", "trace": "tr", "rank": "rank"}
 _RESERVED = {*_ITEMS, *_KINDS, *_SCALARS, *_FUNCTIONS, "symplectic", "semidefinite", "definite", "inv", "I", "O", "and", "or", "not", "for", "all", "horizon"}
 _DEEPEST = 60  # brackets inside each other
+_MOST_INSIDE = 80  # operations inside each other, definitions opened
 _LONGEST = 20_000  # characters of a lemma
-_MOST_DIGITS, _LARGEST_POWER = 1000, 1000
+_MOST_DIGITS, _LARGEST_POWER, _LARGEST_SIZE = 1000, 1000, 1000
 
 
 @dataclass(frozen=True)
@@ -92,9 +93,10 @@ class _Token:
 
 
 class _Node(tuple):
-    """A tree that knows the part of the source it was read from."""
+    """A tree that knows the part of the source it was read from, and how many operations stand inside each other in it."""
 
     span: tuple[int, int]
+    height: int
 
 
 def read_lemma(source: str) -> Statement:
@@ -140,6 +142,7 @@ class _Parser:
         self.shapes = Sizes([], self._show)
         self.index = ""
         self.depth = 0
+        self.heights: dict[str, int] = {}  # of definitions
 
     # ------------------------------------------------------------------ errors
     def fail(self, start: int, message: str) -> BadInput:
@@ -212,6 +215,10 @@ class _Parser:
     def _node(self, tree: tuple, start: int) -> Any:
         node = _Node(tree)
         node.span = (start, self.tokens[self.at - 1].end)
+        parts = [cell for row in tree[1:] for cell in row] if tree[0] == "block" else tree[1:]
+        node.height = 1 + max((getattr(x, "height", 0) for x in parts), default=0) + (self.heights.get(tree[1], 0) if tree[0] == "sym" else 0)
+        if node.height > _MOST_INSIDE:
+            raise self.fail(start, f"more than {_MOST_INSIDE} operations inside each other, definitions opened; state a step of the lemma by itself")
         return node
 
     # ------------------------------------------------------------------ items
@@ -314,6 +321,8 @@ class _Parser:
             if "." in token.text:
                 raise self.fail(token.start, f"{token.text} is no size; write a whole number")
             count = self._number()
+            if count > _LARGEST_SIZE:
+                raise self.fail(token.start, f"the size {token.text[:20]} is too large; write one up to {_LARGEST_SIZE}, or name it with 'sizes'")
             return self._node(("*", count, self._size_part()), token.start) if self._take("*") else count
         if token.text not in self.sizes:
             comma = ", or part letters with commas" if token.text[0].isupper() else ""
@@ -329,7 +338,9 @@ class _Parser:
         name = self._new_name("definition")
         del self.lines[name]  # not known inside its own definition
         self._need("=", "of the definition")
-        body = self.shapes.define(name, self._term_only())
+        term = self._term_only()
+        self.heights[name] = getattr(term, "height", 0)
+        body = self.shapes.define(name, term)
         self.lines[name] = self.tokens[1].start
         self.where.append(("let", name, (), body))
 
@@ -415,32 +426,64 @@ class _Parser:
 
     def _formula(self) -> Any:
         start = self._place()
-        self.depth += 1
-        if self.depth > _DEEPEST:
-            raise self.fail(start, f"more than {_DEEPEST} brackets inside each other; name parts with 'let'")
+        self._deeper(start)
         left = self._implied()
         while self._take("<=>"):
-            left = self._node(("<=>", left, self._implied()), start)
+            left = self._node(("<=>", self._said(left, start), self._said_next(self._implied)), start)
         self.depth -= 1
         return left
 
+    def _deeper(self, start: int) -> None:
+        self.depth += 1
+        if self.depth > _DEEPEST:
+            raise self.fail(start, f"more than {_DEEPEST} brackets inside each other; name parts with 'let'")
+
+    def _said(self, tree: Any, start: int) -> Any:
+        """A part of a formula that is a formula."""
+        if not _is_formula(tree):
+            raise self.fail(start, f"{self._show(tree)} is a term where a formula is needed, such as an equation")
+        return tree
+
+    def _said_next(self, part: Callable[[], Any]) -> Any:
+        start = self._place()
+        return self._said(part(), start)
+
+    def _term(self, part: Callable[[], Any]) -> Any:
+        """A part of a term that is a term."""
+        start = self._place()
+        return self._no_formula(part(), start)
+
+    def _no_formula(self, tree: Any, start: int) -> Any:
+        if _is_formula(tree):
+            raise self.fail(start, f"{self._show(tree)} is a formula where a term is needed")
+        return tree
+
     def _implied(self) -> Any:
         start, left = self._place(), self._joined("or", lambda: self._joined("and", self._negated))
-        return self._node(("=>", left, self._implied()), start) if self._take("=>") else left
+        if not self._take("=>"):
+            return left
+        self._deeper(start)
+        right = self._said_next(self._implied)
+        self.depth -= 1
+        return self._node(("=>", self._said(left, start), right), start)
 
     def _joined(self, word: str, part: Callable[[], Any]) -> Any:
         start, parts = self._place(), [part()]
         while self._take(word):
-            parts.append(part())
+            self._said(parts[0], start)
+            parts.append(self._said_next(part))
         return parts[0] if len(parts) == 1 else self._node((word, *parts), start)
 
     def _negated(self) -> Any:
         start = self._place()
         if self._take("not"):
-            return self._node(("not", self._negated()), start)
+            self._deeper(start)
+            tree = self._node(("not", self._said_next(self._negated)), start)
+            self.depth -= 1
+            return tree
         if self._peek(*_PROPERTIES, "positive"):
             property_ = self._property(_PROPERTIES, "a property")
-            return self._node((property_, self._sum()), start)
+            return self._node((property_, self._term(self._sum)), start)
         return self._relation(start)
 
     def _property(self, known: dict[str, str], what: str) -> str:
@@ -461,13 +504,14 @@ class _Parser:
     def _relation(self, start: int) -> Any:
         left = self._sum()
         if self._peek(*_PROPERTIES, "positive"):
-            return self._node((self._property(_PROPERTIES, "a property"), left), start)
+            return self._node((self._property(_PROPERTIES, "a property"), self._no_formula(left, start)), start)
         parts, ops = [left], []
         while token := self._take("==", "=", "!=", ">=", "<=", ">", "<"):
             ops.append("=" if token.text == "==" else token.text)
-            parts.append(self._sum())
+            parts.append(self._term(self._sum))
         if not ops:
             return left
+        self._no_formula(left, start)
         if len(set(ops)) > 1 or (ops[0] == "!=" and len(ops) > 1):
             raise self.fail(start, f"different relations in one chain, {' '.join(ops)}; write two formulas joined by 'and'")
         return self._node((ops[0], *parts), start)
@@ -476,7 +520,8 @@ class _Parser:
         """Operations of one level, from the left; sums and products take all their parts at once."""
         start, acc, own = self._place(), part(), False
         while token := self._take(*ops):
-            op, right = ops[token.text], part()
+            op, right = ops[token.text], self._term(part)
+            self._no_formula(acc, start)
             if op == "/" and isinstance(acc, int) and not own and isinstance(right, int):
                 if right == 0:
                     raise self.fail(token.start, "division by zero; write a denominator that is not 0")
@@ -502,7 +547,7 @@ class _Parser:
         if self.at and self.tokens[self.at - 1].text in ("+", "-"):
             raise self._expected("a term (put a negative one in brackets)")
         self.at += 1
-        tree = self._product()
+        tree = self._term(self._product)
         if isinstance(tree, int):
             return -tree
         if tree[0] == "rat":
@@ -515,6 +560,7 @@ class _Parser:
     def _power(self) -> Any:
         start, tree = self._place(), self._atom()
         while token := self._take("'", "^"):
+            self._no_formula(tree, start)
             if token.text == "'":
                 tree = self._node(("T", tree), start)
                 continue
@@ -581,6 +627,8 @@ class _Parser:
             tree = self._term_only()
             self._need(")", f"of {name}")
             return self._node((_FUNCTIONS.get(name, name), tree), token.start)
+        if name in _RESERVED:
+            raise self.fail(token.start, f"{name!r} has a meaning of its own, and cannot stand here")
         if name not in self.lines or name == self.index:
             remedy = f"declare it before with 'matrix {name} ...', 'scalar {name}' or 'let {name} = ...'"
             raise self.fail(token.start, f"the letter {name!r} is not known here; {remedy}")

@@ -15,6 +15,8 @@ Main definitions
     The matrices and numbers that claim and definitions invert.
 `show_inverse`
     A certificate that one of them is invertible, or None.
+`square_sequences`
+    The sequences of square matrices.
 """
 
 from __future__ import annotations
@@ -30,7 +32,7 @@ from exactkf.language.statement import as_lists, as_tuples
 from exactkf.lemma.classical import by_classical_facts
 from exactkf.lemma.sizes import SCALAR, ZERO, Misfit, Sizes, size_tree
 
-__all__ = ["claimed_inverses", "exists_by_assumption", "invertibility", "show_inverse"]
+__all__ = ["claimed_inverses", "exists_by_assumption", "invertibility", "show_inverse", "square_sequences"]
 
 
 def claimed_inverses(data: Mapping[str, Any]) -> list[tuple[Any, dict]]:
@@ -161,6 +163,12 @@ def _sides(formula: Any) -> Iterator[Any]:
                 yield side
                 if side[0] == "*" and len(side) > 2:
                     yield from (side[1] if len(side) == 3 else ["*", *side[1:-1]], side[2] if len(side) == 3 else ["*", *side[2:]])
+
+
+def square_sequences(data: Mapping[str, Any]) -> list[str]:
+    """Names of the sequences of square matrices."""
+    shapes = {d[1]: _shape(data, ["sym", d[1]]) for d in data["where"] if d[0] == "rec"}
+    return [name for name, found in shapes.items() if isinstance(found, tuple) and found[0] == found[1]]
 
 
 def _shape(data: Mapping[str, Any], term: Any) -> Any:

@@ -43,6 +43,7 @@ from exactkf.finders.completion import Stuck
 from exactkf.finders.effort import clock
 from exactkf.finders.membership import find_order, search_membership
 from exactkf.finders.prove import candidates, every_size
+from exactkf.kernel.limits import patiently
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.reader import Reader
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
@@ -51,9 +52,10 @@ from exactkf.language import Statement
 from exactkf.language.statement import as_tuples
 from exactkf.language.text import text
 from exactkf.lemma.bounds import why_open
-from exactkf.lemma.classical import by_classical_facts
+from exactkf.lemma.classical import along_sequences, by_classical_facts
+from exactkf.lemma.determinants import by_factors
 from exactkf.lemma.grammar import read_lemma
-from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse
+from exactkf.lemma.inverses import claimed_inverses, exists_by_assumption, invertibility, show_inverse, square_sequences
 from exactkf.lemma.neighbours import neighbours
 from exactkf.lemma.outcome import Outcome
 from exactkf.lemma.refute import Search, contradiction, look_for, unmet
@@ -61,6 +63,7 @@ from exactkf.lemma.sizes import Misfit, Sizes
 
 __all__ = ["prove_lemma", "read_file"]
 
+_PATIENCE = 5.0  # seconds; with twice the time limit the end of a step that does not look at the time
 _MOST_LEAVES = 8  # parts of a claim that one semidefinite term is tried for
 _MOST_WARNING = 5.0  # seconds for changed lemmas
 _MOST_SEARCH = 20.0  # seconds for the search of a counterexample, where there are that many
@@ -78,7 +81,7 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
     sizes, over, where, given, says
         The parts of an `exactkf.language.Statement`, instead of ``lemma``. ``0`` stands for a zero of the size that fits.
     time_limit : float
-        Seconds after which no new search is begun.
+        Seconds after which no new search is begun; a step that does not end is given up after more than twice as many.
     degree : int
         Longest word that the completion of the assumptions looks at.
     seed : int
@@ -115,15 +118,21 @@ def prove_lemma(lemma: Statement | str | Path | None = None, /, *, sizes: Sequen
         raise BadInput(f"argument 'degree' = {degree!r} is not a length of words; give a whole number, 1 or more")
     if isinstance(seed, bool) or not isinstance(seed, int) or seed < 0:
         raise BadInput(f"argument 'seed' = {seed!r} is no seed; give a whole number, 0 or more")
-    statement = _statement(lemma, sizes, over, where, given, says)
-    with rationals(fmpq):  # the search; replaying goes back to Fraction by itself
-        return _Run(statement, time_limit, degree, seed, progress or (lambda _: None)).outcome(mutants)
+    try:
+        run = _Run(_statement(lemma, sizes, over, where, given, says), time_limit, degree, seed, progress or (lambda _: None))
+        try:
+            with rationals(fmpq), patiently(_PATIENCE + 2 * time_limit):  # the search; replaying goes back to Fraction by itself
+                return run.outcome(mutants)
+        except Rejected as error:
+            return run.given_up(str(error))
+    except RecursionError:
+        raise BadInput("the lemma has more operations inside each other than can be followed; state a step of it by itself") from None
 
 
 def read_file(path: Path) -> Statement:
     """Read the file of a lemma."""
     try:
-        return read_lemma(path.read_text(encoding="utf-8"))
+        return read_lemma(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise BadInput(f"argument FILE = {str(path)!r} cannot be read ({error.strerror or error}); pass a file that you may read") from error
     except UnicodeDecodeError as error:
@@ -187,6 +196,13 @@ class _Run:
             self._prove()
             if self.found.verdict == "proved" and mutants and self._left() > 0:
                 self._warn(search)
+        self.found.seconds = time.perf_counter() - self.started
+        return self.found
+
+    def given_up(self, why: str) -> Outcome:
+        """What was found until a step that would not end."""
+        if self.found.verdict == "open" and not self.found.reason:
+            self.found.reason = f"the time limit was reached: {why}; a larger --time-limit (time_limit=), or a smaller lemma on the way, may settle it"
         self.found.seconds = time.perf_counter() - self.started
         return self.found
 
@@ -293,12 +309,17 @@ class _Run:
         """Keep a certificate of a statement; how it was proved, or None."""
         seconds, began = self._share(part, math.inf) / 2, clock()
         every = every_size("lemma", data, (), seconds / 2, self.degree) if data["sizes"] else candidates("lemma", data, identity())
-        facts = (seal("lemma", "order", data, found) for found in by_classical_facts(data, self.degree, seconds))
-        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds / 2), facts):
+        facts = (seal("lemma", "order", data, found) for by in (by_factors, by_classical_facts) for found in by(data, self.degree, seconds))
+        for certificate in chain(every, _by_sides(data, self.sides, self.degree, seconds / 2), facts, self._along(data)):
             if self._keep(certificate):
                 return _how(certificate)
         self.late = self.late or clock() - began > 0.9 * seconds
         return None
+
+    def _along(self, data: dict) -> Iterator[dict]:
+        """Last of all, and with most of the time that is left."""
+        for found in along_sequences(data, square_sequences(data), self.degree, self._share(0.7, math.inf)):
+            yield seal("lemma", "word induction", data, found)
 
     def _in_parts(self) -> bool:
         """The claims one by one: whether each is proved, and how far it got."""
@@ -321,6 +342,8 @@ class _Run:
             return "the parts of it were not all proved"
         equation = part[2] if part[0] == "always" else part
         if equation[0] not in ("=", "symmetric", "symplectic"):
+            if part[0] == "always":
+                return "its base or its step was not proved"
             why = _not_in_words(self.data, equation)
             return f"what is proved for every size does not reach it: {why}" if why else "no sum of terms that are semidefinite by their form was found"
         found = search_membership({**self.data, "says": part}, self.degree, self._share(0.2, 5.0))

@@ -34,6 +34,7 @@ __all__ = ["Search", "contradiction", "look_for", "unmet"]
 
 _TRIES = 400
 _ENOUGH = 120  # instances on which the claim is true, after which the search ends
+_MOST_TAKEN = 4  # largest number looked for in differences of sizes
 _TRUE = ["=", 0, 0]
 
 
@@ -53,9 +54,17 @@ class Search:
 
 
 def _sizes_tried(data: Mapping[str, Any]) -> dict[str, list[int]]:
-    """Small sizes; fewer of each where there are many."""
-    most = 3 if len(data["sizes"]) < 3 else 2
+    """Small sizes; fewer of each where there are many, more where some are taken off."""
+    most = (3 if len(data["sizes"]) < 3 else 2) + min(_MOST_TAKEN, _taken_off(data["over"]))
     return {name: list(range(1, most + 1)) for name in data["sizes"]}
+
+
+def _taken_off(tree: Any) -> int:
+    """The largest number that is taken off a size, as in a matrix of n - 2 rows."""
+    if not isinstance(tree, (list, tuple)):
+        return 0
+    own = max((x for x in tree[2:] if isinstance(x, int)), default=0) if tree and tree[0] == "-" else 0
+    return max(own, *map(_taken_off, tree), 0)
 
 
 def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES, id: str = "lemma") -> Search:

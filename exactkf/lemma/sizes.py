@@ -66,9 +66,11 @@ class Sizes:
         self.names, self.show = list(sizes), show
         self.shapes: dict[str, Shape] = dict.fromkeys(sizes, SCALAR)
         self._reader = Reader({"sizes": self.names, "over": [], "where": [], "given": []})
+        self._fitted: dict[tuple, tuple] = {}  # a sum looks at its parts twice, and they at theirs
 
     def declare(self, name: str, kind: Sequence[Any]) -> None:
         """A variable of a type."""
+        self._fitted.clear()
         if kind[0] == "matrix":
             self.shapes[name] = (self.size(kind[1]), self.size(kind[2]))
         elif kind[0] in ("symmetric", "psd", "pd", "nonsingular", "diagonal"):
@@ -80,6 +82,7 @@ class Sizes:
         """A definition without parameters; its completed term."""
         done, shape = self.term(tree)
         self.shapes[name] = shape
+        self._fitted.clear()
         return done
 
     def size(self, tree: Any) -> Size:
@@ -108,10 +111,10 @@ class Sizes:
     def _relation(self, tree: Any) -> Any:
         op = tree[0]
         parts, shape = self._alike(tree, tree[1:], None)
+        if shape not in (SCALAR, ZERO, ANY) and None in shape or _is_open(parts):
+            raise Misfit(tree, _undetermined(self.show(tree)))
         if shape in (SCALAR, ZERO, ANY):
             return (op, *parts)
-        if None in shape:
-            raise Misfit(tree, _undetermined(self.show(tree)))
         if op in ("=", "!="):
             return (op, *parts)
         if shape[0] != shape[1]:
@@ -131,7 +134,7 @@ class Sizes:
     def term(self, tree: Any) -> tuple[Any, Shape]:
         """A term with all sizes in, and its shape."""
         done, shape = self._fit(tree, None)
-        if isinstance(shape, tuple) and None in shape:
+        if isinstance(shape, tuple) and None in shape or _is_open(done):
             raise Misfit(tree, _undetermined(self.show(tree)))
         return done, shape
 
@@ -145,7 +148,9 @@ class Sizes:
         rule = getattr(self, f"_fit_{_RULES.get(op, '')}", None)
         if rule is None:
             return _plain(tree), ANY
-        return rule(tree, want)
+        if (key := (id(tree), want)) not in self._fitted:
+            self._fitted[key] = tree, rule(tree, want)  # the tree is kept, so that its id stays its own
+        return self._fitted[key][1]
 
     def _fit_number(self, tree: Any, want: tuple | None) -> tuple[Any, Shape]:
         return _plain(tree), SCALAR
@@ -214,6 +219,8 @@ class Sizes:
         shape = self._common(tree, known)
         if want:
             shape = tuple(a or b for a, b in zip(shape, want, strict=True))
+            if all(own == (None, None) for _, own in known):  # identities alone
+                shape = (shape[0] or shape[1],) * 2
         for part, (_, own) in zip(parts, first, strict=True):
             if own == SCALAR and None not in shape and shape != (_ONE, _ONE):
                 raise Misfit(tree, f"in {self.show(tree)} the number {self.show(part)} stands beside {_shape_text(shape)} matrices; "
@@ -312,6 +319,11 @@ def _ordered(op: str, big: Any, small: Any) -> Any:
 
 def _undetermined(term: str) -> str:
     return f"the size of an identity or zero in {term} is not determined; write I(n) or O(n, m) with sizes in place of n and m"
+
+
+def _is_open(tree: Any) -> bool:
+    """An identity without size is left in a term."""
+    return isinstance(tree, (tuple, list)) and (tree[:1] == IDENTITY or any(map(_is_open, tree)))
 
 
 def _is_zero(tree: Any) -> bool:

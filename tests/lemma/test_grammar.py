@@ -102,6 +102,8 @@ HEAD = "sizes n p\nmatrix P n n\nmatrix M p n\n"
     ("positive definite P*P'", ("pd", ("*", ("sym", "P"), ("T", ("sym", "P"))))),
     ("[I, M'; M, 0] invertible", ("invertible", ("block", (("I", N), ("T", ("sym", "M"))), (("sym", "M"), ("O", P, P))))),
     ("[P, 0; 0, I]*[M'; I] == [P*M'; I]", None),
+    ("M*(2*I - I) == M", None),
+    ("(I + I)*M*(I - 1/2*I) == M", None),
 ])
 def test_sizes_of_identities_and_zeros_are_found(line, tree):
     """I and 0 take their sizes from what stands beside them."""
@@ -137,6 +139,8 @@ def test_sizes_of_identities_and_zeros_are_found(line, tree):
     (HEAD + "claim [P, M; M, P] == 0", (4, 7), ["block", "does not fit"]),
     (HEAD + "claim [P, M'; M] == 0", (4, 7), ["different numbers of blocks"]),
     (HEAD + "claim I == 0", (4, 7), ["not determined", "I(n)"]),
+    (HEAD + "claim [P, M']*[I + I, 0; 0, I] == [2*P, M']", (4, 7), ["not determined", "I(n)"]),
+    (HEAD + "claim det(I) == 1", (4, 11), ["not determined", "I(n)"]),
     (HEAD + "claim P*Q == P", (4, 9), ["'Q' is not known", "matrix Q"]),
     (HEAD + "claim P*(P == P", (4, 16), ["')'"]),
     (HEAD + "claim P ==", (4, 11), ["a term"]),
@@ -156,6 +160,21 @@ def test_sizes_of_identities_and_zeros_are_found(line, tree):
     (HEAD + "let X[0] = P\nclaim for all t: X[t] == P", (4, 5), ["no step"]),
     (HEAD + "let X[0] = P\nlet X[t+1] = M*X[t]\nclaim P == P", (5, 14), ["another size"]),
     (HEAD + "claim " + "(" * 70 + "P" + ")" * 70 + " == P", (4, 67), ["brackets inside each other"]),
+    *((HEAD + f"claim {text}", (4, 7), ["operations inside each other", "a step of the lemma"])
+      for text in ("P" + " - P" * 3000 + " == P", "P" + "/2" * 3000 + " == P", "P" + "'" * 3000 + " == P", " <=> ".join(["P == P"] * 1000))),
+    (HEAD + "let P0 = P\n" + "\n".join(f"let P{k + 1} = P{k} + P" for k in range(100)) + "\nclaim P100 == P", (44, 11), ["operations inside each other"]),
+    (HEAD + "claim " + "not " * 3000 + "P == P", (4, 243), ["inside each other"]),
+    (HEAD + "claim " + " => ".join(["P == P"] * 1500), (4, 597), ["inside each other"]),
+    (HEAD + "claim (P psd)*P == P", (4, 7), ["(P psd) is a formula", "a term is needed"]),
+    (HEAD + "claim (P == P) == (P == P)", (4, 19), ["is a formula", "a term is needed"]),
+    (HEAD + "claim (P == P) == P", (4, 7), ["is a formula", "a term is needed"]),
+    (HEAD + "claim (P == P)' == P", (4, 7), ["is a formula", "a term is needed"]),
+    (HEAD + "claim (P == P) psd", (4, 7), ["is a formula", "a term is needed"]),
+    (HEAD + "claim P => P == P", (4, 7), ["P is a term", "a formula is needed"]),
+    (HEAD + "claim P == P and P", (4, 18), ["P is a term", "a formula is needed"]),
+    (HEAD + "claim not P", (4, 11), ["P is a term", "a formula is needed"]),
+    (HEAD + "claim for all t: for all s: P == P", (4, 18), ["'for' has a meaning of its own"]),
+    ("matrix A 100000 2", (1, 10), ["100000 is too large", "name it with 'sizes'"]),
 ])
 def test_errors_name_place_fault_and_remedy(text, place, words):
     """One line: where, what, and what to write instead."""
@@ -186,3 +205,10 @@ def test_only_text_is_read(value):
     """Anything but a str is refused."""
     with pytest.raises(BadInput, match="argument 'source'"):
         read_lemma(value)
+
+
+@pytest.mark.timeout(20)
+def test_long_sums_take_no_longer_than_they_are_long():
+    """The parts of a sum are looked at twice, once without and once with their size, but not twice as often for each sum around them."""
+    text = f"{HEAD}claim P{' - P' * 70} == P"
+    assert read_lemma(text).says[0] == "="
