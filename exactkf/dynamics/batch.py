@@ -29,7 +29,8 @@ def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, t
     jobs, time_limit
         As `exactkf.dynamics.many.decide_many` has them.
     json_file : Path, optional
-        For the answers without their certificates and structures: an object a line if it ends in .jsonl, a list otherwise.
+        For the answers without their certificates and structures: an object a line if it ends in .jsonl, a list otherwise.  If the call is
+        stopped, those that are decided by then.
     certificate : Path, optional
         A folder for the certificates, numbered as the filters are.
     """
@@ -43,22 +44,31 @@ def batch_command(filters: Sequence[tuple[str, dict[str, Any]]], *, jobs: int, t
     records, seen, status = list[dict[str, Any]](), Counter[str](), 0
     with Meter("analyze", len(filters)) as meter:
         found = outcomes([data for _, data in filters], jobs=jobs, time_limit=time_limit, asked=asked, idle=meter.tick)
-        for k, ((label, _), outcome) in enumerate(zip(filters, found, strict=True)):
-            status = max(status, _said(label, outcome))
-            seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
-            if json_file is not None:
-                records.append(_record(label, outcome))
-            if certificate is not None and isinstance(outcome, Answer) and outcome.certificate:
-                path = certificate / f"{k + 1:0{len(str(len(filters)))}}.json"
-                with reaching("--certificate", path):
-                    write_text(path, dump_json(outcome.certificate))
-            meter.step(label)
+        try:
+            for k, ((label, _), outcome) in enumerate(zip(filters, found, strict=True)):
+                if certificate is not None and isinstance(outcome, Answer) and outcome.certificate:
+                    path = certificate / f"{k + 1:0{len(str(len(filters)))}}.json"
+                    with reaching("--certificate", path):
+                        write_text(path, dump_json(outcome.certificate))
+                if json_file is not None:
+                    records.append(_record(label, outcome))
+                seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
+                status = max(status, _said(label, outcome))  # said last: what is printed is kept, whenever Ctrl-C comes
+                meter.step(label)
+        except KeyboardInterrupt:  # what is decided by then is kept
+            _write(json_file, records)
+            raise
+    _write(json_file, records)
+    click.echo(f"{len(filters)} filter{'s' * (len(filters) != 1)}: " + "; ".join(f"{x} {seen[x]}" for x in (*BEHAVIOURS, "refused") if seen[x]), err=True)
+    return status
+
+
+def _write(json_file: Path | None, records: list[dict[str, Any]]) -> None:
+    """The records as lines, or as a list."""
     if json_file is not None:
         lines = json_file.suffix.lower() == ".jsonl"
         with reaching("--json", json_file):
             write_text(json_file, "".join(dump_json(x, indent=None) for x in records) if lines else dump_json(records))
-    click.echo(f"{len(filters)} filter{'s' * (len(filters) != 1)}: " + "; ".join(f"{x} {seen[x]}" for x in (*BEHAVIOURS, "refused") if seen[x]), err=True)
-    return status
 
 
 def _said(label: str, outcome: Outcome) -> int:

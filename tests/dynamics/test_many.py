@@ -2,8 +2,12 @@
 """Many filters: answers in order whatever decides them, files of filters, and ``exactkf analyze`` with many."""
 
 import json
+import os
 import pickle
 import random
+import signal
+import subprocess
+import sys
 from collections import deque
 from concurrent.futures import Future, TimeoutError
 
@@ -187,3 +191,17 @@ def test_the_command_keeps_to_the_time_limit(tmp_path):
     for option in (("--after", 3), ("--latex", tmp_path / "x"), ("--picture", "plane=p.svg")):
         done = run(tmp_path / "f.json", *option)
         assert (done.exit_code, done.stdout) == (2, "") and f"argument {option[0]} goes with one filter, and there are 2" in done.stderr
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="no such signals")
+def test_what_is_decided_before_ctrl_c_is_kept(tmp_path):
+    """One answer is printed, the next takes long: after Ctrl-C the file has the first."""
+    (tmp_path / "f.json").write_text(json.dumps([{"alpha": [3], "gamma": ["1/2"]}, LONG]))
+    call = subprocess.Popen([sys.executable, "-m", "exactkf", "analyze", str(tmp_path / "f.json"), "--json", str(tmp_path / "o.jsonl")],
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+    first = call.stdout.readline()
+    os.killpg(call.pid, signal.SIGINT)
+    out, err = call.communicate(timeout=20)
+    assert (call.returncode, first, out, err) == (130, f"{tmp_path / 'f.json'}[0]: order 1: the orbit converges\n", "", "exactkf: stopped\n")
+    (kept,) = (tmp_path / "o.jsonl").read_text().splitlines()
+    assert json.loads(kept)["behaviour"] == "converges"
