@@ -95,7 +95,7 @@ def _structure_hints(found: Structure) -> dict[str, Any]:
 
 def _spectrum(found: Structure) -> list[Any]:
     """z^m D."""
-    return [*found.d[:0:-1], *found.d]
+    return [*found.reduced[:0:-1], *found.reduced]
 
 
 def _speed_hints(found: Structure, rate: Any) -> dict[str, Any]:

@@ -53,6 +53,7 @@ from exactkf.dynamics.answer import Answer, Fact
 from exactkf.dynamics.dominance import dominating
 from exactkf.dynamics.enclosed_limit import EnclosedLimit
 from exactkf.dynamics.exact_json import element_json, field_json, number_json, number_latex, number_words
+from exactkf.dynamics.irreducible import irreducible_at
 from exactkf.dynamics.order_one_facts import of_field
 from exactkf.dynamics.sieve import places_of_signs
 from exactkf.dynamics.spectral_factor import Factor, factor_json, number_of_choices, spectral_factor
@@ -66,7 +67,6 @@ from exactkf.dynamics.wandering import (
     convergence_modulo,
     escape_seen,
     escapes_before,
-    irreducible_at,
     modulus_without_escape,
     no_escape_modulo,
     places_without_escape,
@@ -193,17 +193,19 @@ def _case(a_0: Sequence[Scalar], g_0: Sequence[Scalar]) -> _Case:
 def _describe(case: _Case, shape: str) -> None:
     m = len(case.reduced.Q) - 1
     d = case.D[m:]
+    whose = " of that pair" if len(case.reduced.removed) > 1 else ""
     if d[0] != 0:
         kappa, names = [2 * x / d[0] for x in d[1:]], ["kappa_1", *(["..."] * (m > 2)), f"kappa_{m}"][:m + (m > 2)]
-        case.facts.append(Fact(f"The invariant{'s' * (m > 1)} {', '.join(names)} {'are' if m > 1 else 'is'} {', '.join(map(number_words, kappa))}.",
-                               f"$(\\kappa_1, \\dots, \\kappa_{{{m}}}) = ({', '.join(map(number_latex, kappa))})$."))
+        case.facts.append(Fact(f"The invariant{'s' * (m > 1)} {', '.join(names)}{whose} {'are' if m > 1 else 'is'} {', '.join(map(number_words, kappa))}.",
+                               f"$(\\kappa_1, \\dots, \\kappa_{{{m}}}) = ({', '.join(map(number_latex, kappa))})${whose}."))
     else:
-        case.facts.append(Fact(f"d_0 = 0; the point of projective space is ({' : '.join(map(number_words, d))}).",
-                               f"$d_0 = 0$, $(d_0 : \\dots : d_{{{m}}}) = ({' : '.join(map(number_latex, d))})$."))
+        case.facts.append(Fact(f"d_0 = 0; the point of projective space{whose} is ({' : '.join(map(number_words, d))}).",
+                               f"$d_0 = 0$, $(d_0 : \\dots : d_{{{m}}}) = ({' : '.join(map(number_latex, d))})${whose}."))
     if shape == "+-":
-        case.facts.append(Fact("D changes sign on the unit circle: the orbit does not converge.", "$D(z, z^{-1})$ changes sign on $|z| = 1$."))
+        case.facts.append(Fact(f"D{whose} changes sign on the unit circle: the orbit does not converge.",
+                               f"$D(z, z^{{-1}})${whose} changes sign on $|z| = 1$."))
     else:
-        case.facts.append(Fact(f"D is {_SIGNS[shape]} on the unit circle.", f"$D(z, z^{{-1}}) {_LATEX_SIGNS[shape]}$ on $|z| = 1$."))
+        case.facts.append(Fact(f"D{whose} is {_SIGNS[shape]} on the unit circle.", f"$D(z, z^{{-1}}) {_LATEX_SIGNS[shape]}${whose} on $|z| = 1$."))
 
 
 # ---------------------------------------------------------------------- answers
@@ -238,8 +240,8 @@ def _speed(answer: Answer) -> Speed:
     """The speed, kept for the other half of it; of an equilibrium there is none."""
     if "_speed" not in answer.__dict__:
         behind = answer.__dict__.get("_behind")  # the structure, if it has been asked for
-        D = _case(*answer.__dict__["_start"][:2]).D if behind is None else [*behind.d[:0:-1], *behind.d]
-        circle = [] if len(D) == 1 else circle_points(D) if behind is None else behind.circle_zeros
+        D = _case(*answer.__dict__["_start"][:2]).D if behind is None else [*behind.reduced[:0:-1], *behind.reduced]
+        circle = [] if len(D) == 1 else behind.circle_zeros if behind is not None and behind.d == behind.reduced else circle_points(D)
         answer.__dict__["_speed"] = Speed(None, None) if answer.period == 1 else speed(D, circle)
     return answer.__dict__["_speed"]
 
@@ -452,7 +454,8 @@ def _wandering(case: _Case, pair: Readings, aperiodic: list[Any] | None, max_ste
         return _undecided(case, 0, reason + "its zeros seem to be roots of unity, of an order too large to decide whether it repeats")
     irreducible = {} if pair.field is None else {"irreducible": irreducible_at(pair.field)}
     if irreducible.get("irreducible", 1) is None:
-        return _undecided(case, 0, reason + "the field of the data is too large to read it modulo primes, and nothing else excludes an escape")
+        return _undecided(case, 0, f"{reason}the polynomial of the field of the data, of degree {pair.field.degree if pair.field else 1}, was not shown to be "
+                                   "irreducible, as it must be to read the data modulo primes, and nothing else excludes an escape")
     found, reason = _no_escape(case, pair), ""
     if found is None:
         steps = max_steps if case.rational else min(max_steps, _FEW)
@@ -500,7 +503,7 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
         shown = ", ".join(str(p) for p, *_ in places)
         case.facts.append(Fact(f"There is no time at which gamma^2 = 1 modulo {'each of ' * (len(places) > 1)}{shown}{apart}: the orbit never escapes.",
                                f"$\\gamma_t^2 \\equiv 1$ modulo {'each of ' * (len(places) > 1)}${shown}$ has no solution $t \\ge 0$ that lifts."))
-        return {"places": places, "before": before}
+        return {"places": places, "before": list(before)}
     reduced = case.reduced
     if pair.integral is not None and (settled := convergence_modulo(_fractions(reduced.Q), _fractions(reduced.S), pair.integral)):
         prime, after = settled
@@ -517,7 +520,7 @@ def _no_escape(case: _Case, pair: Readings) -> dict[str, Any] | None:
                            f"first kind{apart}, and modulo powers of {second} none for one of the second: the orbit never escapes.",
                            f"$X_t u = 0$ and $Y_t u = Ku$ modulo powers of ${first}$, or $Y_t u = -Ku$ modulo powers of ${second}$, "
                            "has no solution $t \\ge 0$, $u \\ne 0$ that lifts."))
-    return {"signs": signs, "before": before}
+    return {"signs": signs, "before": list(before)}
 
 
 def _dominated(case: _Case, pair: Readings) -> dict[str, Any] | None:

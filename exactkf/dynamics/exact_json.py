@@ -164,12 +164,12 @@ def polynomial_words(p: fmpq_poly, name: str) -> str:
 
 
 def number_latex(x: Scalar) -> str:
-    r"""Return the number in LaTeX; :math:`\theta` is the generator of its field."""
+    r"""Return the number in LaTeX; :math:`\vartheta` is the generator of its field, as :math:`\theta` is what `a` and `b` have in common."""
     terms = ""
     for k, c in reversed(list(enumerate(x.poly.coeffs() if isinstance(x, RealNumber) else [x]))):
         if c == 0:
             continue
-        power = "" if k == 0 else r"\theta" if k == 1 else rf"\theta^{{{k}}}"
+        power = "" if k == 0 else r"\vartheta" if k == 1 else rf"\vartheta^{{{k}}}"
         size = str(abs(c)) if c.q == 1 else rf"\frac{{{abs(c.p)}}}{{{c.q}}}"
         sign = "-" if c < 0 else "+" if terms else ""
         terms += sign + (power if power and size == "1" else size + power)
@@ -208,6 +208,7 @@ def _sum(terms: list[tuple[str, str]], times: str, signs: tuple[str, str]) -> st
         if re.search(r".[+-]| [+-] ", number):
             negative, number = False, f"({number})"
         size = number[1:] if negative else number
-        size = power if power and size == "1" else size + times * bool(power) + power
+        apart = times or " " * size[-1].isalpha()  # no longer name of a command
+        size = power if power and size == "1" else size + apart * bool(power) + power
         out += (signs[negative] if out else "-" * negative) + size
     return out or "0"

@@ -111,9 +111,18 @@ def _labelled(place: str, data: Any) -> tuple[str, dict[str, Any]]:
 
 def _parsed(text: str, place: Any, kind: str) -> Any:
     try:
-        return tomllib.loads(text, parse_float=str) if kind == "TOML" else json.loads(text, parse_float=str, parse_constant=str)
+        return tomllib.loads(text, parse_float=str) if kind == "TOML" else json.loads(text, parse_float=str, parse_constant=str, object_pairs_hook=_once)
     except (ValueError, RecursionError) as error:
         raise bad("FILE", f"is not {kind} ({' '.join(str(error).split())})", str(place), "mend it") from None
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """A table; one of two values to a key would be lost."""
+    data = dict(pairs)
+    if len(data) < len(pairs):
+        names = [name for name, _ in pairs]
+        raise ValueError(f"the key {next(name for name in names if names.count(name) > 1)!r} comes twice")
+    return data
 
 
 def _toml(text: str, path: Path) -> list[tuple[str, Any]]:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from exactkf.dynamics.answer import Fact
-from exactkf.dynamics.exact_json import number_latex, number_words, polynomial_words
+from exactkf.dynamics.exact_json import number_latex, number_words, polynomial_latex, polynomial_text, polynomial_words
 from exactkf.exact import RealField, RealNumber
 from exactkf.exact.balls import ball, precision
 from exactkf.theory._scalars import Scalar
@@ -31,7 +31,7 @@ def of_field(field: RealField) -> Fact:
     p = polynomial_words(field.minpoly, "x")
     near = field.enclose_gen(64).str(12, radius=False)
     return Fact(f"theta = {near}... is the root of {p} in [{field.root.lo}, {field.root.hi}].",
-                rf"$\theta = {near}\ldots$ is the root of ${p.replace('*', '')}$ in $[{field.root.lo}, {field.root.hi}]$.")
+                rf"$\vartheta = {near}\ldots$ is the root of ${polynomial_latex(field.minpoly.coeffs(), 'x')}$ in $[{field.root.lo}, {field.root.hi}]$.")
 
 
 def _plural(n: int, word: str) -> str:
@@ -175,8 +175,9 @@ def riccati_equilibrium(alpha: Scalar, c: Scalar, square: Scalar) -> list[Fact]:
 
 def _phi(alpha: Scalar, c: Scalar, square: Scalar) -> Fact:
     b, q = 2 * (1 - alpha * c), square
-    return Fact(f"The equilibria are the real zeros of phi(p) = p^2 - ({number_words(b)}) p + {number_words(q)}; 1/kappa = {number_words(c)}.",
-                rf"The equilibria are the real zeros of $\varphi(p) = p^2 - ({number_latex(b)})p + {number_latex(q)}$; $1/\kappa = {number_latex(c)}$.")
+    phi = [q, -b, b - b + 1]
+    return Fact(f"The equilibria are the real zeros of phi(p) = {polynomial_text(phi, 'p')}; 1/kappa = {number_words(c)}.",
+                rf"The equilibria are the real zeros of $\varphi(p) = {polynomial_latex(phi, 'p')}$; $1/\kappa = {number_latex(c)}$.")
 
 
 def riccati_invariant(alpha: Scalar, c: Scalar, square: Scalar, found: Course, region: str) -> list[Fact]:

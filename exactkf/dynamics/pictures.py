@@ -143,7 +143,7 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     typical = max(np.quantile(np.abs(alpha[seen]), 0.9), np.quantile(np.abs(gamma[seen]), 0.9)) if seen.any() else 0
     reach = float(np.clip(1.15 * max(typical, abs(alpha[0]), abs(gamma[0])), 2.5, 12))
     _regions(axes, reach)
-    _hyperbola(axes, alpha[0], gamma[0], reach)
+    _hyperbola(axes, filter, reach)
     axes.plot(alpha, gamma, "-", color=_ORBIT, lw=0.5, alpha=0.25)
     axes.plot(alpha, gamma, ".", color=_ORBIT, ms=5, label=rf"$(\alpha_t, \gamma_t)$, $t = 0, \dots, {len(states) - 1}$")
     axes.plot(alpha[:1], gamma[:1], "o", mfc="white", mec=_ORBIT, ms=8, label="start")
@@ -154,12 +154,12 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel=r"$\alpha$", ylabel=r"$\gamma$",
              title=title + (f"\n{outside} of {len(states)} points lie outside the picture" if outside else ""))
     axes.set_aspect("equal")
-    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.08), ncols=4, frameon=False, fontsize=9)  # outside: it would hide a region
+    figure.legend(loc="outside lower center", ncols=2, frameon=False, fontsize=9)  # outside: it would hide a region
     return figure
 
 
 def _shown(x: float) -> str:
-    return f"{x:.6g}"
+    return f"{x:.8g}"
 
 
 def _regions(axes: Axes, reach: float) -> None:
@@ -172,29 +172,30 @@ def _regions(axes: Axes, reach: float) -> None:
     for sign in (1, -1):
         for shift in (1, -1):
             axes.plot([-far, far], [sign * -far + shift, sign * far + shift], color=_INK, lw=0.8)
-        axes.axhline(sign, color=_INK, lw=0.9, ls=(0, (5, 3)))
+        axes.axhline(sign, color=_INK, lw=0.9, ls=(0, (5, 3)), label=r"escape lines $\gamma = \pm 1$" if sign > 0 else None)
     axes.axvline(0, color=_INK, lw=0.4)
     axes.axhline(0, color=_INK, lw=0.4)
     text: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 11, "color": _INK, "bbox": {"fc": "white", "ec": "none", "alpha": 0.6, "pad": 1}}
     for s, index in ((1, "+"), (-1, "-")):
-        axes.text(0.45 * s, 0.22, rf"$\mathrm{{I}}_{index}$", **text)
+        axes.text(0.45 * s, 0.22, rf"$\mathrm{{I}}_{index}$", **{**text, "fontsize": max(6.0, min(11.0, 30 / reach))})
         if reach > 2.3:
-            axes.text(s * min(reach - 0.4, 2.2), 0.45, rf"$\mathrm{{IV}}_{index}$", **text)
+            axes.text(s * 0.8 * reach, 0.45, rf"$\mathrm{{IV}}_{index}$", **text)
             for side in (1, -1):
-                axes.text(s * (reach - 0.25), 1.18 * side, rf"$\mathrm{{III}}_{index}$", **text)
-                axes.text(-s * 0.45, min(reach - 0.3, 2.2) * side, rf"$\mathrm{{II}}_{index}$", **text)  # the index is the sign of kappa
-    axes.text(-1.95, 1.03, r"escape lines $\gamma = \pm 1$", fontsize=8, color=_INK, va="bottom")
+                axes.text(s * 0.93 * reach, (1 + 0.075 * reach) * side, rf"$\mathrm{{III}}_{index}$", **text)
+                axes.text(-s * 0.12 * reach, 0.85 * reach * side, rf"$\mathrm{{II}}_{index}$", **text)  # the index is the sign of kappa
+    place = 0.68 * reach
     for side in (1, -1):
-        axes.text(1.7 * side, 1.7 * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=45)
-        axes.text(1.7 * side, -1.7 * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=-45)
+        axes.text(place * side, place * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=45)
+        axes.text(place * side, -place * side, "corridor", fontsize=8, color=_INK, ha="center", va="center", rotation=-45)
 
 
-def _hyperbola(axes: Axes, alpha: float, gamma: float, reach: float) -> None:
-    """The invariant curve 1 + alpha^2 - gamma^2 = (2/kappa) alpha through the start."""
-    if alpha == 0:
+def _hyperbola(axes: Axes, filter: Filter, reach: float) -> None:
+    """The invariant curve 1 + alpha^2 - gamma^2 = (2/kappa) alpha through the start; 2/kappa is rounded once, so that its being zero is not lost."""
+    start, g = filter.a[0] + filter.g[0], filter.g[0]
+    if start == 0:
         axes.plot([0, 0], [-reach, reach], color="#2166ac", lw=1.4, label=r"$\alpha = 0$, $\kappa = 0$")
         return
-    turned = (1 + alpha**2 - gamma**2) / alpha  # 2 / kappa
+    turned = _float((1 + start * start - g * g) / start)  # 2 / kappa
     far, u = 2 * reach, np.linspace(-1, 1, 2001)
     if turned**2 > 4:  # branches to the left and to the right, each through its vertex
         low, high = (turned - np.sqrt(turned**2 - 4)) / 2, (turned + np.sqrt(turned**2 - 4)) / 2
@@ -223,12 +224,12 @@ def draw_gamma(filter: Filter, steps: int = 60) -> Figure:
     axes.plot(time, gamma, "-", color=_ORBIT, lw=0.6, alpha=0.6)
     axes.plot(time, gamma, ".", color=_ORBIT, ms=4)
     if escape is not None:
-        axes.plot([escape], gamma[-1:], "X", color=_ORBIT, ms=10, label=rf"escape at $t = {escape}$")
-        axes.legend(fontsize=9)
+        axes.plot([escape], gamma[-1:], "X", color=_ORBIT, ms=10)
     if not inside:
-        axes.set_yscale("symlog", linthresh=2)
+        axes.set_yscale("symlog", linthresh=2, linscale=max(1.0, np.log10(np.max(np.abs(gamma[np.isfinite(gamma)]))) / 12))  # room for the lines
     scale = "" if inside else "; linear up to 2, logarithmic beyond"
-    axes.set(xlabel="$t$", ylabel=r"$\gamma_t$", title=rf"order {filter.order}, lines at $\gamma = \pm 1${scale}")
+    end = "" if escape is None else f"; escape at $t = {escape}$"
+    axes.set(xlabel="$t$", ylabel=r"$\gamma_t$", title=rf"order {filter.order}, lines at $\gamma = \pm 1${scale}{end}")
     axes.set_xlim(-0.5, max(len(gamma) - 0.5, 1))
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     return figure
@@ -306,11 +307,13 @@ def draw_spectrum(filter: Filter) -> Figure:
     axes.plot(np.cos(angle), np.sin(angle), color=_INK, lw=1)
     axes.axhline(0, color=_INK, lw=0.4)
     axes.axvline(0, color=_INK, lw=0.4)
-    axes.plot(roots.real, roots.imag, "o", color=_ORBIT, ms=6, label=f"{len(roots)} zeros")
+    axes.plot(roots.real, roots.imag, "o", color=_ORBIT, ms=6)
     reach = float(min(max(1.3, 1.15 * np.max(np.abs(roots), initial=1.0)), 8))
     outside = int(np.sum(np.abs(roots) > reach))
     title = r"spectrum of $S$, the zeros of $z^n D(z, 1/z)$, and the unit circle"
+    if d[-1] == 0:
+        title = r"zeros of $z^n D(z, 1/z)$; there is no $S$, as $\alpha_n = 0$"
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel=r"$\mathrm{Re}\,z$", ylabel=r"$\mathrm{Im}\,z$",
-             title=title + (f"; {outside} outside the picture" if outside else ""))
+             title=title + (f"\n{outside} outside the picture" if outside else ""))
     axes.set_aspect("equal")
     return figure

@@ -48,10 +48,18 @@ def _lines(entries: Sequence[Entry]) -> list[str]:
 
 
 def vouched(answer: Answer) -> str:
-    """What the certificate vouches for."""
+    """What the certificate vouches for, and what of the speed it takes from the literature."""
     if answer.behaviour == "undecided":
         return "The certificate vouches for the steps searched and for the structure."
-    return "The certificate vouches for every entry of this answer, and for enclosed numbers within the intervals that it gives; the sentences say why."
+    said = "The certificate vouches for every entry of this answer, and for enclosed numbers within the intervals that it gives; the sentences say why."
+    known = answer.__dict__
+    if answer.order > 1 and known.get("rate") not in (None, "0"):
+        said += (" Of the rate it shows that it is the square of the largest modulus of the zeros of D inside the circle; "
+                 "that the orbit converges at this rate is cited (Nevai and Totik 1989), not proved.")
+    elif answer.order > 1 and known.get("slow") is not None:
+        said += (f" Of the {answer.slow} in {answer.slow}/t it shows that it is the sum of squares of half the multiplicities of the zeros of D on the circle; "
+                 "that the orbit converges like this is argued in words, not proved.")
+    return said
 
 
 def headline(answer: Answer) -> str:

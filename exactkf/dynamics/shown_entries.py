@@ -124,10 +124,9 @@ def structure_entries(answer: Answer, digits: int) -> list[Entry]:
     entries = [_polynomial("gcd of a and b", "Greatest common divisor of $a$ and $b$", read(found["gcd"]))]
     if t := found["start"]:
         entries.append(_polynomial(f"after {t} step{'s' * (t > 1)}", f"The same of $a_t$ and $b_t$, $t = {t}$", read(found["factor"])))
-    if not m:
-        return entries
     d = read(found["d"])
-    point = Entry(f"point of P^{m}", f"({' : '.join(map(number_words, d))})", f"Point of $\\mathbb{{P}}^{{{m}}}$", f"$({' : '.join(map(number_latex, d))})$")
+    n = len(d) - 1
+    point = Entry(f"point of P^{n}", f"({' : '.join(map(number_words, d))})", f"Point of $\\mathbb{{P}}^{{{n}}}$", f"$({' : '.join(map(number_latex, d))})$")
     entries += [point, Entry("D on the circle", found["sign"], "$D$ on $|z| = 1$", found["sign"]), _circle(found["circle_zeros"], digits)]
     if found["S"] is None:
         return entries

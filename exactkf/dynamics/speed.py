@@ -9,6 +9,9 @@ Main definitions
 
 Main statements
 ---------------
+The certificate is about the numbers :math:`\rho^2` and `K`, which `exactkf.kernel.orbit_speed` finds from `D` again.  That they are the speed of the orbit is
+shown here, in words: statement 1 rests on the theorem of Nevai and Totik, which is cited and not proved, statement 2 on the Jordan blocks of `S`.
+
 Let `Q`, `S` be coprime of order :math:`m \ge 1`, :math:`Q(0) \ne 0`, and let the orbit converge, :math:`Q_t \to w`.  Let :math:`d_m` be the
 leading coefficient of :math:`z^m D`, so that :math:`d_m = Q(0)`, and :math:`c_t = \prod_{s < t} (1 - \gamma_s^2)^{-1}`.  `D` of the pair at step `t` is
 :math:`c_t D`, hence :math:`Q_t(0) = c_t d_m`, and with :math:`c = \lim c_t`

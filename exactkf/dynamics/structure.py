@@ -39,7 +39,7 @@ from exactkf.dynamics.zeros import CirclePoint, circle_points, factors, interval
 from exactkf.exact.numberfield import RealNumber
 from exactkf.kernel.linear import Matrix
 from exactkf.kernel.orbit_n import spectral_polynomial, spectral_sign
-from exactkf.kernel.orbit_structure import subspace, subspace_within
+from exactkf.kernel.orbit_structure import SIGNS, subspace, subspace_within
 from exactkf.kernel.roots import count_circle, gcd_poly
 from exactkf.theory._scalars import Scalar
 from exactkf.theory.power_method import symplectic_rows
@@ -47,7 +47,6 @@ from exactkf.theory.power_method import symplectic_rows
 __all__ = ["JordanBlocks", "Structure", "structure", "structure_json"]
 
 _MOST_CHOICES = 8  # degree up to which the subspaces are written exactly
-_SIGNS = {"+": "positive", "0+": "nonnegative", "0": "zero", "-0": "nonpositive", "-": "negative", "+-": "indefinite"}
 
 
 class JordanBlocks(NamedTuple):
@@ -69,14 +68,14 @@ class Structure:
         The steps that the reduction takes.
     gcd, factor : tuples of numbers
         The greatest common divisor of `a` and `b` at the start, and at that step, from z^0 up.
-    d : tuple of numbers, length m + 1
-        :math:`d_0, \dots, d_m` of the reduced pair: a point of projective space.
+    d : tuple of numbers, length n + 1
+        :math:`d_0, \dots, d_n` of the state itself: a point of projective space.
     kappa : tuple of numbers or None
         :math:`2 d_i / d_0`; None if :math:`d_0 = 0`.
     sign : str
-        "positive", "nonnegative", "zero", "nonpositive", "negative" or "indefinite", of `D` on the circle.
+        "positive", "nonnegative", "zero", "nonpositive", "negative" or "indefinite", of `D` of the state itself on the circle.
     circle_zeros : tuple of CirclePoint
-        The zeros of `D` on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each.
+        The zeros of the same on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each.
     positive_real : bool
         Whether the state is in the positive real region: `D` is positive on the circle, and `a` and `b`, with what they have in common, are Schur.
     S : Matrix or None, shape (2m, 2m)
@@ -85,6 +84,8 @@ class Structure:
         The Jordan structure of `S`.
     dominant, codominant : tuple of numbers or balls, length m, or None
         The vectors `u` of the header, exact if the data are rational and their field is small; None if there is no `S` or `D` changes sign.
+    reduced : tuple of numbers, length m + 1
+        What `d` is for the state, of the reduced pair.
     evidence : mapping
         The spectral factor from which they come, for the checker.
     """
@@ -102,6 +103,7 @@ class Structure:
     jordan: tuple[JordanBlocks, ...]
     dominant: tuple[Any, ...] | None
     codominant: tuple[Any, ...] | None
+    reduced: tuple[Any, ...] = field(default=(), repr=False)
     evidence: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     def subspace(self, u: Sequence[Any]) -> Matrix:
@@ -135,8 +137,9 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     """
     case = _case(a, g)
     reduced, D, m = case.reduced, case.D, len(case.reduced.Q) - 1
-    d, sign = tuple(D[m:]), _SIGNS[spectral_sign(D)]
-    inside = spectral_sign(spectral_polynomial(case.Q, case.S)) == "+" and count_circle(case.Q)[0] == len(case.a)
+    whole = spectral_polynomial(case.Q, case.S)
+    d, sign = tuple(whole[len(case.a):]), SIGNS[spectral_sign(whole)]
+    inside = sign == "positive" and count_circle(case.Q)[0] == len(case.a)
     S: Matrix | None = None
     jordan: tuple[JordanBlocks, ...] = ()
     dominant = codominant = None
@@ -144,11 +147,17 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
     if m and reduced.escape is None:
         q_m, g_m = reduced.Q[-2::-1], reduced.S[-2::-1]
         S, jordan = Matrix(symplectic_rows(q_m, g_m)), tuple(JordanBlocks(tuple(f), k) for f, k in factors(D))
-        if sign != "indefinite":
+        if spectral_sign(D) != "+-":
             dominant, codominant, factor = _subspaces(D, q_m)
     return Structure(m, reduced.start, tuple(gcd_poly(case.Q, case.S)), tuple(reduced.removed), d,
-                     tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, () if sign == "zero" else tuple(circle_points(D)),
-                     inside, S, jordan, dominant, codominant, factor)
+                     tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, () if sign == "zero" else tuple(circle_points(_without_zero(whole))),
+                     inside, S, jordan, dominant, codominant, tuple(D[m:]), factor)
+
+
+def _without_zero(whole: list[Any]) -> list[Any]:
+    """A palindrome divided by what powers of z it has."""
+    first = next((k for k, c in enumerate(whole) if c != 0), len(whole))
+    return whole[first:len(whole) - first]
 
 
 def _subspaces(D: list[Any], q: list[Any]) -> tuple[tuple[Any, ...], tuple[Any, ...], dict[str, Any]]:

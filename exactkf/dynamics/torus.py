@@ -178,6 +178,10 @@ def _root(numbers: CircleNumbers, i: int, bits: int) -> arb:
     p = fmpz_poly(numbers.in_x)
     slope = p.derivative()
     x = arb(lo).union(arb(hi))
+    while slope(x).contains(0) and (hi - lo) * 2**bits > 1:  # the interval is too wide for Newton's method, or the precision too low
+        middle = (lo + hi) / 2
+        lo, hi = (lo, middle) if (p(middle) > 0) != (p(lo) > 0) else (middle, hi)
+        x = arb(lo).union(arb(hi))
     while x.rel_accuracy_bits() < bits - 32:
         mid = x.mid()
         narrowed = x.intersection(mid - p(mid) / slope(x))

@@ -28,7 +28,7 @@ BLZ94 Section 8.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import gcd, isqrt, lcm
@@ -43,7 +43,7 @@ from exactkf.kernel.orbit_n import states
 from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
 from exactkf.kernel.orbit_wandering import common_order, modular, modular_step
 
-__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before", "irreducible_at",
+__all__ = ["Readings", "aperiodic_place", "apparent_orders", "common_period", "convergence_modulo", "escape_seen", "escapes_before",
            "is_alone", "least", "modulus_without_escape", "no_escape_modulo", "place", "places_without_escape", "primes", "step_matrix_at", "unit",
            "zeros_at"]
 
@@ -134,22 +134,6 @@ class Readings(NamedTuple):
         return out
 
 
-def irreducible_at(field: RealField) -> int | None:
-    """Return an `n` that shows the checker that the polynomial of the field is irreducible; see `exactkf.kernel.orbit_sieve`."""
-    f = field.minpoly.numer()
-    largest = max(abs(c) for c in field.minpoly.coeffs())
-    for n in range(int(largest) + 2, int(largest) + 5000):
-        value, c = abs(int(f(n))), 1
-        if value.bit_length() > 80:
-            return None
-        for r in range(2, 100):
-            while value % r == 0 and n > largest + 1 + c * r:
-                value, c = value // r, c * r
-        if n > largest + 2 and fmpz(value).is_prime():
-            return n
-    return None
-
-
 def place(p: int, root: int | None, *entries: int) -> list[Any]:
     """A place as evidence names it."""
     return [p, *entries] if root is None else [p, *entries, root]
@@ -198,18 +182,18 @@ def _comes_back(q: list[int], s: list[int], p: int) -> bool:
     return False
 
 
-def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] | None:
+def places_without_escape(pair: Readings, before: Mapping[int, int]) -> list[list[Any]] | None:
     """Return places that together leave no time for an escape, or None.
 
     Parameters
     ----------
     pair : Readings
-    before : list of int
-        The `k` with a singular plane `k` steps before the start.
+    before : mapping
+        As `escapes_before` finds it.
     """
     taken: list[_Taken] = []
     period, left, steps = 1, [0], 0
-    for p in primes(5 if before else 2):
+    for p in primes(3 if before else 2):
         if p > _PRIME_BOUND or steps > _MOST_STEPS:
             return None
         for root in pair.roots(p):
@@ -218,7 +202,7 @@ def places_without_escape(pair: Readings, before: list[int]) -> list[list[Any]] 
             if found is None or L is None:
                 continue
             steps += L
-            found -= {-k % L for k in before if L > k and -k % L in found and is_alone(pair, k, p, root, L)}
+            found -= {-k % L for k, r in before.items() if L > k and -k % L in found and is_alone(pair, k, r, p, root, L)}
             if len(found) > _MOST_ZEROS:
                 continue
             one = (p, root, L, found)
@@ -317,37 +301,38 @@ def unit(rows: int, columns: int, p: int) -> nmod_mat:
     return nmod_mat(rows, columns, [int(i == j) for i in range(rows) for j in range(columns)], p)
 
 
-def is_alone(pair: Readings, k: int, p: int, root: int | None, L: int) -> bool:
-    """Whether det X_{L - k} is not zero modulo p^2; see `exactkf.kernel.orbit_sieve`, statement 3."""
-    S = step_matrix_at(pair, p, root, 2)
+def is_alone(pair: Readings, k: int, r: int, p: int, root: int | None, L: int) -> bool:
+    """Whether det X_{L - k} is not zero modulo p^{r + 1}; see `exactkf.kernel.orbit_sieve`, statement 3."""
+    N = p ** (r + 1)
+    S = step_matrix_at(pair, p, root, r + 1) if N < 1 << 63 else None
     if S is None:
         return False
     m, power = S.nrows() // 2, S ** (L - k)
-    return int(fmpz_mat(m, m, [int(power[i, j]) for i in range(m) for j in range(m)]).det()) % (p * p) != 0
+    return int(fmpz_mat(m, m, [int(power[i, j]) for i in range(m) for j in range(m)]).det()) % N != 0
 
 
-def escapes_before(pair: Readings, steps: int = 40) -> list[int]:
-    """Return the `k` up to `steps` for which the plane `k` steps before the start seems to be singular, as it is modulo a large prime."""
+def escapes_before(pair: Readings, steps: int = 40) -> dict[int, int]:
+    """Return the `k` up to `steps` for which the plane `k` steps before the start is singular modulo a large prime, with the dimension of the kernel."""
     S = _modulo_large_prime(pair)
-    return [k for k, singular in enumerate(_singular(S.inv(), steps), 1) if singular]
+    return {k: missing for k, missing in enumerate(_missing_ranks(S.inv(), steps), 1) if missing}
 
 
 def escape_seen(pair: Readings, steps: int) -> int | None:
     """Return the first step up to `steps` at which a reduced pair seems to escape, as it does modulo a large prime."""
-    return next((t - 1 for t, singular in enumerate(_singular(_modulo_large_prime(pair), steps + 2), 1) if singular), None)
+    return next((t - 1 for t, missing in enumerate(_missing_ranks(_modulo_large_prime(pair), steps + 2), 1) if missing), None)
 
 
 def _modulo_large_prime(pair: Readings) -> nmod_mat:
     return next(S for p in primes(_LARGE) for root in pair.roots(p) if (S := step_matrix_at(pair, p, root)) is not None)
 
 
-def _singular(S: nmod_mat, steps: int) -> Iterator[bool]:
-    """Whether the upper block of S^k (I; 0) is singular, k = 1, 2, ..."""
+def _missing_ranks(S: nmod_mat, steps: int) -> Iterator[int]:
+    """The dimension of the kernel of the upper block of S^k (I; 0), k = 1, 2, ..."""
     m, p = S.nrows() // 2, int(S.modulus())
     top, columns = unit(m, 2 * m, p), unit(2 * m, m, p)
     for _ in range(steps):
         columns = S * columns
-        yield not (top * columns).det()
+        yield m - (top * columns).rank()
 
 
 def no_escape_modulo(Q: Sequence[Fraction | int], S: Sequence[Fraction | int], steps: int, p: int) -> bool:

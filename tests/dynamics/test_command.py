@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from click.testing import CliRunner
 from exactkf.cli import main
 from exactkf.dynamics.analyze import analyze
 from exactkf.dynamics.files import split_list
+from exactkf.dynamics.filter import Filter
 from exactkf.kernel.replay import replay
 
 
@@ -190,12 +192,39 @@ def test_the_hyperbola_is_drawn_up_to_its_vertices():
     from exactkf.dynamics import pictures
 
     axes = Figure().subplots()
-    pictures._hyperbola(axes, 3.0, 0.5, 3.5)
+    pictures._hyperbola(axes, Filter.from_parameters([3], ["1/2"]), 3.5)
     upper = axes.lines[0].get_xydata()
     drawn = upper[np.isfinite(upper[:, 1])]
     middle = (1 + 3.0**2 - 0.5**2) / 3.0 / 2
     for vertex in (middle - np.sqrt(middle**2 - 1), middle + np.sqrt(middle**2 - 1)):
         assert np.abs(drawn[np.abs(drawn[:, 0] - vertex) < 1e-6, 1]).min() < 1e-3
+
+
+@pytest.mark.parametrize(("alpha", "gamma", "label"), [
+    ("1/2", "sqrt(5)/2", r"\\kappa = \\infty"), ("2/3 + sqrt(1/3)", "1/3 - sqrt(1/3)", r"\\kappa = 1\$"), ("0", "3/2", r"\\kappa = 0"),
+    ("10^6", "999999.5", r"\\kappa = 1.9999985")])
+def test_the_label_of_the_hyperbola_is_that_of_the_exact_kappa(alpha, gamma, label):
+    """Coordinates that are rounded first would turn infinity into 10^15 and one into what is next to it."""
+    pytest.importorskip("matplotlib")
+    from exactkf.dynamics.pictures import draw_plane
+
+    figure = draw_plane(Filter.from_parameters([alpha], [gamma]), 20)
+    assert any(re.search(label, text.get_text()) for text in figure.legends[0].get_texts())
+
+
+@pytest.mark.parametrize("args", [("1829/574", "-8/287"), ("3", "1/2"), ("0", "3/2"), ("10^6", "999999.5")])
+def test_the_legend_of_the_plane_is_whole(args):
+    """It lies below the axes and within the figure, with the escape and without."""
+    pytest.importorskip("matplotlib")
+    from exactkf.dynamics.pictures import draw_plane
+
+    figure = draw_plane(Filter.from_parameters([args[0]], [args[1]]), 20)
+    figure.canvas.draw()
+    box, axes = figure.legends[0].get_window_extent(), figure.axes[0].get_window_extent()
+    assert 0 <= box.x0 and box.x1 <= figure.bbox.x1 and 0 <= box.y0 and box.y1 <= axes.y0
+    for text in figure.axes[0].texts:
+        place = text.get_window_extent()
+        assert axes.x0 <= place.x0 and place.x1 <= axes.x1, text.get_text()
 
 
 @pytest.mark.parametrize(("args", "exact"), [(("--alpha", "0,2", "--gamma", "1/2,1/3", "--after", "3"), True),

@@ -31,7 +31,7 @@ from exactkf.theory.orbits import first_escape
 from tests.dynamics.starts import DEGENERATE
 
 STEPS = 40
-_UNDECIDED = 0.015  # the part of the random starts that may be left undecided; it was 0.004, 0.012 and 0.0115 of 2,000 of the orders 2, 3, 4
+_OPEN = 0.01  # the part of the random starts of which an escape may stay open; it was 0, 0.0035 and 0.0045 of 2,000 of the orders 2, 3, 4
 _TESTED = 12  # states of an orbit that are tested for positive realness
 #: points of the unit circle with rational coordinates
 CIRCLE = [(fmpq(1 - t * t, 1 + t * t), fmpq(2 * t, 1 + t * t)) for t in [fmpq(k, 12) for k in range(0, 13)] + [fmpq(12, k) for k in range(1, 12)]]
@@ -219,6 +219,7 @@ def run(seed, n, count):
         except (AssertionError, Rejected) as error:
             raise AssertionError(f"a = {a}, g = {g}: {answer.behaviour}: {error}") from error
         seen[answer.behaviour] = seen.get(answer.behaviour, 0) + 1
+        seen["open"] = seen.get("open", 0) + answer.is_open
     return seen
 
 
@@ -226,7 +227,7 @@ def run(seed, n, count):
 def test_decisions_agree_with_exact_orbits(n, count):
     """Every decision agrees with the orbit stepped exactly, and its certificate replays."""
     seen = run(7, n, count)
-    assert seen.get("undecided", 0) <= _UNDECIDED * count
+    assert seen["open"] <= 1 and "undecided" not in seen
     assert {"converges", "escapes", "not convergent, not periodic"} <= set(seen)
 
 
@@ -236,7 +237,7 @@ def test_two_thousand_decisions_agree_with_exact_orbits(n):
     """The same for two thousand starts of each order."""
     seen = run(11, n, 2000)
     print(n, seen)
-    assert seen.get("undecided", 0) <= _UNDECIDED * 2000
+    assert seen["open"] <= _OPEN * 2000 and "undecided" not in seen
     assert {"converges", "escapes", "periodic", "not convergent, not periodic"} <= set(seen)
 
 
@@ -366,7 +367,7 @@ def test_many_primes_exclude_an_escape_of_order_five():
 
 def test_undecided_orbits_say_what_is_in_the_way():
     """The behaviour is decided and vouched for; the reason names what is open, an escape later than the steps searched."""
-    answer = decide([fmpq(2), fmpq(-1), fmpq(0), fmpq(0)], [fmpq(2), fmpq(1), fmpq(2), fmpq(1)], max_steps=300)
+    answer = decide([fmpq(1), fmpq(-2), fmpq(0)], [fmpq(2), fmpq(1), fmpq(2)], max_steps=300)
     assert (answer.behaviour, answer.never_escapes, answer.escape, answer.is_open) == ("not convergent, not periodic", False, None, True)
     assert answer.reason.startswith("whether the orbit ever escapes; it does not before step 300,") and answer.torus_dimension is not None
     replay(answer.certificate)

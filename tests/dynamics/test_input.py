@@ -142,6 +142,7 @@ def test_files_keep_decimals_exact(tmp_path):
     ("f.json", '{"gamm": [1]}', "did you mean 'gamma'?"), ("f.csv", "alpha,gamm\n1,2\n", "did you mean 'gamma'?"),
     ("f.csv", "alpha_1,gama_0\n1,2\n", "did you mean 'gamma'?"), ("f.toml", "alpha = [1]", "argument 'gamma' is missing"),
     ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
+    ("f.json", '{"alpha": [1], "gamma": [2], "alpha": [3]}', "the key 'alpha' comes twice"), ("f.toml", "a = [1]\na = [2]\ng = [0]", "is not TOML"),
 ])
 def test_bad_files_are_one_line(tmp_path, name, text, says):
     """A file that is none of ours is named with what is wrong."""

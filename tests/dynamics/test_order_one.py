@@ -204,7 +204,7 @@ def test_numbers_as_text():
     """Elements of a field and polynomials read as one writes them."""
     x = cyclotomic_real(7).gen()
     assert [number_words(v) for v in (-x, 2 - x * x, x * x / 3 - 11 * x / 2, x - 1 - x)] == ["-theta", "-theta^2 + 2", "1/3*theta^2 - 11/2*theta", "-1"]
-    assert [number_latex(v) for v in (-x, 2 - x, fmpq(-3, 2))] == [r"-\theta", r"-\theta+2", r"-\frac{3}{2}"]
+    assert [number_latex(v) for v in (-x, 2 - x, fmpq(-3, 2))] == [r"-\vartheta", r"-\vartheta+2", r"-\frac{3}{2}"]
     assert "x^3 + x^2 - 2*x - 1 in" in decide_order_one(x, 1).words()
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 
 import pytest
 from flint import arb, fmpq, fmpq_mat, fmpq_poly
@@ -21,7 +22,7 @@ from exactkf.dynamics.zeros import circle_points, norm, products_of_zeros
 from exactkf.exact import cyclotomic_real, sqrt_field
 from exactkf.exact.balls import precision
 from exactkf.exact.canonical import elementary_divisors
-from exactkf.kernel.replay import replay
+from exactkf.kernel.replay import Rejected, replay, seal
 from exactkf.theory.power_method import symplectic_matrix_of
 from tests.dynamics.test_every_order import self_product, start, times, with_spectrum
 
@@ -55,7 +56,7 @@ def test_the_structure_against_matrices(n):
         S = fmpq_mat(found.S.rows)
         assert sorted(([str(c) for c in e.factor.coeffs()], *e.sizes) for e in elementary_divisors(S)) == sorted(
             ([str(c) for c in block.polynomial], block.size) for block in found.jordan)
-        D = [*found.d[:0:-1], *found.d]
+        D = [*found.reduced[:0:-1], *found.reduced]
         assert S.charpoly() * D[-1] == sum((c * x for c, x in zip(D, powers(len(D)), strict=True)), 0 * powers(1)[0])
         if found.dominant is not None and not isinstance(found.dominant[0], arb):
             w = list(spectral_factor(D).coefficients)
@@ -90,8 +91,31 @@ def test_common_factors_of_a_and_b():
     assert (found.order, found.start, found.gcd, found.factor) == (1, 0, tuple(common[::-1]), tuple(common[::-1]))
     late = structure([fmpq(0), fmpq(-1, 2)], [fmpq(0), fmpq(1, 2)])
     assert (late.order, late.start, late.gcd, late.factor, late.S) == (0, 2, (1,), (0, 0, 1), None)
+    assert (late.d, late.kappa, late.sign, late.circle_zeros) == ((fmpq(3, 4), 0, 0), (0, 0), "positive", ())  # Q = z^2, S = 1/2
     still = structure([fmpq(3)], [fmpq(0)])
     assert (still.order, still.gcd, still.S) == (0, (3, 1), None)
+
+
+@pytest.mark.parametrize(("data", "d", "sign", "zeros", "reduced"), [
+    # (z + 1)(z - 1/2) and (z + 1)(z + 1/3): D has a double zero at -1, that of the pair without z + 1 has none
+    ({"b": [1, "4/3", "1/3"], "a": [1, "1/2", "-1/2"]}, ["3/2", "2/3", "-1/12"], "nonnegative", [{"two_cos": "-2", "multiplicity": 2}], ["5/6", "-1/12"]),
+    ({"alpha": [0], "gamma": ["3/2"]}, ["-5/4", "0"], "negative", [], ["1"]),  # one step on it is positive
+    ({"a": ["1/2", 1], "g": [0, 0]}, ["9/4", "1", "1"], "nonnegative", [{"two_cos": "-1/2", "multiplicity": 2}], ["1"]),
+])
+def test_d_is_that_of_the_filter_whatever_a_and_b_have_in_common(data, d, sign, zeros, reduced):
+    """By hand: sign, zeros and projective point are of D = Q(z) Q(1/z) - S(z) S(1/z) as it is given; those of the reduced pair are refused."""
+    answer = analyze(**data)
+    found = answer.structure
+    assert (found["d"], found["sign"], found["circle_zeros"]) == (d, sign, zeros)
+    assert f"({' : '.join(d)})" in str(answer) and f"D on the circle      {sign}" in str(answer)
+    replay(answer.certificate)
+    whole = answer.certificate
+    for change in ({"sign": "positive"}, {"circle_zeros": []}, {"d": reduced}):
+        if all(found[key] == value for key, value in change.items()):
+            continue
+        said = {**whole["statement"]["answer"], "structure": {**found, **change}}
+        with pytest.raises(Rejected):
+            replay(seal(whole["id"], whole["kind"], {**whole["statement"], "answer": said}, whole["evidence"]))
 
 
 def test_zeros_on_the_circle_with_multiplicities():
@@ -241,7 +265,26 @@ def test_words_json_and_latex_say_the_same(data):
     for zero in found["structure"]["circle_zeros"]:
         assert "z + 1/z = " in words and "$z + 1/z = " in latex or zero["two_cos"] in ("2", "-2")
     assert "The certificate vouches for" in words and "The certificate vouches for" in latex
+    for said, cited in (("is cited (Nevai and Totik 1989), not proved", found["rate"] not in (None, "0")),
+                        ("is argued in words, not proved", found["slow"] is not None)):
+        assert (said in words) == (said in latex) == (answer.order > 1 and cited)
     assert found["beside"] == ["facts"]
+
+
+COMMANDS = set("alpha begin cdot cos dots end equiv frac gamma ge gcd infty item kappa ldots lim limsup mapsto mathbb mid ne neq nmid noindent operatorname pi "
+               "pmatrix pmod sqrt text textbf theta tilde varphi vartheta zeta le Phi".split())
+
+
+@pytest.mark.parametrize("data", [
+    {"alpha": ["sqrt(2)", "1/2"], "gamma": [0, "1/3"]}, {"a": [0, "1/2"], "g": ["sqrt(3)/2", "1/3"]}, {"alpha": [-2], "gamma": ["sqrt(3)"]},
+    {"alpha": [0, 2], "gamma": ["1/2", "sqrt(2)/3"]},
+    {"b": [1, "4/3", "1/3"], "a": [1, "1/2", "-1/2"]}, {"alpha": ["cos(2*pi/23)"], "gamma": ["1/3"]}, {"alpha": ["sqrt(2)"], "gamma": ["1/3"], "pi0": "1/2"},
+])
+def test_the_commands_in_latex_exist(data):
+    """A coefficient that ends with a letter does not run into the variable, exponents of two digits are in braces, and signs do not meet."""
+    latex = analyze(**data).latex()
+    assert set(re.findall(r"\\([A-Za-z]+)", latex)) <= COMMANDS
+    assert not re.search(r"\^\d\d|\+ ?-|- ?-|\+ ?\+", latex)
 
 
 def test_zeros_next_to_each_other_and_to_one_are_told_apart():
