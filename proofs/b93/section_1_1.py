@@ -55,12 +55,14 @@ from exactkf.language import (
     positive_semidefinite,
     psd,
     rec,
+    scalar,
     sequence_of,
     standing,
     sym,
     symbols,
     symmetric_matrix,
     symplectic,
+    trace,
     vector,
     vstack,
 )
@@ -269,6 +271,28 @@ claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
       note="The matrix M asked for is M = U*inv(L). That P = LL* and L*QL = UDU* can be written so, with U orthogonal "
            "and D diagonal, is the spectral theorem.")
 
+a, b, y, w = symbols("a b y w")
+#: 1 - a: how far a is below one
+LACK = 1 - a
+
+
+def _vanishing():
+    """Terms with a sum that vanishes at an eigenvector x + iy for a < 1: so PQx and PQy do."""
+    return [LACK * T(x) * Q * x, LACK * T(y) * Q * y, T(x) * Q * P * Q * x, T(y) * Q * P * Q * y]
+
+
+IMAGINARY = [T(b * x) * Q * (b * x), T(b * y) * Q * (b * y)]
+
+
+def _eigenvalues_of_one_and_more():
+    """For a < 1 the eigenvector x + iy is zero, and bx and by are in any case."""
+    below = [within(k, P * Q * x == Zero(d, 1), P * Q * y == Zero(d, 1)) for k in (0, 1)]
+    real = [within(k, Q * (b * x) == Zero(d, 1), Q * (b * y) == Zero(d, 1), b**2 * z == Zero(d, 1)) for k, z in ((2, x), (3, y))]
+    over = [_vanishing(), _vanishing(), [1 / (LACK**2 + b**2)]]
+    return order(*over, *over, *([*[IMAGINARY] * 2, [T(b**2 * z) * (b**2 * z), T(b * LACK * z) * (b * LACK * z)], [T(b * z) * (b * z)]][k] for z in (x, y) for k in range(4)),
+                 inside=[*below, *real])
+
+
 claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
       outside_roots(charpoly(Identity(d) + P * Q)) == d, sizes=["d"], over=NONNEGATIVE_PAIR,
       by=[example(d=1, P=[[1]], Q=[[0]]), example(d=2, P=[[1, 0], [0, 1]], Q=[[1, 0], [0, 0]]), instances(d=(1, 2, 3))],
@@ -276,15 +300,15 @@ claim("B93-S16", "the eigenvalues of I + PQ are greater than one",
           "boundary case",
           "Every null vector of P or of Q gives the eigenvalue one: the eigenvalues are at least one, and greater than "
           "one only if both matrices are positive.",
-          psd(H * Q * H) & (block([[Identity(d) + P * Q, ZERO], [H * Q, Identity(d)]]) * block([[Identity(d), H], [ZERO, Identity(d)]])
-                            == block([[Identity(d), H], [ZERO, Identity(d)]]) * block([[Identity(d), ZERO], [H * Q, Identity(d) + H * Q * H]])),
-          sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d), H: symmetric_matrix(d)},
-          given=[given("H is a root of P", P == H * H)],
-          by=[order([H * Q * H]), instances(d=(1, 2, 3), made_by={P: H * H}),
-              restated("spectral theorem: a nonnegative matrix has a symmetric root, and eigenvalues that are not negative",
-                       "the eigenvalues of a block triangular matrix are those of its diagonal blocks")]),
-      note="The eigenvalues are real, so greater than one means outside the unit circle. The correction is a similarity of block triangular "
-           "matrices: beside d eigenvalues one on both sides, those of I + PQ are those of the symmetric I + HQH, where HQH is nonnegative.")
+          ((a < 1) >> ((x == Zero(d, 1)) & (y == Zero(d, 1)))) & (b * x == Zero(d, 1)) & (b * y == Zero(d, 1)),
+          sizes=["d"], over={P: positive_semidefinite(d), Q: positive_semidefinite(d), x: vector(d), y: vector(d), a: scalar(), b: scalar()},
+          given=[given("real part", (Identity(d) + P * Q) * x == a * x - b * y), given("imaginary part", (Identity(d) + P * Q) * y == b * x + a * y)],
+          by=[_eigenvalues_of_one_and_more(),
+              instances(8, d=(1, 2, 3), using={w: vector(d)}, made_by={P: w * T(w), x: w, y: 0 * w, a: 1 + trace(T(w) * Q * w), b: 0}),
+              instances(8, d=(1, 2, 3), using={w: vector(d)}, made_by={P: w * T(w), x: 0 * w, y: w, a: 1 + trace(T(w) * Q * w), b: 0}),
+              instances(8, d=(1, 2), using={w: vector(d)}, made_by={x: 0 * w, y: 0 * w})]),
+      note="The eigenvalues are real, so greater than one means outside the unit circle. In the correction x + iy is an eigenvector, if it is not zero, "
+           "for the eigenvalue a + ib of I + PQ: then b is zero, and a is at least one.")
 
 claim("B93-S17", "C1 inv(A1) and inv(A2)B2 are nonnegative",
       (Q1 == inv(T(A1)) * (T(A1) * C1) * inv(A1)) & psd(Q1) & psd(P2), sizes=["d"], over=PAIR,

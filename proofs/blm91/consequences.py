@@ -25,8 +25,10 @@ every other rational point of the corridors the orbit ends or is dense.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import evaluation, example, induction, instances, part, steps
+from exactkf.evidence import arithmetic, evaluation, example, induction, instances, part, steps, valued
 from exactkf.language import *
+from proofs.blm91.consequences_angles import COPRIME
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_POINTS
 from proofs.blm91.notation import *
 
 H = 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]
@@ -59,12 +61,12 @@ claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itsel
       sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[part("p <= 10, two points of each hyperbola"), evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
       note="(3.10) run step by step in the number field, from two points of each hyperbola.")
 claim("BLM91-X.5", "orbits that do not end have period p exactly when kappa = -sec(2 pi q/p)",
-      forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)), over={p: integer(3, 8), q: integer(1, 3), u: scalar()},
-      where=[*TURN, *ORBIT], given=LOWEST,
-      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"],
-                prose="gamma_0 is not 0 on these hyperbolas, since gamma^2 = (alpha - lambda)^2 + 1 - lambda^2; so the orbit is back after t steps exactly "
-                      "when s_t M_t = 1 and s_t N_t = alpha_0, that is, when w^t = 1 by (X.2), where w + 1/w = -2/kappa"),
-          instances(12), *(example(p=p_, q=1, u=u_) for p_, u_ in ((3, 2), (4, 2), (5, 2), (6, 2), (7, 3), (8, 2)))])
+      forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)), sizes=["q", "p"], over={al0: nonzero(), ga0: scalar()},
+      where=[*COPRIME, let(lam, -cospi(2 * q, p)), *ORBIT],
+      given=[*LOWEST_PQ, given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), standing("the orbit exists", defined(al[p]) & defined(ga[p]))],
+      by=[arithmetic(valued(), *OF_POINTS), instances(12, q=1, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: 1 + u * ALPHA_OF}),
+          example(q=1, p=3, alpha0="-5/3", gamma0="-7/3"), example(q=1, p=4, alpha0="-4/3", gamma0="-5/3"), example(q=1, p=6, alpha0=-1, gamma0=-1), example(q=2, p=6, alpha0="-5/3", gamma0="-7/3")],
+      note="For every q and p, and every point of the hyperbola.")
 
 claim("BLM91-X.13", "U_t by powers of w", always(t, (Ut[t] * (w - 1 / w) == w * W[t] - 1 / (w * W[t])) & (Sn[t] * (w - 1 / w) == W[t] - 1 / W[t])), over={w: nonzero()},
       where=[let(lam, (w + 1 / w) / 2), rec(Ut, t, 1, 2 * lam * Ut[t] - Sn[t]), rec(Sn, t, 0, Ut[t]), rec(W, t, 1, w * W[t])], by=[induction(cofactors=[[(w + 1 / w, 0, 1), (-1, 1, 1)], [(1, 0, 1)]]), instances()],

@@ -16,7 +16,7 @@ R = 1 - h' P h. The identities need no nonnegativity, so they are checked for
 every symmetric P.
 """
 
-from exactkf.evidence import example, fact, lemma
+from exactkf.evidence import by_induction, cleared, example, existing, fact, lemma, multiplied, unfolded, valued
 from exactkf.language import (
     Identity,
     T,
@@ -255,6 +255,18 @@ IN_III = dict(using={u: positive(), s1: nonzero(), s2: nonzero()}, made_by={ga0:
 IN_IV = dict(using={u: nonzero(), s1: nonzero()}, made_by={ga0: SHARE, al0: s1 + SIGN * (1 + abs(ga0))})
 #: kappa from the point
 INSIDE_KAPPA = let(kap, 2 * al0 / (1 + al0**2 - ga0**2))
+
+# ---------------------------------------------------------------------- proofs about orbits for n = 1, as numbers
+def values_at(t, *names):
+    """The values of recursions at t exist, and are what these say; hints of an `arithmetic`."""
+    return [hint(x_, t) for hint in (existing, unfolded) for x_ in names or (al, ga)]
+
+
+#: the point at t = 1 exists, and comes from that at t = 0
+FIRST_STEP = (valued(), cleared(), *values_at(1), *values_at(0))
+#: while it exists, an orbit stays on its curve, and alpha_t is not 0 unless alpha_0 is; i is t
+STAYS = by_induction(i, 0, defined(al[i]) >> ((al0 * (1 + al[i] ** 2 - ga[i] ** 2) == (1 + al0**2 - ga0**2) * al[i]) & ((al0 != 0) >> (al[i] != 0))),
+                     base=[cleared(), *values_at(0)], step=[cleared(), multiplied(ga[i] ** 2), *values_at(i + 1)])
 
 # ---------------------------------------------------------------------- integers
 gcd, many = symbols("gcd divides")

@@ -19,13 +19,32 @@ diamond are the positive real v, points of III and IV those with v(1/z) positive
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, induction, instances, steps
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    combination,
+    evaluation,
+    example,
+    identity,
+    induction,
+    instances,
+    multiplied,
+    shown_first,
+    steps,
+    valued,
+)
 from exactkf.language import *
 from proofs.blm91.notation import *
 
 kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
 PLANE = {al0: scalar(), ga0: scalar()}
 eps, na, ng = symbols("ratio alpha_next gamma_next")
+
+
 RT = rec(r, t, 1, (1 - ga[t] ** 2) * r[t])
 
 
@@ -53,8 +72,7 @@ claim("BLM91-E3.12", "the invariant on the circle",
 # ---------------------------------------------------------------------- regions
 claim("BLM91-F2.1", "sign of the invariant in the regions of the plane",
       iff(nonneg_on_circle(D0), one_ | three_) & iff(nonneg_on_circle(-D0), two_), over=PLANE, where=[let(D0, d_of(al0, ga0))],
-      by=[steps("BLM91-E3.12", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                prose="the extremes are (1 -+ |alpha|)^2 - gamma^2"), instances(80), *CROSSES],
+      by=[arithmetic(), instances(80), *CROSSES],
       note="Nonnegative exactly on I, III, IV, nonpositive exactly on II, hence of both signs in the corridors. III and IV together are |alpha| >= 1 + |gamma|.")
 kfun = function(kap, [t], 2 * al[t] / (1 + al[t] ** 2 - ga[t] ** 2))
 REGION = function(D0, [t], d_of(al[t], ga[t]))
@@ -62,7 +80,7 @@ claim("BLM91-F2.2", "orbits stay in the regions of their sign",
       (now > 0) & (nonneg_on_circle(Dm) | nonneg_on_circle(-Dm)), sizes=["m"], over=PLANE,
       where=[*ORBIT, kfun, REGION, let(now, kap(0) * kap(m)), let(Dm, D0(m))],
       given=[given("in a region", nonneg_on_circle(D0(0)) | nonneg_on_circle(-D0(0))), standing("marked + or -", al0 != 0)],
-      by=[steps("BLM91-E3.11", "BLM91-E3.13", prose="D_t is D/r_t, so the sign definite regions are kept, and so is kappa, whose sign is the index"),
+      by=[arithmetic(valued(), cleared(), STAYS, *values_at(0), at_index(i, m)),
           instances(60, m=(1, 2, 3)), example(m=3, alpha0=3, gamma0="3/2"), example(m=2, alpha0="1/4", gamma0=2), example(m=2, alpha0=-3, gamma0="1/2")],
       note="The index of a point is the sign of kappa = 2 alpha/(1 + alpha^2 - gamma^2); m is the time.")
 
@@ -85,18 +103,16 @@ MORE = [example(alpha0="1/2", gamma0="1/2", kappa=1), example(alpha0=3, gamma0=2
         example(alpha0=1, gamma0=1, kappa=2), example(alpha0="1/2", gamma0=0, kappa="4/5"), example(alpha0=2, gamma0=0, kappa="4/5")]
 CROSSING = "alpha not 0, as (3.13) is derived. The two points (0, 1) and (0, -1), which the text treats apart, satisfy the equation of every hyperbola; D is zero there, so that they are on the boundary of all regions."
 claim("BLM91-S34", "hyperbolas and regions", SAYS34, over={**HYP, al0: nonzero()}, where=[let(D0, d_of(al0, ga0))], given=[ON],
-      by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+      by=[arithmetic(valued("on the hyperbola"), valued(), cleared(), by_cases(kap <= 1), by_cases(kap >= -1), by_cases(kap == 1), by_cases(kap == -1)),
           instances(60, **FROM_POINT), *MORE],
       note="kappa^2 < 1 in the sign definite regions, kappa^2 > 1 in the corridors (where D has both signs), kappa^2 = 1 on the lines |gamma| = |1 - |alpha||, |gamma| = 1 + |alpha|. " + CROSSING)
 PAIR = dict(where=[let(kap, when(x == 0, rational("1/2"), 2)), let(D0, d_of(al0, ga0))], given=[ON])
 DRAWN = {al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * (2 / kap + 2 * y) / (1 - y**2)}
-claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", substitute(D0, 1) * substitute(D0, -1) == when(x == 0, 12, -3) * al0**2, over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
-      by=[steps("BLM91-E3.12", "BLM91-E3.13", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                prose="on the hyperbola the extremes (1 -+ |alpha|)^2 - gamma^2 of D are 2 alpha/kappa -+ 2|alpha|"),
+claim("BLM91-F3", "the hyperbolas for kappa = 1/2 and kappa = 2", iff(SIGNDEF, x == 0), over={al0: nonzero(), ga0: scalar(), x: integer(0, 1)}, **PAIR,
+      by=[arithmetic(valued("on the hyperbola"), cleared()),
           instances(60, using={y: scalar()}, made_by=DRAWN)],
-      note="x = 0 stands for kappa = 1/2, in the sign definite regions, where the extremes D(1) and D(-1) have one sign, and x = 1 for kappa = 2, in the "
-           "corridors, where they have two. " + CROSSING)
+      note="x = 0 stands for kappa = 1/2, where D has one sign on the circle, and x = 1 for kappa = 2, where it has both: "
+           "the sign definite regions and the corridors. " + CROSSING)
 claim("BLM91-S35", "the map commutes with gamma -> -gamma",
       always(t, (al[t] == bal[t]) & (ga[t] == -bga[t])), over=PLANE,
       where=[*ORBIT, rec(bal, t, al0, bal[t] / (1 - bga[t] ** 2)), rec(bga, t, -ga0, -bga[t] * bal[t] / (1 - bga[t] ** 2))],
@@ -132,16 +148,18 @@ IN = given("diamond", abs(al0) + abs(ga0) < 1)
 claim("BLM91-R3.6.1", "points of the diamond are the positive real functions",
       iff(abs(al0) + abs(ga0) < 1, schur(az) & pos_on_circle(numv)), over=PLANE,
       where=[*VA, let(az, Z + a), let(numv, rational("1/2") * ((Z + b) * recip(az) + recip(Z + b) * az))],
-      by=[steps("BLM91-S26", "BLM91-E3.12", prose="the Popov condition of v is (1 - |alpha|)^2 > gamma^2, and |a| < 1 leaves the diamond"), instances(80), *CROSSES,
+      by=[arithmetic(multiplied(al0), *(by_cases(e_ > 0) for e_ in (1 - al0 + ga0, 1 - al0 - ga0, 1 + al0 + ga0, 1 + al0 - ga0))), instances(80), *CROSSES,
           example(alpha0=3, gamma0="1/2"), example(alpha0=-2, gamma0=0)],
       note="v is positive real when |a| < 1 and v(z) + v(1/z) > 0 on the circle, the latter written with the factor |z + a|^2.")
+NORM = 1 + al0**2 - ga0**2
+#: kappa^2 < 1 in the diamond, and the square root of 1 - kappa^2
+IN_DIAMOND = shown_first(kap**2 < 1, [cleared(), by_cases((1 - abs(al0)) ** 2 > ga0**2), by_cases(NORM > 2 * abs(al0)), by_cases(NORM > 0)])
+BY_ROOT = [valued(), IN_DIAMOND, shown_first(kap * NORM == 2 * al0, [cleared(), by_cases(NORM > 0)]), angles("root", 1 - kap**2), by_cases(kap == 0), by_cases(1 - kap**2 > 0), multiplied(kap), cleared()]
 claim("BLM91-R3.6.2", "the hyperbola of a point of the diamond carries two fixed points",
-      real_roots(quad, -far, far) == 2, over={al0: nonzero(), ga0: scalar()},
-      where=[let(kap, 2 * al0 / (1 + al0**2 - ga0**2)), let(quad, kap * Z**2 - 2 * Z + kap), let(far, 1 + 2 / abs(kap))], given=[IN],
-      by=[steps(facts=["a quadratic polynomial with positive discriminant has two real roots"],
-                prose="1 + alpha^2 - gamma^2 - 2|alpha| = (1 - |alpha|)^2 - gamma^2 > 0 in the diamond, so 0 < kappa^2 < 1; the roots have product 1 and sum 2/kappa"),
-          instances(40, using={x: nonzero(), y: scalar()}, made_by={al0: x / (1 + abs(x) + abs(y)), ga0: y / (1 + abs(x) + abs(y))}), example(alpha0="9/10", gamma0="1/20"), example(alpha0="-1/100", gamma0="49/50")],
-      note="(alpha, 0) is a fixed point of (3.10) for every alpha, and lies on the hyperbola when kappa alpha^2 - 2 alpha + kappa = 0; the roots are less than 2/|kappa| in modulus.")
+      (kap**2 < 1) & (x != y) & (1 + x**2 == 2 / kap * x) & (1 + y**2 == 2 / kap * y), over={al0: nonzero(), ga0: scalar()},
+      where=[let(kap, 2 * al0 / NORM), let(x, (1 - sqrt(1 - kap**2)) / kap), let(y, (1 + sqrt(1 - kap**2)) / kap)], given=[IN],
+      by=[arithmetic(valued(), IN_DIAMOND, member=0), *(arithmetic(*BY_ROOT, member=k_) for k_ in (1, 2, 3)), instances(40, **INSIDE), example(alpha0="4/5", gamma0=0), example(alpha0=1, gamma0=0), example(alpha0=2, gamma0=0)],
+      note="x = alpha_+, y = alpha_-; (alpha, 0) is a fixed point of (3.10) for every alpha, and on the hyperbola when 1 + alpha^2 = (2/kappa) alpha. On the instances the square root is rational.")
 BACKWARD = (rec(bal, t, al0, (bal[t] ** 2 - bga[t] ** 2) / bal[t]), rec(bga, t, ga0, -bga[t] / bal[t]))
 BACK = pp ** (2 * m) * (bal[m] - pp) * (pp * al0 - 1) == (al0 - pp) * (pp * bal[m] - 1)
 BOTH = dict(sizes=["m"], over={al0: nonzero(), ga0: scalar(), pp: nonzero()}, where=[*ORBIT, *BACKWARD])
@@ -168,23 +186,22 @@ claim("BLM91-E3.14a", "the spectral density by alpha_+",
 claim("BLM91-E3.14b", "the spectral density by alpha_-, and two stable spectral factors",
       (vz + recip(vz) == al0 / (1 / pp) * (Z + 1 / pp) * (recip(Z) + 1 / pp) / ((Z + a) * (recip(Z) + a))) & schur(az) & (eps > 0),
       over={al0: nonzero(), ga0: scalar(), pp: nonzero()}, where=[*VA, let(az, Z + a), let(eps, al0 / pp)], given=[ROOT, IN],
-      by=[steps("BLM91-E3.14a", "BLM91-R3.6.5", prose="|a| < 1 in the diamond, and alpha_0, alpha_+, alpha_- have one sign there, so that the factors are real and stable"),
+      by=[arithmetic(valued(), valued("p on the hyperbola"), cleared(), multiplied((al0 - ga0) ** 2), by_cases(1 + al0**2 - ga0**2 > 0), by_cases(pp**2 > 0)),
           instances(40, **INSIDE)],
       note="p = alpha_+, 1/p = alpha_-. Stable: z + a is a Schur polynomial; the factors are real because alpha_0/alpha_+ > 0, hence alpha_0/alpha_- > 0.")
 # a point (x, y) and its image
 IMAGE = (*NIL, let(al0, 0), let(D0, d_of(al0, ga0)), let(na, x / (1 - y**2)), let(ng, -x * y / (1 - y**2)))
 HIT = (na == 0) & (ng == ga0)
-NIL_SAYS = (vstack(al[1], ga[1]) == Zero(2, 1)) & (D0 == 1 - ga0**2)
+NIL_SAYS = (al[1] == 0) & (ga[1] == 0) & (D0 == 1 - ga0**2)
 claim("BLM91-R3.6.6", "alpha_0 = 0: one spectral factor", NIL_SAYS & ~HIT, over={ga0: nonzero(), x: scalar(), y: scalar()}, where=IMAGE,
-      by=[steps("BLM91-S36", prose="x/(1 - y^2) = 0 leaves x = 0, and then the image is the origin"),
+      by=[arithmetic(*FIRST_STEP),
           instances(), example(gamma0="1/2", x=0, y="1/3"), example(gamma0=2, x=1, y=0), example(gamma0="-2/3", x=1, y="1/2"), example(gamma0="1/2", x="3/4", y="-1/2")],
       note="Escape in backward time: no point (x, y) is mapped to (0, gamma_0). gamma_0 not 0, because the orbit comes to (0, 0) in one step: the origin itself is at rest, the image of every (0, y), and does not escape.")
 denb = sym("den")
 claim("BLM91-R3.6.7", "points of III, IV and II by v(1/z)",
       iff(abs(al0) > 1 + abs(ga0), pos_on_circle(D0) & (inside_roots(denb) == 1)) & iff(abs(ga0) > 1 + abs(al0), pos_on_circle(-D0) & (inside_roots(denb) == 1)),
       over=PLANE, where=[*VA, let(denb, 1 + a * Z)],
-      by=[steps("BLM91-E3.12", "BLM91-E3.14a", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"],
-                prose="D > 0 on the diamond and where |alpha| > 1 + |gamma|, D < 0 where |gamma| > 1 + |alpha|; |a| > 1 in the two latter and |a| < 1 in the first"),
+      by=[arithmetic(),
           instances(80), *CROSSES, example(alpha0="3/2", gamma0="-1/2"), example(alpha0="1/2", gamma0="-3/2"), example(alpha0="1/4", gamma0="1/4"), example(alpha0=3, gamma0=1)],
       note="Interiors of the regions. v(1/z) = (1 + bz)/(2(1 + az)) is positive real when its pole -1/a is in the disc and D > 0, negative real when D < 0; as in (2.4) the pole "
            "counts even where it cancels (gamma_0 = 0).")
@@ -199,16 +216,16 @@ claim("BLM91-R3.6.8", "the point of the diamond that represents v(1/z)", SAME, o
 claim("BLM91-R3.6.9", "that point is in the diamond and on the same hyperbola",
       (dia < 1) & ((1 + ah**2 - gh**2) / ah == (1 + al0**2 - ga0**2) / al0), over=PLANE,
       where=[*ADJ, let(gh, ga0 / (a * b)), let(dia, abs(ah) + abs(gh))], given=[given("III or IV", abs(al0) > 1 + abs(ga0))],
-      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="with ab = alpha^2 - gamma^2 the sum of the moduli is 1/(|alpha| - |gamma|) < 1, and both quotients are (ab + 1)/alpha"),
+      by=[arithmetic(valued(), cleared()),
           instances(40, using={x: nonzero(), y: scalar()}, made_by={ga0: y, al0: x + x / abs(x) * (1 + abs(y))})])
 claim("BLM91-R3.6.10", "ab >= 1 in III and IV", (a * b == al0**2 - ga0**2) & (far >= 1), over=PLANE, where=[*VA, let(far, a * b)],
-      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[steps(facts=["squaring keeps the order of nonnegative numbers"], prose="alpha^2 - gamma^2 >= (1 + |gamma|)^2 - gamma^2 = 1 + 2|gamma|"),
+      given=[given("III or IV", abs(al0) >= 1 + abs(ga0))], by=[arithmetic(),
           instances(40, using={x: nonneg(), y: scalar()}, made_by={ga0: y, al0: x + 1 + abs(y)}), *CROSSES[3:4]])
 claim("BLM91-R3.6.11", "the spectral density in III and IV, and antistable factors",
       (vz + recip(vz) == al0 / pp * (Z + pp) * (recip(Z) + pp) / ((Z + a) * (recip(Z) + a)))
       & (vz + recip(vz) == al0 / (1 / pp) * (Z + 1 / pp) * (recip(Z) + 1 / pp) / ((Z + a) * (recip(Z) + a))) & (far > 1),
       over={al0: nonzero(), ga0: scalar(), pp: nonzero()}, where=[*VA, let(far, abs(a))], given=[ROOT, given("III or IV", abs(al0) > 1 + abs(ga0))],
-      by=[steps("BLM91-E3.14a", "BLM91-R3.6.5", prose="the identities do not ask where the point lies; |a| >= |alpha_0| - |gamma_0| > 1"),
+      by=[arithmetic(valued(), valued("p on the hyperbola"), cleared(), multiplied((al0 - ga0) ** 2)),
           instances(40, using={y: scalar(), u: nonzero()}, made_by={
               pp: u / (1 + abs(u)), al0: (pp * (y / (1 + abs(y)) * pp) ** 2 - 1 / pp) / ((y / (1 + abs(y)) * pp) ** 2 - 1),
               ga0: (y / (1 + abs(y)) * pp) * (pp - 1 / pp) / ((y / (1 + abs(y)) * pp) ** 2 - 1)})],
@@ -217,7 +234,8 @@ claim("BLM91-R3.6.12", "region II is visited at most once",
       (dia <= 1) & (far > 0), sizes=["m"], over={al0: nonzero(), ga0: scalar()},
       where=[*ORBIT, let(dia, abs(al[m + 1]) + abs(ga[m + 1])), let(far, 1 + abs(al[m + 1]) - abs(ga[m + 1]))],
       given=[given("in II", abs(ga0) >= 1 + abs(al0))],
-      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="the next point has |alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1 and |gamma'| - |alpha'| = |alpha|/(|gamma| + 1) < 1; later points: in the "
-                "closed diamond the sum of the moduli becomes |alpha|/(1 - |gamma|) <= 1, |gamma| < 1 as alpha is not 0"),
+      by=[arithmetic(valued(), cleared(), by_induction(
+          j, 0, defined(al[j + 1]) >> ((abs(al[j + 1]) + abs(ga[j + 1]) <= 1) & (abs(ga[j + 1]) < 1 + abs(al[j + 1])) & (al[j + 1] != 0)),
+          base=[cleared(), *values_at(1), *values_at(0)], step=[cleared(), *values_at(j + 2)]), at_index(j, m)),
           instances(40, m=(0, 1, 2), using={x: nonneg(), y: nonzero()}, made_by={al0: y, ga0: 1 + abs(y) + x})],
       note="From a point of II (with alpha_0 not 0, as kappa is not 0) every later point is in I and none in II; m + 1 is the time.")

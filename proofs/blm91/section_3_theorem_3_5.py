@@ -21,7 +21,7 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, part, steps
+from exactkf.evidence import angles, arithmetic, by_cases, cleared, example, instances, multiplied, part, steps, valued
 from exactkf.language import *
 from proofs.blm91.notation import *
 
@@ -39,13 +39,17 @@ REGION = (INSIDE_KAPPA, *ORBIT, *REGIONS, *NEXT)
 SMALL_KAPPA = standing("0 < kappa^2 < 1", (kap != 0) & (kap**2 < 1))
 SIGNED = "The index of a point is the sign of kappa, which does not change."
 
+ON_ROOT = (angles("root", 1 - kap**2), valued("on the hyperbola"), multiplied(kap), by_cases(1 - kap**2 > 0))
+
 # ---------------------------------------------------------------------- a) equilibria and limits
 claim("BLM91-T3.5.a", "the two equilibria of a hyperbola",
-      iff(fixed, at) & (p == (1 - sqrt(1 - kap**2)) / kap) & (1 / p == (1 + sqrt(1 - kap**2)) / kap), over={al0: scalar(), ga0: scalar(), p: nonzero()},
-      where=[let(kap, 2 * p / (1 + p**2)), *ORBIT, let(fixed, (al[1] == al0) & (ga[1] == ga0)), let(at, (ga0 == 0) & ((al0 == p) | (al0 == 1 / p)))], given=[ROOT, SMALLER],
-      by=[steps("BLM91-E5.1", prose="alpha = alpha/(1 - gamma^2) and gamma = -gamma alpha/(1 - gamma^2) leave gamma = 0 (alpha = 0 = gamma is not on the hyperbola), and then (alpha - p)(alpha - 1/p) = 0"),
-          instances(40, **DRAW), example(alpha0="1/3", gamma0=0, p="1/3"), example(alpha0=3, gamma0=0, p="1/3"), example(alpha0="-1/2", gamma0=0, p="-1/2")],
-      note="p = alpha_+, 1/p = alpha_-; the square root of 1 - kappa^2 is rational on the instances.")
+      iff(fixed, at) & (p != y) & (1 + p**2 == 2 / kap * p) & (1 + y**2 == 2 / kap * y), over={al0: scalar(), ga0: scalar(), kap: nonzero()},
+      where=[let(p, (1 - sqrt(1 - kap**2)) / kap), let(y, (1 + sqrt(1 - kap**2)) / kap), *ORBIT, let(fixed, (al[1] == al0) & (ga[1] == ga0)), let(at, (ga0 == 0) & ((al0 == p) | (al0 == y)))],
+      given=[given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0), given("0 < kappa^2 < 1", kap**2 < 1)],
+      by=[arithmetic(*FIRST_STEP, *ON_ROOT, by_cases(ga0 == 0), by_cases(al0 == 0), by_cases(ga0**2 > 0), member=0), *(arithmetic(valued(), *ON_ROOT, cleared(), member=k_) for k_ in (1, 2, 3)),
+          instances(40, using={u: nonzero(), x: scalar()}, made_by={kap: 2 * SHARE / (1 + SHARE**2), al0: (SHARE * x**2 - 1 / SHARE) / (x**2 - 1), ga0: x * (SHARE - 1 / SHARE) / (x**2 - 1)}),
+          *(example(alpha0=a_, gamma0=0, kappa=k_) for a_, k_ in (("1/3", "3/5"), (3, "3/5"), ("-1/2", "-4/5"), (-2, "-4/5"))), example(alpha0=1, gamma0=0, kappa=1)],
+      note="p = alpha_+, y = alpha_-; on the instances the square root of 1 - kappa^2 is rational.")
 claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
       ((p * al0 < 1) >> near) & (beside >> away) & ((al[1] - p) * (p * al0 - 1) == p**2 * (al0 - p) * (p * al[1] - 1)) & (ga0**2 == (al0 - p) * (al0 - 1 / p)),
       over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, let(near, abs(al[1] - p) <= abs(al0 - p)), let(away, abs(al[1] - 1 / p) >= abs(al0 - 1 / p)), let(beside, (1 < p * al0) & (p * al0 < 1 + p**2))], given=[ROOT, SMALLER],
@@ -73,13 +77,13 @@ claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached
           instances(40, **IN_IV), example(alpha0=2, gamma0="1/2"), example(alpha0="1/2", gamma0="3/2"), example(alpha0=1, gamma0="1/2"), example(alpha0="3/2", gamma0="1/2"), example(alpha0=-1, gamma0="3/2")],
       note="gamma_0 not 0: not the equilibrium. One step from any point of IV with a next point. " + SIGNED)
 claim("BLM91-T3.5.a.1.ii", "from III to II", two1 & ~(kept), over=PLANE, where=REGION, given=[given("in III", three0), SMALL_KAPPA],
-      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="|gamma'| - |alpha'| = |alpha|/(|gamma| + 1) >= 1"), instances(40, **IN_III), example(alpha0="1/2", gamma0="1/4"), example(alpha0=3, gamma0=2)],
+      by=[arithmetic(*FIRST_STEP), instances(40, **IN_III), example(alpha0="1/2", gamma0="1/4"), example(alpha0=3, gamma0=2)],
       note="kappa alpha becomes negative. " + SIGNED)
 TWO = dict(over=PLANE, where=REGION, given=[given("in II", two0), SMALL_KAPPA])
 claim("BLM91-T3.5.a.1.iii", "from II to I", one1 & bigger, **TWO, by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
       repair=repair("other", "kappa alpha grows, from a negative to a positive number, not its modulus: |alpha_1| = |alpha_0|/(gamma_0^2 - 1) is larger than |alpha_0| only for gamma_0^2 < 2; (1, 3) goes to (-1/8, 3/8)",
                     one1 & up & kept, **TWO,
-                    by=[steps(facts=["a quotient by a positive number keeps the order"], prose="|alpha'| + |gamma'| = |alpha|/(|gamma| - 1) <= 1, and alpha' has the sign opposite to alpha"),
+                    by=[arithmetic(*FIRST_STEP, by_cases(al0**2 > 0)),
                         instances(40, **IN_II), example(alpha0=1, gamma0=3), example(alpha0="1/4", gamma0="11/8"), example(alpha0=3, gamma0=1), example(alpha0=2, gamma0="1/4"), example(alpha0="1/2", gamma0="1/4")]),
       note=SIGNED)
 claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|", one1 & grows & under & ((al[1] - p) * (p * al0 - 1) == p**2 * (al0 - p) * (p * al[1] - 1)),
@@ -119,11 +123,12 @@ claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibriu
 
 # ---------------------------------------------------------------------- b) kappa^2 = 1
 UNIT = let(kap, 2 * k - 1)
-onit, online = symbols("on_hyperbola on_lines")
-claim("BLM91-T3.5.b", "for kappa^2 = 1 the hyperbola is two lines", iff(onit, online) & (1 + al0**2 - ga0**2 - 2 * kap * al0 == (al0 - kap - ga0) * (al0 - kap + ga0)), over={al0: scalar(), ga0: scalar(), k: integer(0, 1)},
-      where=[UNIT, let(onit, 1 + al0**2 - ga0**2 == 2 / kap * al0), let(online, abs(ga0) == abs(al0 - kap))],
-      by=[steps("BLM91-E3.12", prose="kappa^2 = 1; on the lines D vanishes at z = -kappa and has one sign"), instances(), instances(made_by={ga0: al0 - kap}), example(alpha0=2, gamma0=1, k=1), example(alpha0=-3, gamma0=2, k=0)],
-      note="kappa = 2k - 1. Both lines pass through (kappa, 0); that they separate the regions is S34.")
+onit, online, definite, touches = symbols("on_hyperbola on_lines definite touches")
+claim("BLM91-T3.5.b", "for kappa^2 = 1 the hyperbola is two lines", iff(onit, online) & (1 + al0**2 - ga0**2 - 2 * kap * al0 == (al0 - kap - ga0) * (al0 - kap + ga0)) & (onit >> (definite & touches)), over={al0: scalar(), ga0: scalar(), k: integer(0, 1)},
+      where=[UNIT, let(onit, 1 + al0**2 - ga0**2 == 2 / kap * al0), let(online, abs(ga0) == abs(al0 - kap)), let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))),
+             let(definite, nonneg_on_circle(D) | nonneg_on_circle(-D)), let(touches, ~(pos_on_circle(D) | pos_on_circle(-D)))],
+      by=[arithmetic(by_cases(k == 0), cleared()), instances(), instances(made_by={ga0: al0 - kap}), example(alpha0=2, gamma0=1, k=1), example(alpha0=-3, gamma0=2, k=0)],
+      note="kappa = 2k - 1. Both lines pass through (kappa, 0); on them D has one sign on the circle and a zero there, so that they bound the sign definite regions.")
 NEARBY = (UNIT, function(alj, [j, t], when(t == 0, kap * (1 + 2 / (2 * j + 1)), alj(j, t - 1) / (1 - gaj(j, t - 1) ** 2))),
           function(gaj, [j, t], when(t == 0, 2 / (2 * j + 1), -gaj(j, t - 1) * alj(j, t - 1) / (1 - gaj(j, t - 1) ** 2))))
 LINES_ = (UNIT, *scalar_orbit(kap * (1 + x), x), rec(count, t, 0, count[t] + 1), rec(sg, t, 1, -kap * sg[t]))

@@ -16,9 +16,10 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, part, steps
+from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, example, instances, part, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
+from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
 p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, never, alb, gab = symbols("p q y gcd odd d back time alpha_i gamma_i count found hits far never alpha_near gamma_near")
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
@@ -107,25 +108,36 @@ ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT,
 claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: scalar()}, where=ORDER,
       given=[EXISTS], by=[steps("BLM91-X.2", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
       note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
-REALIZED = function(flag, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k >= 0)))
+#: a q prime to p for which 1/kappa = cos(pi (p - 2q)/p) has the sign of k
+REALIZED = function(flag, [x, k], exists(q, 1, x - 1, coprime_(x, q) & (2 * q < x) & (cospi(x - 2 * q, x) * k > 0)))
 below, above = symbols("below above")
-WITH = (GCD, REALIZED, function(below, [p], flag(p, -1)), function(above, [p], flag(p, 1)))
-INFINITE = ("kappa infinite, admitted by the theorem, belongs to both cases: both of its formulas give omega = pi/4 there, and (5.9), (5.10) have equality for it. It is the one hyperbola of period 4; "
-            "no finite kappa has that period.")
-claim("BLM91-C3.8.3", "periods for kappa < -1", forall(p, 3, m, iff(below(p), p >= 4)), sizes=["m"], where=WITH,
-      by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]", "exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p"], prose="1/kappa = cos(pi (p - 2q)/p) <= 0 says 4q <= p; q = 1 serves for every p >= 4, and p = 3 leaves q = 1 only"), instances(m=(4, 6, 9, 20))],
-      note="Period p occurs when 1/kappa = cos(pi (p - 2q)/p) <= 0 for a q prime to p, q < p/2. " + INFINITE + " Tried for all p up to m.")
-EXCEPT = function(far, [p], p != 6)
-claim("BLM91-C3.8.4", "periods for kappa > 1", forall(p, 3, m, iff(above(p), far(p))), sizes=["m"], where=[*WITH, EXCEPT],
-      by=[steps("BLM91-X.2", "BLM91-L5.1", facts=["the cosine decreases on [0, pi]"], prose="1/kappa = cos(pi (p - 2q)/p) >= 0 says 4q >= p, and for which p there is such a q Lemma 5.1 tells"), instances(m=(4, 6, 9, 20))],
-      note="As for kappa < -1, with 1/kappa >= 0. " + INFINITE + " Tried for all p up to m.")
+WITH = (*COPRIME, REALIZED, function(below, [d], flag(d, -1)), function(above, [d], flag(d, 1)))
+WHY_FOUR = "1/kappa = -cos(2 pi q/4) = 0: period 4 is that of kappa infinite alone, and of no kappa "
+OF_KAPPA = ("Period p occurs when 1/kappa = cos(pi (p - 2q)/p) for a q prime to p, q < p/2 (X.5). kappa infinite, which Theorem 3.7 admits, is neither below -1 nor above 1; "
+            "counted in both cases, as equality in (5.9) and (5.10) would have it, it makes the print right.")
+SIGN_OF = angles("acute", p - 2 * q, p)
+claim("BLM91-C3.8.3", "periods for kappa < -1", (p >= 4) >> below(p), sizes=["p"], where=WITH, by=[example(p=4), instances(p=(4, 5, 6, 9, 20))],
+      repair=repair("boundary case", WHY_FOUR + "below -1; all from 5 on occur, and no others", iff(below(p), p >= 5), sizes=["p"], where=WITH, given=[standing("p at least 3", p >= 3)],
+                    by=[arithmetic(by_cases(p >= 5, [at_index(q, 1), angles("acute", p - 2, p)], [SIGN_OF])), instances(p=(*range(3, 10), 20))]),
+      note=OF_KAPPA)
+FOR_ABOVE = (p != 4) & (p != 6)
+claim("BLM91-C3.8.4", "periods for kappa > 1", (p != 6) >> above(p), sizes=["p"], where=WITH, given=[standing("p at least 3", p >= 3)], by=[example(p=4), instances(p=(3, 4, 5, 6, 9, 20))],
+      repair=repair("boundary case", WHY_FOUR + "above 1; all others from 3 on but 6 occur", iff(above(p), FOR_ABOVE), sizes=["p"], where=WITH, given=[standing("p at least 3", p >= 3)],
+                    by=[arithmetic(by_cases(FOR_ABOVE, [by_rests(p, 8, j, [[at_index(q, q_), angles("acute", p - 2 * q_, p), by_cases(one >= 1)] for q_, one in WRITTEN])],
+                                            [SIGN_OF, by_cases(q >= 2, [by_cases(q >= 3), at_index(d, 2), at_index(i, 1), at_index(i, 3)])])),
+                        instances(p=(*range(3, 10), 20))]),
+      note=OF_KAPPA + " By the q written down in X.12.")
 there = sym("lambda_xy")
-ALL_FOUR = (*ORDER, *WITH, EXCEPT, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
-claim("BLM91-C3.8", "Corollary 3.8", (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u)) & forall(d, 3, m, iff(below(d), d >= 4) & iff(above(d), far(d))), sizes=["m"],
-      over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS],
-      by=[steps("BLM91-X.2", "BLM91-L5.1", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="the parts, in this order, are C3.8.1 to C3.8.4; for every p: q = 1 serves for kappa < -1, Lemma 5.1 for kappa > 1"),
-          instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2)],
-      note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, tried up to m, is C3.8.3 and C3.8.4.")
+ALL_FOUR = (*ORDER, *WITH, let(there, (1 + x**2 - y**2) / (2 * x)), let(hits, sum_of(j, 1, 3, when(abs(there + cospi(2 * j, 7)) < rational("1/2"), 1, 0))))
+FIRST_TWO = (hits >= 1) & forall(t, 1, p, iff(back(t), t == p)) & (al0 * (1 - u**2) == 2 * (lam + u))
+OF_PARTS = dict(sizes=["m"], over={x: nonzero(), y: scalar(), p: integer(3, 7), u: scalar()}, where=ALL_FOUR, given=[standing("corridor", (1 + x**2 - y**2) ** 2 < 4 * x**2), EXISTS])
+PARTS = (instances(8, m=(4, 6, 9), using={w: scalar(), s1: scalar()}, made_by={x: 2 * (w / (1 + abs(w)) + s1) / (1 - s1**2), y: 1 + s1 * x}), example(m=6, x=1, y="1/2", p=5, u=2))
+claim("BLM91-C3.8", "Corollary 3.8", FIRST_TWO & forall(d, 4, m, below(d)) & forall(d, 3, m, (d != 6) >> above(d)), **OF_PARTS, by=[*PARTS, example(m=4, x=1, y="1/2", p=5, u=2)],
+      repair=repair("boundary case", "C3.8.3 and C3.8.4 fail: " + WHY_FOUR + "above 1 or below -1",
+                    FIRST_TWO & forall(d, 3, m, iff(below(d), d >= 5) & iff(above(d), (d != 4) & (d != 6))), **OF_PARTS,
+                    by=[steps("BLM91-X.2", "BLM91-X.12", facts=["rational multiples of pi are dense, and the cosine is continuous"],
+                              prose="the parts, in this order, are C3.8.1, C3.8.2 and the corrected C3.8.3 and C3.8.4, which are proved for every p"), *PARTS]),
+      note="(x, y) is a point of the corridors near which a hyperbola of period 7 passes, see C3.8.1; (alpha_0, gamma_0) one of the points of period p, see C3.8.2; the list of periods, up to m, is C3.8.3 and C3.8.4.")
 
 # ---------------------------------------------------------------------- Corollaries 3.9 and 3.10
 INTERVAL = (let(lam, SOME), function(Ut, [t], when(t == 0, 1, when(t == 1, 2 * Z, 2 * Z * Ut(t - 1) - Ut(t - 2)))), let(hits, real_roots(Ut(31) - al0 * Ut(30), lam - rational("1/9"), lam + rational("1/9"))))

@@ -12,12 +12,28 @@ doubling goes on.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, identity, instances, steps
+from exactkf.evidence import (
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    combination,
+    example,
+    identity,
+    instances,
+    multiplied,
+    square_of,
+    steps,
+    unfolded,
+    valued,
+)
 from exactkf.language import *
+from proofs.blm91.lemmas_turns import by_ends, not_before, of_slope
 from proofs.blm91.notation import *
 
-pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above = symbols(
-    "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above")
+pi_, y, f, dpi, inside, rest, escapes, H, be, back, hits, flag, nn, d, gcd, mult, x1, x2, x3, x4, slope, above, Us = symbols(
+    "pi y f dpi inside at_rest escapes H b back hits found n_angle d gcd multiplier x_1 x_2 x_3 x_4 slope above U_before")
+p = sym("p")
 fixed = sym("multiple")
 RATE = (let(dpi, -2 * a * pi_ + (g - pi_) ** 2), let(al0, a + g - pi_))
 claim("BLM91-E3.15", "the continuous-time system from the Riccati equation",
@@ -42,7 +58,7 @@ claim("BLM91-E3.16", "the slope map", al[1] == kap / (2 - kap * al0), over={al0:
       note="f(kappa, alpha) = kappa/(2 - kappa alpha), as in (5.1).")
 claim("BLM91-E3.17", "the quadratic map of the unit interval", (y >= 0) & (y <= 1), over={kap: scalar(), x: scalar()}, where=[let(y, kap * x - kap * x**2)],
       given=[standing("0 <= kappa", kap >= 0), given("kappa <= 4", kap <= 4), given("unit interval", (x >= 0) & (x <= 1))],
-      by=[steps(facts=["x(1 - x) is between 0 and 1/4 on the unit interval"], prose="kappa/4 <= 1"), instances(60, using={u: scalar(), w: scalar()}, made_by={x: abs(u) / (1 + abs(u)), kap: 4 * abs(w) / (1 + abs(w))}),
+      by=[arithmetic(by_cases(x * (1 - x) >= 0), square_of(1 - 2 * x)), instances(60, using={u: scalar(), w: scalar()}, made_by={x: abs(u) / (1 + abs(u)), kap: 4 * abs(w) / (1 + abs(w))}),
           example(kappa=4, x="1/2"), example(kappa=5, x="1/2"), example(kappa=1, x=2), example(kappa=0, x=1)],
       note="The display introduces the map; checked is that it maps [0, 1] into itself for 0 <= kappa <= 4.")
 #: Q(y), y on the real 4-cycle for kappa = 7/2 and for kappa = 71/20
@@ -62,10 +78,20 @@ claim("BLM91-R3.12.1", "period doubling in the quadratic family", abs(mult) < 1,
 LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 Am = sym("A")
 CIRCLE = (GCD, let(lam, cospi(nn, d)), CHEBYSHEV, rec(Am, t, Identity(2), rows([[2 * lam, -1], [1, 0]]) * Am[t]), function(fixed, [t], Am[t] == Am[t][1, 1] * Identity(2)))
-claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic", forall(t, 1, d, iff(fixed(t), flag(t)) & iff(above(t), flag(t))), sizes=["d"], over={nn: integer(1, 11)},
-      where=[*CIRCLE, function(flag, [t], t == d), function(above, [t], Ut[t - 1] == 0)], given=LOW, by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(20, d=range(2, 13)), example(d=3, n_angle=1), example(d=5, n_angle=2)],
-      note="1/kappa = cos(pi n/d), and slopes are moved by A = [[2/kappa, -1], [1, 0]]. A^t is a multiple of the identity first for t = d, and has no real eigenvector before: every slope that does not end has period d. U_(t-1) = 0 first for "
-           "t = d, so that the slopes U_i/U_(i-1), i < d, are all that end.")
+claim("BLM91-R3.12.2", "finitely many slopes end, all others are periodic",
+      (forall(i, 1, p, Ut[i] != y * Us[i]) >> (be[p] == y)) & forall(t, 1, p, iff(defined(be[t]), forall(i, 1, t, Ut[i] != y * Us[i]))) & forall(i, 1, p, (Ut[i] != 0) | (Us[i] != 0)), sizes=["p"],
+      over={lam: scalar(), x: scalar(), y: scalar()},
+      where=[rec(Ut, t, 1, 2 * lam * Ut[t] - Us[t]), rec(Us, t, 0, Ut[t]), rec(x1, t, x, 1 / (2 * lam - x1[t])), rec(be, t, y, 1 / (2 * lam - be[t]))],
+      given=[given("|kappa| > 1", lam**2 < 1), standing("a step", p >= 1), given("a periodic point", x1[p] == x)],
+      by=[arithmetic(valued(), valued("a periodic point"), of_slope(x1, x, s), of_slope(be, y, j), at_index(s, p), at_index(j, p), by_cases(Us[p] == 0), square_of(x - lam),
+                     by_cases(1 + x**2 - 2 * lam * x > 0), multiplied(Us[p]), member=0),
+          arithmetic(of_slope(be, y, j), by_ends(be, y), not_before(be, y), at_index(k, t), at_index(m, t), at_index(i, i), member=1),
+          arithmetic(by_induction(j, 0, Ut[j] ** 2 - 2 * lam * Ut[j] * Us[j] + Us[j] ** 2 == 1, base=[unfolded(Ut, 0), unfolded(Us, 0)], step=[unfolded(Ut, j + 1), unfolded(Us, j + 1)]),
+                     at_index(j, i), member=2),
+          instances(30, p=(2, 3, 4, 6), made_by={lam: when(p == 3, rational("1/2"), 0)}), *(example(**{"p": m_, "lambda": l_, "x": "1/3", "y": y_}) for m_, l_, y_ in (
+              (3, "1/2", 0), (3, "1/2", 1), (2, 0, 0), (2, 0, 5), (3, "-1/2", -1), (6, "1/2", 0), (4, 0, "1/2"))), example(**{"p": 2, "lambda": 1, "x": 1, "y": 2})],
+      note="1/kappa is lambda. If one slope x is back after p steps, then every slope y is back after p steps, but those with y U_(i-1) = U_i for some i <= p, which end with the first such i: "
+           "one slope at most for each i, as U_i and U_(i-1) are not both 0. No angle is needed.")
 beside, at_k, stops, close, comes = symbols("lambda_near at_k stops close comes_near")
 #: a rational number with irrational angle beside lambda; does the orbit of its slope map end with this step, is it near j
 BESIDE = (function(at_k, [k], when((abs(20 * lam - k) < 2) & (k != 0) & (abs(k) != 10), k, at_k(k + 1))), let(beside, at_k(-19) / 20), rec(be, t, x, 1 / (2 * beside - be[t])),

@@ -15,8 +15,27 @@ For alpha_0 = 0 the step is constant, gamma_0^2, except at pi = 1. With |gamma_0
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, induction, instances, part, steps
+from exactkf.evidence import (
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    combination,
+    example,
+    existing,
+    generic_index,
+    identity,
+    induction,
+    instances,
+    multiplied,
+    part,
+    steps,
+    valued,
+)
 from exactkf.language import *
+from proofs.blm91.consequences_angles import ANGLE, LOWEST
+from proofs.blm91.lemmas_turns import OF_SOLUTIONS, SINES_1, SINES_D, w
 from proofs.blm91.notation import *
 
 p, y, Pi, Lam, Pm, f, pit, phi_, ended, back, many, gcd, d, nn, whole, near, inside = symbols(
@@ -111,7 +130,7 @@ claim("BLM91-E4.10", "the filter by the fast algorithm", always(t, ((ga0 + a * p
 D0, small_, strict, hitsN = symbols("D smaller definite hits")
 claim("BLM91-S45", "|kappa| < 1 is the sign definite region", iff(small_, strict) & (kap * (1 + al0**2 - ga0**2) == 2 * al0), over={al0: scalar(), ga0: scalar()},
       where=[KAPPA, let(D0, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))), let(small_, abs(kap) < 1), let(strict, pos_on_circle(D0) | pos_on_circle(-D0))],
-      by=[steps("BLM91-E3.12", facts=["an affine function of cos(theta) has its extremes at cos(theta) = 1 and -1"], prose="1 + alpha^2 - gamma^2 exceeds 2|alpha| in modulus"), instances(60),
+      by=[arithmetic(valued(), cleared()), instances(60),
           example(alpha0="1/2", gamma0="1/2"), example(alpha0=3, gamma0=2), example(alpha0=0, gamma0="1/2"), example(alpha0=1, gamma0=3)],
       note="The regions without their boundary lines, which are |kappa| = 1.")
 ENTER = (*ORBIT, LAMBDA, let(hitsN, sum_of(t, 0, 40, when(abs(al[t]) + abs(ga[t]) < 1, 1, 0))), let(inside, abs(al[41]) + abs(ga[41]) < 1))
@@ -125,7 +144,7 @@ claim("BLM91-S46", "data of the shaded region come to the diamond and stay", (hi
       note="The text excludes the points that escape and no others; Theorem 3.5, to which it refers, and Theorem 4.1 name the unstable equilibrium as an exception. "
            "Tried within 40 steps for |kappa| bounded away from 1, inside: still there at step 41. For alpha_0 = 0 the origin is reached in one step.")
 claim("BLM91-S47", "no convergence in the corridors", (ga[m] ** 2 == (al[m] - lam) ** 2 + (1 - lam**2)) & (1 > lam**2), sizes=["m"], over=POINT, where=[*ORBIT, LAMBDA], given=[given("corridor", (1 + al0**2 - ga0**2) ** 2 < 4 * al0**2)],
-      by=[steps("BLM91-E3.13", prose="gamma_t^2 is at least 1 - 1/kappa^2 > 0, so that no equilibrium (alpha, 0) is approached"), instances(30, m=(0, 1, 2, 3), using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})],
+      by=[arithmetic(valued(), cleared(), STAYS, at_index(i, m)), instances(30, m=(0, 1, 2, 3), using={u: scalar(), y: scalar()}, made_by={al0: 2 * (SHARE + y) / (1 - y**2), ga0: 1 + y * al0})],
       note="m is the time.")
 fx = sym("f_x")
 STEP_X = (KAPPA, PHI, let(fx, (al0 - ga0) ** 2 * x + (ga0 + (al0 - ga0) * x) ** 2 / (1 - x)))
@@ -138,13 +157,23 @@ claim("BLM91-E4.13", "kappa from the point", kap == 2 * al0 / NORM, over={al0: s
 
 # ---------------------------------------------------------------------- Theorem 4.1
 UM = sym("U_before")
+
+
+def PHI_X(y):
+    """(4.12) without kappa."""
+    return y**2 - (1 - al0**2 + ga0**2) * y + ga0**2
+
+
 ENDING = (*MAP, KAPPA, PHI, LAMBDA, CHEBYSHEV, function(UM, [t], when(t == 0, 0, Ut[t - 1])), let(ended, leaves(m, pit)))
 EDGE_X = {x: 1 - al0 * UM(m - 1) / Ut[m - 1]}
 A_STEP = standing("a step", m >= 1)
 KNOTE = "alpha_0 not 0; x is pi_0. The solution ends at step m: pi_(m-1) exists and is 1."
-claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> (phi_(x) >= 0), sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
-      by=[steps("BLM91-E5.4", "BLM91-E4.11", prose="phi(pi) = (1 - pi)^2 (alpha - alpha_+)(alpha - alpha_-), and slopes between alpha_+ and alpha_- stay between them"),
-          instances(40, m=(1, 2, 3), made_by=EDGE_X), instances(30, m=(1, 2)), example(m=1, alpha0="1/2", gamma0=0, x="1/2")], note=KNOTE)
+claim("BLM91-T4.1.0a", "only pi_0 with phi(pi_0) >= 0 ends", ended >> (PHI_X(x) >= 0), sizes=["m"], over={**POINT, x: scalar()}, where=ENDING, given=[A_STEP],
+      by=[arithmetic(valued(), cleared(), by_induction(
+          j, 0, (defined(pit[j]) & (PHI_X(x) < 0)) >> (PHI_X(pit[j]) < 0), base=[cleared(), *values_at(0, pit)],
+          step=[cleared(), by_cases(al0**2 > 0), *values_at(j + 1, pit)]), at_index(j, m - 1), existing(pit, m), by_cases(al0**2 > 0)),
+          instances(40, m=(1, 2, 3), made_by=EDGE_X), instances(30, m=(1, 2)), example(m=1, alpha0="1/2", gamma0=0, x="1/2")],
+      note=KNOTE + " phi in the form that has a value for kappa infinite too.")
 claim("BLM91-T4.1.0b", "one value of pi_0 ends at each step", iff(ended, x == 1 - al0 * UM(m - 1) / Ut[m - 1]), sizes=["m"], over={**POINT, x: scalar()},
       where=ENDING, given=[A_STEP, standing("no earlier one is infinite", forall(j, 0, m - 1, Ut[j] != 0))],
       by=[steps("BLM91-E5.4", "BLM91-E5.1'", facts=["a countable set has measure zero"], prose="1 - alpha_0/alpha is the pole 1 for infinite alpha; an invertible map has one preimage of the pole at each step"),
@@ -164,7 +193,7 @@ claim("BLM91-T4.1.1a", "convergence exactly for |kappa| <= 1", iff(rests, kap**2
       note="alpha_0 not 0; for alpha_0 = 0, |gamma_0| not 1 the solution is gamma_0^2 after one step. special: phi has real zeros. comes to rest: for |kappa| > 1 a step falls below half of the least one, otherwise below 1/50, tried for t <= 80. m is the time.")
 FIXED = (KAPPA, PHI, function(f, [y], (al0 - ga0) ** 2 * y + (ga0 + (al0 - ga0) * y) ** 2 / (1 - y)))
 claim("BLM91-T4.1.1b", "the zeros of phi are fixed points", (f(LOW_) == LOW_) & (f(HIGH_) == HIGH_) & ((Z - LOW_) * (Z - HIGH_) == Z**2 - 2 * (1 - al0 / kap) * Z + ga0**2), over={**POINT, p: nonzero()}, where=FIXED, given=[ROOT],
-      by=[identity(given_by=LINE, using={y: scalar()}, fact="lines through a point of a conic reach every other point of it"), instances(40, using={y: scalar()}, made_by=LINE)],
+      by=[arithmetic(valued(), valued("p on the hyperbola"), cleared(), *map(multiplied, (al0, ga0, ga0**2)), member=0), *(arithmetic(valued(), cleared(), member=k_) for k_ in (1, 2)), instances(40, using={y: scalar()}, made_by=LINE)],
       note="p is a root of p^2 - (2/kappa) p + 1, real for |kappa| <= 1. For alpha_0 = 0, where kappa = 0 and (4.12) has no meaning, (1 - alpha_0/kappa) read as (1 + gamma_0^2)/2 makes 1 a zero, which is the pole of the map.")
 upto = sym("inside_or_double")
 LIMIT = dict(sizes=["m"], over={**POINT, x: scalar(), p: nonzero()}, where=[*RICCATI, *ZERO_AT, let(inside, 1 + al0**2 > ga0**2)], given=[ROOT, standing("|kappa| <= 1", abs(p) <= 1)])
@@ -186,12 +215,14 @@ claim("BLM91-T4.1.2a", "periodic exactly for rational angles", forall(t, 1, 6, i
           instances(40), *(example(numerator=k_, denominator=2, u=u_, x=y_) for k_ in (1, 0, -1) for u_ in (2, "1/3") for y_ in (0, 3)), example(numerator=5, denominator=4, u="-1/2", x=0)],
       note="1/kappa is any fraction with terms up to 13; among those with |kappa| > 1 the rational angles are 1/kappa = 1/2, -1/2 (period 3) and 0 (period 2): back(t). u runs through the points of the hyperbola. "
            "The equilibria of part 1), which would have period 1, are not counted as periodic. alpha_0 not 0.")
-BY_ANGLE = (GCD, let(lam, cospi(nn, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP)
-LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1), standing("the solution exists", defined(pit[d]))]
-claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == x, t == d)), over={d: integer(2, 7), nn: integer(1, 6), u: integer(2, 3), x: scalar()}, where=BY_ANGLE, given=LOW,
-      by=[steps("BLM91-E5.4", "BLM91-X.2", facts=["roots of unity of order d are the numbers exp(2 pi i n/d), (n, d) = 1"], prose="A(kappa)^t is a multiple of the identity exactly when t theta is a multiple of pi, theta = pi n/d or pi (d - n)/d"),
-          instances(8), example(d=2, n_angle=1, u=2, x=2), example(d=3, n_angle=1, u=3, x=3), example(d=5, n_angle=2, u=2, x=2)],
-      note="1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. (4.7) is run in the number field.")
+FROM_W = (let(a, al0 - ga0), rec(pit, t, w, a**2 * pit[t] + (ga0 + a * pit[t]) ** 2 / (1 - pit[t])))
+#: a point of the hyperbola, on a line through (0, 1)
+ON_LINE = {al0: ALPHA_OF, ga0: 1 + u * ALPHA_OF}
+claim("BLM91-T4.1.2b", "the period is d", forall(t, 1, d, iff(pit[t] == w, t == d)), sizes=["n", "d"], over={al0: nonzero(), ga0: scalar(), w: scalar()}, where=[*ANGLE, *FROM_W],
+      given=[*LOWEST, given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), standing("the solution exists", defined(pit[d]))],
+      by=[arithmetic(valued(), *SINES_D, *OF_SOLUTIONS), instances(12, n=(1, 2), d=(2, 3), using={u: scalar()}, made_by=ON_LINE),
+          *(example(n=n_, d=d_, alpha0=a_, gamma0=g_, w=w_) for n_, d_, a_, g_, w_ in ((1, 2, "4/3", "5/3", 2), (1, 3, "5/3", "7/3", 3), (2, 3, 1, 2, 3), (2, 4, "4/3", "5/3", 2)))],
+      note="w is pi_0, any number; 1/kappa = cos(pi n/d), which is arctan sqrt(kappa^2 - 1) = pi n/d or pi (d - n)/d with the same d; d = 2 is kappa infinite. For every n and d.")
 claim("BLM91-T4.1.3", "dense exactly for irrational angles and |kappa| > 1", whole & near, over={top: integer(-10, 10), low: integer(11, 12), u: scalar(), x: scalar(), k: integer(-3, 3)},
       where=[*ON_FRACTION, function(goal, [t], abs(1 - pit[t] - k * al0) <= abs(al0)), let(near, exists(t, 1, 700, goal(t))), let(whole, forall(t, 1, 8, pit[t] != x))],
       given=[given("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("alpha_0 not 0", al0 != 0)],
@@ -205,10 +236,13 @@ claim("BLM91-T4.1.4", "for each pi_0 few parameters escape", hitsN >= 6, over={x
                     by=[steps("BLM91-E5.4", facts=["the zero set of a polynomial that is not zero has measure zero"],
                               prose="escape at step t is a polynomial equation in (alpha_0, gamma_0), not an identity for pi_0 not 1, since (0, gamma_0) with |gamma_0| not 1 does not escape"), instances(40), example(x=1), example(x=0), example(x=-1)]),
       note="Of the twelve parameter pairs alpha_0 = 2, 3, 4, gamma_0 = 1, .., 4 the number for which pi_3 exists.")
-claim("BLM91-T4.1.5", "every period d >= 2 for infinitely many parameters", forall(t, 1, d, iff(pit[t] == x, t == d)) & (al0 * (1 - u**2) == 2 * (lam + u)), over={d: integer(2, 9), u: integer(2, 4), x: integer(2, 4)},
-      where=[let(lam, cospi(1, d)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *MAP], given=[standing("the solution exists", defined(pit[d]))],
-      by=[steps("BLM91-E5.4", "BLM91-X.2", prose="1/kappa = cos(pi/d) serves for every d, and u runs through infinitely many points of its hyperbola"), instances(16), example(d=2, u=2, x=2), example(d=4, u=3, x=2)],
-      note="u is the slope of the line from (0, 1) to the point.")
+claim("BLM91-T4.1.5", "every period d >= 2 for infinitely many parameters",
+      forall(t, 1, d, iff(pit[t] == w, t == d)) & (1 + ALPHA_OF**2 - (1 + u * ALPHA_OF) ** 2 == 2 * lam * ALPHA_OF), sizes=["d"], over={al0: nonzero(), ga0: scalar(), u: scalar(), w: scalar()},
+      where=[let(n, 1), let(lam, cospi(n, d)), *FROM_W],
+      given=[standing("period", d >= 2), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), standing("the solution exists", defined(pit[d]))],
+      by=[arithmetic(valued(), *SINES_1, *OF_SOLUTIONS, member=0), arithmetic(valued(), cleared(), member=1), instances(12, d=(2, 3), using={x: scalar()}, made_by={
+          al0: 2 * (lam + x) / (1 - x**2), ga0: 1 + x * 2 * (lam + x) / (1 - x**2)}), example(d=2, u=2, alpha0="4/3", gamma0="5/3", w=2), example(d=3, u=2, alpha0="5/3", gamma0="7/3", w=3)],
+      note="1/kappa = cos(pi/d) serves for every d, at every point of its hyperbola; the last equation is that there are infinitely many: the line of any slope u through (0, 1) meets it in a point. w is pi_0.")
 claim("BLM91-T4.1", "Theorem 4.1", RATE & near, **LIMIT, by=[example(m=1, alpha0="-7/10", gamma0="-9/5", p="1/2", x=0), instances(m=(1, 2), **DRAW_PI)],
       repair=repair("missing hypothesis", "T4.1.1c fails: the limit is the smaller zero of phi only for 1 + alpha_0^2 > gamma_0^2; T4.1.4 fails: pi_0 = 1 is the pole of every equation; the other parts hold",
                     RATE & near, sizes=["m"], over=LIMIT["over"], where=LIMIT["where"], given=[*LIMIT["given"], given("I, III or IV", inside)],

@@ -14,7 +14,26 @@ a_11)m - a_12 m^2. (With x/y the indices 1 and 2 change places.)
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, generic_index, identity, induction, instances, restated, steps
+from exactkf.evidence import (
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    combination,
+    example,
+    existing,
+    generic_index,
+    identity,
+    induction,
+    instances,
+    multiplied,
+    restated,
+    shown_first,
+    square_of,
+    steps,
+    valued,
+)
 from exactkf.language import *
 from proofs.blm91.lemmas_error import (
     BY_ERROR,
@@ -57,6 +76,26 @@ INNER = dict(using={u: nonzero(), w: scalar(), y: scalar(), p: nonzero()}, made_
 DATA_BAR = {**POINT, x: scalar(), sec: scalar()}
 GIVEN_NOTE = "x = pi_0; gamma_bar is either root of phi(pi_0)/(1 - pi_0)^2 up to sign, so that the sign of the print's square root is included. m is the time."
 
+
+def curves(sign):
+    """Hints: (4.15) or (4.18) at every i, and alpha_j (1 - pi_j) = alpha_0 at every j, where the values exist."""
+    on_curve = defined(al[i]) >> (al0 * (1 + al[i] ** 2 - sign * ga[i] ** 2) == (1 + al0**2 - ga0**2) * al[i])
+    both = defined(al[j]) & defined(pit[j])
+    return [by_induction(i, 0, on_curve, base=[cleared(), *values_at(0)], step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)]),
+            by_induction(j, 0, both >> (al[j] * (1 - pit[j]) == al0), base=[cleared(), *values_at(0, al, ga, pit)],
+                         step=[cleared(), at_index(i, j), *values_at(j + 1, al, ga, pit), by_cases(al[j] == 0), by_cases(pit[j] == 1 - al0 / al[j]),
+                               *map(multiplied, (al0, ga[j] ** 2, al[j] ** 2, al[j] ** 3, al0 * al[j], al0 * al[j] ** 2))])]
+
+
+def increments(sign):
+    """Hints: the increment of the solution at m."""
+    phi_at = pit[p] ** 2 - (1 - al0**2 + ga0**2) * pit[p] + ga0**2 == sign * (1 - pit[p]) ** 2 * ga[p] ** 2
+    return [valued(), cleared(), *curves(sign),
+            shown_first(forall(p, 0, m, (defined(al[p]) & defined(pit[p])) >> phi_at),
+                        [cleared(), at_index(i, p), at_index(j, p), by_cases(al[p] == 0), by_cases(pit[p] == 1 - al0 / al[p]), *map(multiplied, (al0, al[p], al0 * al[p]))]),
+            existing(ga, m), existing(al, m), at_index(p, m), *values_at(m + 1, pit), multiplied(1 - pit[m])]
+
+
 # ---------------------------------------------------------------------- Corollary 4.3
 claim("BLM91-E4.14", "(4.14) is (3.10)", always(t, (al[t] == bal[t]) & (ga[t] == bga[t])), over={al0: scalar(), ga0: scalar()},
       where=[*ORBIT, rec(bal, t, al0, bal[t] / (1 - bga[t] ** 2)), rec(bga, t, ga0, -bal[t] * bga[t] / (1 - bga[t] ** 2))], by=[induction(), instances()])
@@ -85,17 +124,17 @@ claim("BLM91-E4.18", "the integral curve for phi <= 0", always(t, (1 + al[t] ** 
       by=[induction(cofactors=[[(1 / (1 + ga[t] ** 2), 0, 1)], []]), instances(30)], note=SQUARED)
 SOLVED = pit[m] == 1 - al0 / al[m]
 claim("BLM91-C4.3.1", "phi >= 0: the orbit on the hyperbola and the solution", CURVE_P & SOLVED, sizes=["m"], over=DATA_BAR, where=[*PLUS_W, *MAP], given=[ROOT_PLUS],
-      by=[steps("BLM91-E4.15", "BLM91-E5.4", prose="alpha_t obeys the slope map on the curve, and so does alpha_0/(1 - pi_t), from the same start"), *BY_PLUS], note=GIVEN_NOTE)
+      by=[arithmetic(valued(), cleared(), *curves(1), at_index(i, m), at_index(j, m)), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-C4.3.2", "phi <= 0: the orbit on the other curve and the solution", CURVE_M & SOLVED, sizes=["m"], over=DATA_BAR, where=[*MINUS_W, *MAP], given=[ROOT_MINUS],
-      by=[steps("BLM91-E4.18", "BLM91-E5.4", prose="on the curve alpha/(1 + gamma^2) = 1/(2 lambda - alpha), the slope map"), *BY_MINUS], note=GIVEN_NOTE)
+      by=[arithmetic(valued(), cleared(), *curves(-1), at_index(i, m), at_index(j, m)), *BY_MINUS], note=GIVEN_NOTE)
 claim("BLM91-E4.16", "the solution by either orbit", SOLVED, sizes=["m"], over={**DATA_BAR, k: integer(0, 1)},
       where=[FIRST_BAR, PHI, *MAP, rec(al, t, first, al[t] / (1 - (2 * k - 1) * ga[t] ** 2)), rec(ga, t, sec, -al[t] * ga[t] / (1 - (2 * k - 1) * ga[t] ** 2))],
       given=[given("gamma_bar", sec**2 * (1 - x) ** 2 == (2 * k - 1) * phi_)],
-      by=[steps("BLM91-E4.15", "BLM91-E4.18", "BLM91-E5.4", prose="both curves turn the first equation into the slope map"),
+      by=[arithmetic(by_cases(k == 0), valued(), cleared(), *curves(2 * k - 1), at_index(j, m)),
           instances(30, m=(0, 1, 2), using=TWO_POINTS["using"], made_by={**TWO_POINTS["made_by"], k: 1}), instances(30, m=(0, 1, 2), using=INNER["using"], made_by={**INNER["made_by"], k: 0})],
       note="k = 1: (4.14), phi >= 0; k = 0: (4.17), phi <= 0. " + GIVEN_NOTE)
 claim("BLM91-C4.3.3", "phi <= 0 only for |kappa| <= 1", kap**2 <= 1, over={**POINT, x: scalar()}, where=[let(kap, 2 * al0 / (1 + al0**2 - ga0**2)), PHI], given=[given("phi <= 0", phi_ <= 0)],
-      by=[steps("BLM91-E4.12", facts=["a quadratic polynomial takes its least value at its vertex"], prose="the least value of phi is alpha_0^2 (1 - 1/kappa^2)"),
+      by=[arithmetic(valued(), cleared(), square_of(2 * x - (1 - al0**2 + ga0**2))),
           instances(40, using={u: nonzero(), y: scalar()}, made_by={al0: (SHARE * y**2 - 1 / SHARE) / (y**2 - 1), ga0: y * (SHARE - 1 / SHARE) / (y**2 - 1), x: (1 - al0**2 + ga0**2) / 2}), instances(20),
           example(alpha0=1, gamma0=1, x=0), example(alpha0="1/2", gamma0="1/2", x="1/2")], note="x = pi_0.")
 FX = let(fx, ((al0**2 - ga0**2) * x + ga0**2) / (1 - x))
@@ -104,16 +143,15 @@ claim("BLM91-S48", "the sign of phi is kept", always(t, pit[t] ** 2 - (1 - al0**
       by=[induction(cofactors=[[(FACTOR_PHI, 0, 1)]]), instances()],
       note="phi(pi_t) is phi(pi_0) times the square of a real number, the product of the alpha_0/(1 - pi_s), s < t: it is not negative if phi(pi_0) is not.")
 claim("BLM91-E4.19", "the increment for phi >= 0", pit[m + 1] - pit[m] == (1 - pit[m]) * ga[m] ** 2, sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(1)], given=[ROOT_PLUS],
-      by=[steps("BLM91-E4.11", "BLM91-E4.15", "BLM91-E5.4", prose="phi(pi_t) = (1 - pi_t)^2 (alpha_t^2 - 2 lambda alpha_t + 1) = (1 - pi_t)^2 gamma_t^2"), *BY_PLUS], note=GIVEN_NOTE)
+      by=[arithmetic(*increments(1)), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-S49", "the increment for phi <= 0", pit[m + 1] - pit[m] == -((1 - pit[m]) * ga[m] ** 2), sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(-1)], given=[ROOT_MINUS],
-      by=[steps("BLM91-E4.11", "BLM91-E4.18", "BLM91-E5.4", prose="as for (4.19), with i gamma for gamma"), *BY_MINUS], note=GIVEN_NOTE)
+      by=[arithmetic(*increments(-1)), *BY_MINUS], note=GIVEN_NOTE)
 UP, RIGHT = (w + 1 / w) / 2, (w - 1 / w) / 2
 SQUARES = fx + y**2 == (x - lam) ** 2 + y**2 + (1 - lam**2)
 claim("BLM91-F5", "the two families of curves", SQUARES & (1 + UP**2 + RIGHT**2 == 2 * UP * UP) & ((abs(lam) < 1) >> (fx > 0)),
       over={lam: scalar(), x: scalar(), y: scalar(), w: nonzero()}, where=[let(fx, 1 + x**2 - 2 * lam * x)],
-      by=[steps("BLM91-E4.18", facts=["a sum of squares is not negative", "w + 1/w takes every real value of modulus at least 2"],
-                prose="(4.18) is a circle around (1/kappa, 0) with the squared radius 1/kappa^2 - 1: none for |kappa| > 1, and for 1/kappa = (w + 1/w)/2 it has the point above its centre; (4.15) has two points over every x for |kappa| > 1"),
-          instances(60), example({"lambda": 1, "x": 0, "y": 0, "w": 1}), example({"lambda": 3, "x": 3, "y": 1, "w": 2}), example({"lambda": -3, "x": -3, "y": 1, "w": 2}), example({"lambda": "9/10", "x": "9/10", "y": 0, "w": 2})],
+      by=[arithmetic(member=0), arithmetic(valued(), cleared(), member=1), arithmetic(square_of(x - lam), member=2),
+          restated("w + 1/w takes every real value of modulus at least 2"), instances(60), example({"lambda": 1, "x": 0, "y": 0, "w": 1}), example({"lambda": 3, "x": 3, "y": 1, "w": 2}), example({"lambda": -3, "x": -3, "y": 1, "w": 2}), example({"lambda": "9/10", "x": "9/10", "y": 0, "w": 2})],
       note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f_x, (4.18) is y^2 = -f_x. The print names the curves after Corollary 4.2; they are those of Corollary 4.3.")
 
 # ---------------------------------------------------------------------- Remark 4.4
@@ -156,7 +194,7 @@ claim("BLM91-E4.22", "the noise of the realization with variance pi_k",
       note="x = pi_0, t = k; gamma here is the square of gamma_bar_k, moved by (4.17). The matrix is BB' for B as printed, with rows in the order (v, w) and alpha_0/alpha_bar_k for the square of the root.")
 claim("BLM91-R4.4.2", "b_2 = 0 at the equilibria", iff(okay, inside) & (b2 == -phi_ / Rn), over={**POINT, p: nonzero(), x: scalar()},
       where=[*NOISE, PHI, let(b2, Qn - Sn**2 / Rn), let(okay, b2 == 0), let(inside, (x == 1 - al0 / p) | (x == 1 - al0 * p))], given=[ROOT, DIAMOND],
-      by=[steps("BLM91-E4.21", "BLM91-E4.12", prose="b_2^2 = Q - S^2/R = -phi/R, and phi has the zeros p_+ and p_-"),
+      by=[arithmetic(valued(), cleared()),
           instances(30, using={u: nonzero(), s1: nonzero(), y: scalar()}, made_by={**IN_D, x: y}), instances(20, using={u: nonzero(), s1: nonzero()}, made_by={**IN_D, x: 1 - al0 / p}),
           instances(20, using={u: nonzero(), s1: nonzero()}, made_by={**IN_D, x: 1 - al0 * p})], note="admissible: b_2^2 = Q - b_1^2 is zero; inside: x = pi_0 is p_+ or p_-.")
 

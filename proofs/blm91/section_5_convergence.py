@@ -21,7 +21,23 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, example, generic_index, identity, induction, instances, lemma, restated, steps
+from exactkf.evidence import (
+    arithmetic,
+    by_cases,
+    cleared,
+    combination,
+    example,
+    existing,
+    generic_index,
+    identity,
+    induction,
+    instances,
+    lemma,
+    restated,
+    steps,
+    unfolded,
+    valued,
+)
 from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
@@ -35,6 +51,8 @@ BELOW_ONE = given("0 < p < 1", (p > 0) & (p < 1))
 #: p in (0, 1)
 DRAW_P = dict(using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u))})
 ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
+#: the step from t = 0 exists, and is what the recursion makes of the point
+FIRST_STEP = (valued(), cleared(), *(hint(x_, 1) for hint in (existing, unfolded) for x_ in (al, ga)), unfolded(al, 0), unfolded(ga, 0))
 
 # ---------------------------------------------------------------------- Theorem 3.3
 claim("BLM91-S53", "the limit of Q_t is a spectral factor",
@@ -118,12 +136,15 @@ claim("BLM91-S61", "the slope in the coordinates of the eigenvectors",
       always(t, (sl(t) == bm / bp * Rt[t]) & (abs(sl(t + 1)) < abs(sl(t))) & (sl(t + 1) * sl(t) > 0)), over={p: scalar(), bp: nonzero(), bm: nonzero()}, where=[*EIGEN, SLOPE], given=[BELOW_ONE],
       by=[steps("BLM91-S60", prose="multiplied by p^2 in (0, 1) at each step"), instances(30, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
       note=P_NOTE + " Monotone to zero: of one sign, with falling modulus, by the factor p^2. For beta_- = 0 it is zero throughout.")
+GEOMETRIC = "a distance that falls, or grows, in each step by a factor that is bounded away from one tends to zero, or to infinity"
 claim("BLM91-F7", "the phase portrait of the slope",
-      (((1 / p < x) & (x < 2 / kap)) >> (x < fx)) & ((x > 2 / kap) >> (fx < p)) & ((x < p) >> ((x < fx) & (fx < p))), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
-      by=[steps("BLM91-S58", prose="f(x) - x = kappa (x - p)(x - 1/p)/(2 - kappa x); there is no fixed point to the right of 1/p, so that an orbit passes 2/kappa, unless it meets 2/kappa and ends"),
-          instances(60, **DRAW_P), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
+      (((1 / p < x) & (x < 2 / kap)) >> (x < fx)) & ((x > 2 / kap) >> (fx < p)) & ((x < p) >> ((x < fx) & (fx < p)))
+      & ((fx - 1 / p) * p * (p + 1 / p - x) == x - 1 / p) & ((fx - p) * (p + 1 / p - x) == p * (x - p)), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
+      by=[*(arithmetic(valued(), cleared(), by_cases(x > p), by_cases(p * x < 1), by_cases(p**2 > 0), member=k_) for k_ in range(3)),
+          *(arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=k_) for k_ in (3, 4)), restated(GEOMETRIC), instances(60, **DRAW_P), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
           example(p="1/2", x="9/4"), example(p="1/2", x=3), example(p="1/2", x="1/4"), example(p="1/2", x=-1), example(p=2, x=1), example(p=-2, x="1/4")],
-      note=P_NOTE + " One step from any slope x: growth between alpha_- and 2/kappa, a jump to the left of alpha_+ from beyond 2/kappa, growth below alpha_+.")
+      note=P_NOTE + " One step from any slope x: growth between alpha_- and 2/kappa, where 0 < p + 1/p - x < p, so that the distance from alpha_- grows by the factor 1/p^2 at least and 2/kappa "
+           "is met or passed; a jump to the left of alpha_+ from beyond 2/kappa; growth below alpha_+, where p + 1/p - x > 1/p: the distance falls to zero by the factor p^2 at least.")
 #: (5.3)
 ESCAPING = (*BY_P, let(v, A**(-m) * rows([[0], [1]])), let(al1, v[2, 1] / v[1, 1]), rec(be, t, x, f(be[t])))
 claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == al1), sizes=["m"], over={p: scalar(), x: scalar()},
@@ -139,15 +160,16 @@ claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
       by=[steps("BLM91-E5.1'", prose="f(alpha^(i)) = alpha^(i-1), and the distance to 1/p has the factor p^(2i)"), instances(40, m=(2, 3, 4, 5), **DRAW_P), example(m=2, p=2), example(m=3, p=-2)],
       note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
 claim("BLM91-S63", "which slopes belong to points of the hyperbola",
-      iff((x < p) | (x > 1 / p), 1 + x**2 - 2 / kap * x > 0) & (((p < x) & (x < 1 / p)) >> ((p < fx) & (fx < x))), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
-      by=[steps("BLM91-S58", prose="1 + x^2 - (2/kappa) x = (x - p)(x - 1/p)"), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
-      note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between, where f decreases to p.")
+      iff((x < p) | (x > 1 / p), 1 + x**2 - 2 / kap * x > 0) & (((p < x) & (x < 1 / p)) >> ((p < fx) & (fx < x))) & ((fx - p) * (p + 1 / p - x) == p * (x - p)), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
+      by=[*(arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=k_) for k_ in (0, 1)),
+          arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=2), restated(GEOMETRIC), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
+      note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between, where f decreases to p: the factor p/(p + 1/p - x) of the distance from p is less than 1, and falls with x.")
 D_AT = (*ORBIT, rec(r, t, 1, (1 - ga[t] ** 2) * r[t]), let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))), let(dm, D / r[m]), let(dn, D / r[m + 1]))
 claim("BLM91-S64", "D/r_t changes sign exactly where |gamma_t| > 1",
       iff(changes, beyond) & (dm == (1 - ga[m] ** 2) * dn), sizes=["m"], over={al0: scalar(), ga0: scalar()},
       where=[*D_AT, let(changes, pos_on_circle(dm) & pos_on_circle(-dn) | pos_on_circle(-dm) & pos_on_circle(dn)), let(beyond, abs(ga[m]) > 1)],
       given=[given("D definite", pos_on_circle(D) | pos_on_circle(-D))], note="changes: the signs differ; beyond: |gamma_t| > 1; m is the time t.",
-      by=[steps("BLM91-E3.11", prose="r_(t+1) = (1 - gamma_t^2) r_t"), instances(60, m=(0, 1, 2), using={x: nonzero(), y: nonneg()}, made_by={ga0: x, al0: 1 + abs(x) + y}),
+      by=[arithmetic(valued(), cleared(), existing(r, m + 1), unfolded(r, m + 1), by_cases(ga[m] ** 2 <= 1)), instances(60, m=(0, 1, 2), using={x: nonzero(), y: nonneg()}, made_by={ga0: x, al0: 1 + abs(x) + y}),
           instances(40, m=(0, 1)), example(m=0, alpha0="3/2", gamma0="2"), example(m=0, alpha0="1/2", gamma0="3"), example(m=0, alpha0="1/4", gamma0="1/4")])
 RICCATI = (rec(pit, t, 0, ((al0**2 - ga0**2) * pit[t] + ga0**2) / (1 - pit[t])),)
 four0, one0, one1 = symbols("IV_0 I_0 I_1")
@@ -167,7 +189,7 @@ claim("BLM91-S65", "region II and (4.9)", iff(below(m), two_(m)), **NEGATIVE,
 claim("BLM91-S66", "no jump from IV to I, and none out of I",
       (four0 >> ~one1) & (one0 >> one1),
       over={al0: nonzero(), ga0: scalar()}, where=[*ORBIT, *REGIONS, let(four0, four_(0)), let(one0, one_(0)), let(one1, one_(1))], given=[standing("0 < kappa^2 < 1", SMALL)],
-      by=[steps(facts=["a quotient by a positive number keeps the order"], prose="for |gamma| < 1 the next point has |alpha'| - |gamma'| = |alpha|/(1 + |gamma|), more than 1 in IV, and |alpha'| + |gamma'| = |alpha|/(1 - |gamma|), less than 1 in I"),
+      by=[arithmetic(*FIRST_STEP, by_cases(abs(al0) > 1 + abs(ga0))),
           instances(30, **IN_IV), instances(30, **IN_I), instances(40), example(alpha0="1/2", gamma0="3/2"), example(alpha0=3, gamma0="3/2"), example(alpha0="3/2", gamma0="3/4")])
 
 # ---------------------------------------------------------------------- kappa^2 = 1

@@ -21,8 +21,11 @@ at once, while the slope map goes on through 1/(2 lambda): in counts of escaping
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, steps
+from exactkf.evidence import arithmetic, by_cases, cleared, example, identity, induction, instances, square_of, steps, valued
 from exactkf.language import *
+from proofs.blm91.consequences_angles import ANGLE as BY_ANGLE
+from proofs.blm91.consequences_angles import LOWEST
+from proofs.blm91.lemmas_turns import LINES_TURN, OF_LINES, SINES_D, X1, X2, v1, v2
 from proofs.blm91.notation import *
 
 A, B, p, y, bp, bm, vp, vm, V, Lp, Lm, be, v, pit, phi_, Rot, Pb, Pw = symbols("A B p y beta_plus beta_minus v_plus v_minus v L_plus L_minus b v_i pi_t phi_pi Rot P Apow")
@@ -104,12 +107,13 @@ LOW = [standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)]
 POWERS = (GCD, let(lam, cospi(nn, d)), A_LAMBDA, rec(Pw, t, Identity(2), A * Pw[t]), function(back, [t], Pw[t] == Pw[t][1, 1] * Identity(2)))
 claim("BLM91-S75", "when every line is back", back(p) & forall(k, 1, d - 1, ~back(k)), sizes=["d"], over={**ANGLE, p: integer(1, 24)}, where=POWERS, given=LOW,
       by=[example(d=3, n_angle=1, p=2), instances(d=range(2, 9))],
-      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(back(k), k == d)), sizes=["d"], over=ANGLE, where=POWERS, given=LOW,
-                    by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="the first column of A^t is (U_t, U_(t-1)), and U_(t-1) = 0 says w^(2t) = 1"), instances(24, d=range(2, 15)), example(d=5, n_angle=2), example(d=2, n_angle=1), example(d=3, n_angle=1)]),
-      note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity. p is not defined where it stands, and is read as any natural number; were it the period of Theorem 3.7, which is d or 2d, the "
+      repair=repair("index", "the exponent is d, not p: A^p l = l for all l only if d divides p", forall(k, 1, d, iff(X1[k] * v2 == X2[k] * v1, k == d)), sizes=["n", "d"], over={v1: scalar(), v2: scalar()}, where=[*BY_ANGLE, *LINES_TURN],
+                    given=[*LOWEST, given("a line", (v1 != 0) | (v2 != 0))],
+                    by=[arithmetic(*SINES_D, *OF_LINES), instances(16, n=range(1, 8), d=range(2, 9)), example(n=1, d=3, v1=1, v2=0), example(n=1, d=2, v1=0, v2=1)]),
+      note="theta = n pi/d, d >= 2. A^k l = l for all l means that A^k is a multiple of the identity; in the correction the line through any (v_1, v_2)' is followed, V_t = A^t v. p is not defined where it stands, and is read as any natural number; were it the period of Theorem 3.7, which is d or 2d, the "
            "equation would be right. Every d >= 2 occurs, with n = 1.")
 claim("BLM91-S76", "no real zeros of phi for |kappa| > 1", phi_ > 0, over={**POINT, kap: scalar(), x: scalar()}, where=[PHI], given=[given("kappa", kap * (1 + al0**2 - ga0**2) == 2 * al0), given("|kappa| > 1", kap**2 > 1)],
-      by=[steps(facts=["a quadratic polynomial with negative discriminant has no real zero"], prose="the discriminant is 4 alpha_0^2 (1/kappa^2 - 1)"),
+      by=[arithmetic(valued(), cleared(), by_cases(al0**2 > 0), square_of(kap * x - kap + al0)),
           instances(60, using={u: scalar(), y: scalar(), s1: nonzero()}, made_by={kap: s1 + SIGN, x: u, al0: (2 / kap + 2 * y) / (1 - y**2), ga0: 1 + y * al0}),
           example(alpha0="1/2", gamma0=0, kappa="4/5", x="1/2"), example(alpha0=1, gamma0=1, kappa=5, x="1/2"), example(alpha0=1, gamma0=0, kappa=1, x=0), example(alpha0=1, gamma0=3, kappa=2, x=3)],
       note="Even > 0.")

@@ -5,13 +5,31 @@ Notation and derivation are those of the module before: 1/kappa = lambda = cos(t
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import combination, evaluation, example, identity, instances, positivity, restated, steps
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    combination,
+    evaluation,
+    example,
+    identity,
+    instances,
+    multiplied,
+    restated,
+    square_of,
+    steps,
+    valued,
+)
 from exactkf.language import *
 from proofs.blm91.notation import *
+from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
 A, A1, p, q, y, be, v, al1, av, mate = symbols("A A1 p q y b v_i alpha_i a_t mate")
 gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, nn, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i n_angle divides")
-last, ends, closes = symbols("last ends closes")
+last, ends, closes, i1 = symbols("last ends closes i1")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
@@ -46,9 +64,23 @@ claim("BLM91-S78", "escape times for a rational angle",
       given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
       note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
            "U_(d-1) = 0 closes the list. T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
-claim("BLM91-S79", "every alpha belongs to two points of the hyperbola", 1 + x**2 - 2 * lam * x > 0, over={lam: scalar(), x: scalar()}, given=[given("|kappa| > 1", lam**2 < 1)],
-      by=[positivity([(1, x - lam, []), (1, 1, ["|kappa| > 1"])]), restated("orbits from (alpha, gamma) and (alpha, -gamma) are mirror images, (3.3), with the first coordinate of (5.1)"), instances(using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), x: y}), example(**{"lambda": 2, "x": 1}), example(**{"lambda": 1, "x": 1})],
-      note="gamma^2 = 1 + alpha^2 - 2 lambda alpha is positive, so that gamma and -gamma are different points; their orbits are mirror images by (3.3).")
+bal, bga = symbols("alpha_mirror gamma_mirror")
+#: alpha and its mirror image at every j; the curve at every i; alpha by (5.1) at every k
+MIRRORED = by_induction(j, 0, ((defined(al[j]) | defined(ga[j])) & (defined(bal[j]) | defined(bga[j]))) >> ((al[j] == bal[j]) & (ga[j] == -bga[j])),
+                        base=[*values_at(0, al, ga, bal, bga)], step=[cleared(), *values_at(j + 1, al, ga, bal, bga)])
+CURVE = by_induction(i, 0, defined(al[i]) >> (1 + al[i] ** 2 - ga[i] ** 2 == 2 * lam * al[i]), base=[cleared(), *values_at(0)],
+                     step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)])
+BY_SLOPE = by_induction(k, 0, (defined(al[k]) & defined(be[k])) >> (al[k] == be[k]), base=[cleared(), *values_at(0, al, be)],
+                        step=[cleared(), at_index(i, k), *values_at(k + 1, al, ga, be), by_cases(1 - ga[k] ** 2 == al[k] * (2 * lam - al[k]))])
+claim("BLM91-S79", "every alpha belongs to two points of the hyperbola",
+      (1 + x**2 - 2 * lam * x > 0) & (ga0 != -ga0) & (al[m] == bal[m]) & (ga[m] == -bga[m]) & (al[m] == be[m]), sizes=["m"], over={lam: scalar(), x: scalar(), al0: scalar(), ga0: scalar()},
+      where=[*ORBIT, rec(bal, t, al0, bal[t] / (1 - bga[t] ** 2)), rec(bga, t, -ga0, -bga[t] * bal[t] / (1 - bga[t] ** 2)), rec(be, t, al0, 1 / (2 * lam - be[t]))],
+      given=[given("|kappa| > 1", lam**2 < 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(square_of(x - lam), member=0), arithmetic(square_of(al0 - lam), member=1), *(arithmetic(valued(), MIRRORED, at_index(j, m), member=k_) for k_ in (2, 3)),
+          arithmetic(valued(), CURVE, BY_SLOPE, at_index(k, m), member=4),
+          instances(30, m=(0, 1, 2, 3), using={u: scalar(), y: scalar()}, made_by={lam: u / (1 + abs(u)), al0: 2 * (lam + y) / (1 - y**2), ga0: 1 + y * al0}),
+          *(example(**{"m": m_, "lambda": l_, "x": 1, "alpha0": a_, "gamma0": g_}) for m_, l_, a_, g_ in ((0, 1, 1, 0), (1, 2, 0, 1), (1, 1, 2, 1), (1, 0, "3/4", "5/4"), (2, 0, "3/4", "5/4"), (0, 2, 2, 1)))],
+      note="gamma^2 = 1 + x^2 - 2 lambda x is positive for every first coordinate x, so that two points have it; the orbits from (alpha_0, gamma_0) and (alpha_0, -gamma_0) are mirror images, with the first coordinate of (5.1). m is the time.")
 
 # ---------------------------------------------------------------------- the coordinate a
 claim("BLM91-E5.7", "the step in the coordinate a", al[1] - ga[1] == (al0 - ga0 - 1) / (al0 - ga0 - 2 * lam + 1), over={al0: scalar(), ga0: scalar(), lam: scalar()}, where=ORBIT, given=[ON],
@@ -81,7 +113,7 @@ claim("BLM91-S82", "in the coordinate a: all periodic or all dense",
           instances(40), *(example(numerator=k_, denominator=2, x=x_) for k_ in (1, 0, -1) for x_ in (3, "-2/5"))],
       note="Orbits that end are left aside. On fractions lambda with terms up to 13: a return within 12 steps only for lambda = 1/2, 0, -1/2, and there after 3, 4, 6 steps from every point.")
 claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == lam * x - 1) & (flag >> (x != lam)), over={lam: scalar(), x: scalar(), y: scalar()}, where=[let(flag, 1 + x * y == lam * (x + y))], given=FINITE,
-      by=[steps("BLM91-F8", facts=["a linear equation with a coefficient that is not 0 has one solution"], prose="1 + ab = lambda(a + b) is (a - lambda) b = lambda a - 1, which reads 0 = lambda^2 - 1 for a = lambda"),
+      by=[arithmetic(),
           instances(40, using={u: scalar()}, made_by={lam: u / (1 + abs(u)), y: (lam * x - 1) / (x - lam)}), instances(40), example({"lambda": "1/2", "x": 3, "y": "1/5"}), example({"lambda": "1/2", "x": "1/2", "y": 3})],
       note="x = a, y = b; the point is ((a + b)/2, (b - a)/2). Each point of the hyperbola has an a of its own, and every a but 1/kappa is that of a point; a = 1/kappa is the asymptote, where b is infinite.")
 
@@ -133,20 +165,26 @@ claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d -
       note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
-REALIZED = function(found, [p, k], exists(q, 1, p - 1, (gcd(p, q) == 1) & (2 * q < p) & (cospi(p - 2 * q, p) * k >= 0)))
-KIND = function(flag, [p], found(p, 1))
-BELOW = function(flag, [p], found(p, -1))
-BOTH = "kappa infinite (1/kappa = 0, period 4), which Theorem 3.7 admits, belongs to both signs."
-claim("BLM91-E5.9", "periods for kappa > 1", iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (rational("1/4") <= q / p * pi) & (q / p * pi < rational("1/2") * pi))),
-      over={p: integer(3, 12), pi: scalar()}, where=[GCD, REALIZED, KIND], given=[standing("pi", (pi > rational("3.141592")) & (pi < rational("3.141593")))],
+#: period p occurs for kappa > 1, or for kappa < -1: 1/kappa = cos(pi (p - 2q)/p) for a q prime to p
+ABOVE, BELOW = (function(flag, [x], exists(q, 1, x - 1, coprime_(x, q) & (2 * q < x) & sign(cospi(x - 2 * q, x)))) for sign in (lambda y: y > 0, lambda y: y < 0))
+FOR_PERIODS = dict(sizes=["p"], given=[standing("p at least 3", p >= 3)])
+SIGN_OF = angles("acute", p - 2 * q, p)
+#: what a q is coprime to for one side of an equivalence it is for the other
+SAME = [at_index(q, q), at_index(d, d), at_index(i, i), at_index(i, i1)]
+OF_FOUR = "kappa infinite (1/kappa = 0, q/p = 1/4, period 4), which Theorem 3.7 admits, is neither above 1 nor below -1"
+claim("BLM91-E5.9", "periods for kappa > 1", iff(flag(p), exists(q, 1, p - 1, coprime_(p, q) & (rational("1/4") <= q / p * pi) & (q / p * pi < rational("1/2") * pi))),
+      over={p: integer(3, 12), pi: scalar()}, where=[*COPRIME, ABOVE], given=[standing("pi", (pi > rational("3.141592")) & (pi < rational("3.141593")))],
       by=[example(p=6, pi="3.1415926"), instances(using={x: positive()}, made_by={pi: rational("3.141592") + rational("1/1000000") / (1 + x)})],
-      repair=repair("factor", "the lower bound is pi/4, not 1/4: p = 6, q = 1 has pi/6 > 1/4, and period 6 does not occur for kappa > 1",
-                    forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (p <= 4 * q) & (2 * q < p)))), sizes=["m"], where=[GCD, REALIZED, KIND],
-                    by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]"], prose="period p occurs for 1/kappa = cos(pi (p - 2q)/p) by X.5, and that is >= 0 when p <= 4q"), instances(m=(4, 6, 8, 20))]),
-      note="Realized by kappa > 1: 1/kappa = cos(pi (p - 2q)/p) >= 0 for some q prime to p. " + BOTH + " The correction is tried for all p up to m. Lemma 5.1 and (5.10) show that pi/4 is meant.")
-claim("BLM91-E5.10", "periods for kappa < -1", forall(p, 3, m, iff(flag(p), exists(q, 1, p - 1, (gcd(p, q) == 1) & (0 <= q) & (4 * q <= p)))), sizes=["m"], where=[GCD, REALIZED, BELOW],
-      by=[steps("BLM91-X.2", facts=["the cosine decreases on [0, pi]"], prose="period p occurs for 1/kappa = cos(pi (p - 2q)/p) by X.5, and that is <= 0 when 4q <= p"), instances(m=(4, 5, 8, 20))],
-      note="Realized by kappa < -1: 1/kappa = cos(pi (p - 2q)/p) <= 0 for some q prime to p. (5.10) is divided by pi. " + BOTH + " Tried for all p up to m.")
-claim("BLM91-S91", "(5.10) by q = 1", forall(p, 1, m, iff(flag(p), p >= 4) & ((p >= 4) >> (4 * 1 <= p))), sizes=["m"],
-      where=[GCD, function(flag, [p], exists(q, 1, p - 1, (gcd(p, q) == 1) & (4 * q <= p)))], by=[steps(facts=["1 is prime to every number"], prose="4 * 1 <= p for every p >= 4, and p = 1, 2, 3 leave only q with 4q > p"), instances(m=(3, 4, 6, 20))],
-      note="(5.10) is divided by pi. Some q satisfies it exactly for p >= 4, and q = 1 does. Tried for all p up to m.")
+      repair=repair("factor", "the lower bound is pi/4, not 1/4: p = 6, q = 1 has pi/6 > 1/4, and period 6 does not occur for kappa > 1; it is not attained, as " + OF_FOUR,
+                    iff(flag(p), exists(q, 1, p - 1, coprime_(p, q) & (p < 4 * q) & (2 * q < p))), **FOR_PERIODS, where=[*COPRIME, ABOVE],
+                    by=[arithmetic(SIGN_OF, *SAME, by_cases(2 * q == p, [by_cases(q >= 2), at_index(d, q), at_index(i, 1), at_index(i, 2)])), instances(p=(*range(3, 9), 20))]),
+      note="(5.9) is divided by pi in the correction. Lemma 5.1 and (5.10) show that pi/4 is meant.")
+claim("BLM91-E5.10", "periods for kappa < -1", iff(flag(p), exists(q, 1, p - 1, coprime_(p, q) & (0 <= q) & (4 * q <= p))), **FOR_PERIODS, where=[*COPRIME, BELOW],
+      by=[example(p=4), instances(p=(3, 4, 5, 8, 20))],
+      repair=repair("boundary case", OF_FOUR + ": < has to take the place of the second <=",
+                    iff(flag(p), exists(q, 1, p - 1, coprime_(p, q) & (0 <= q) & (4 * q < p))), **FOR_PERIODS, where=[*COPRIME, BELOW],
+                    by=[arithmetic(by_cases(p >= 5, [at_index(q, 1), angles("acute", p - 2, p)], [SIGN_OF])), instances(p=(*range(3, 9), 20))]),
+      note="(5.10) is divided by pi.")
+claim("BLM91-S91", "(5.10) by q = 1", iff(exists(q, 1, p - 1, coprime_(p, q) & (4 * q <= p)), p >= 4) & ((p >= 4) >> (coprime_(p, 1) & (4 * 1 <= p))), sizes=["p"], where=COPRIME,
+      given=[standing("positive", p >= 1)], by=[arithmetic(at_index(q, 1)), instances(p=range(1, 13)), example(p=20)],
+      note="(5.10) is divided by pi. Some q satisfies it exactly for p >= 4, and q = 1 does.")

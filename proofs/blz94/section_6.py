@@ -26,6 +26,7 @@ from exactkf.language import (
     T,
     Z,
     Zero,
+    always,
     block,
     charpoly,
     coeff,
@@ -176,7 +177,15 @@ claim("BLZ94-E6.16", "the Riccati recursion is the linear system with matrix S",
 _ALPHA1 = (1 / v - u**2 * v) / (1 - u**2)
 _ORDER_ONE = {P: matrix_of(i, j, n, n, 1 - _ALPHA1 / v), a0: column(i, n, _ALPHA1 - u * (_ALPHA1 - v)),
               g0: column(i, n, u * (_ALPHA1 - v))}
-_NEXT_B = B * P * T(B) + (-g - B * P * h) / (1 - T(h) * P * h) * T(-g - B * P * h)
+Pa, Pb = symbols("Pa Pb")
+
+
+def _step(F, g, P):
+    """The Riccati recursion (2.2)."""
+    return F * P * T(F) + (g - F * P * h) / (1 - T(h) * P * h) * T(g - F * P * h)
+
+
+_NEXT_B = _step(B, -g, P)
 _OTHER_D = symmetric_part(monic_of(b0), monic_of(b0 + 2 * g0))
 claim("BLZ94-L6.2.1", "Lemma 6.1 with J - bh' in place of F = J - ah' and nothing else changed",
       nonneg_on_circle(D) | nonneg_on_circle(-D), sizes=["n"], over={a0: vector(n), g0: vector(n)},
@@ -186,12 +195,13 @@ claim("BLZ94-L6.2.1", "Lemma 6.1 with J - bh' in place of F = J - ah' and nothin
       note="A consequence: if the recursion with J - bh' and g converges from zero, so does (4.4), and then D is sign definite (Corollary 5.3). It converges if J - bh' "
            "and g belong to a positive real function, that of b and b + 2g. In the example, n = 1, a = 2, b = 7/8, this is so, but D is not sign definite. "
            "The proof exchanges a and b, which is more than the lemma says: g = (b - a)/2 changes its sign.",
-      repair=repair("sign", "With J - bh' in place of F also -g has to take the place of g, and b that of a in (6.2); then the recursion is the same, "
-                            "and so is the limit.",
-                    (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0), sizes=["n"],
-                    over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
-                    where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h))], by=[order(), SIZES,
-                                                                                                   restated("Lemma 6.1, applied to the same recursion")]))
+      repair=repair("sign", "With J - bh' in place of F also -g has to take the place of g, and b that of a in (6.2); then the solution from zero is the same for "
+                            "every t, P_b = P_a, so are the equilibria, and so is (6.2) at each of them.",
+                    always(t, Pb[t] == Pa[t]) & (_NEXT_B == STEP_OF_P) & ((-g - B * P * h) / (1 - T(h) * P * h) + b0 == (g - F * P * h) / (1 - T(h) * P * h) + a0),
+                    sizes=["n"], over={J: matrix(n, n), a0: vector(n), g: vector(n), h: vector(n), P: symmetric_matrix(n)},
+                    where=[let(b0, a0 + 2 * g), let(F, J - a0 * T(h)), let(B, J - b0 * T(h)),
+                           rec(Pa, t, Zero(n, n), _step(F, g, Pa[t])), rec(Pb, t, Zero(n, n), _step(B, -g, Pb[t]))],
+                    by=[induction(also=[[Pa[t] == T(Pa[t])], [], []]), SIZES]))
 
 # ---------------------------------------------------------------------- the closed loop, (6.27)-(6.33)
 claim("BLZ94-E6.27", "(6.2) written with J in place of F",

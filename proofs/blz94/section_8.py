@@ -27,13 +27,13 @@ from exactkf.language import (
     iff,
     inside_roots,
     integer,
+    laurent,
     let,
     nonneg_on_circle,
     nonzero,
     outside_roots,
     pos_on_circle,
     rational,
-    real_roots,
     rec,
     rows,
     scalar,
@@ -178,12 +178,22 @@ claim("BLZ94-S60", "n = 1: the eigenvalues of S for each kappa",
           example({al: -1, ga: 1, kappa: -2})],
       note="D is sign indefinite: D(1) and D(-1), its extreme values on the circle, have opposite signs. Nonconvergence is Corollary 5.3; there is no Theorem 5.34. kappa infinite means trace zero, eigenvalues i and -i.")
 
+#: the orbit beside the equilibrium with |alpha| > 1, to first order in 1/z
+_BESIDE_IT = (rec(c, t, 1 / lam + u / Z, c[t] / (1 - d[t] ** 2)), rec(d, t, v / Z, -d[t] * c[t] / (1 - d[t] ** 2)))
 claim("BLZ94-S61", "0 < kappa^2 < 1: the equilibria on the curve, and how they attract",
-      (inside_roots(f) == 1) & (real_roots(f, -1, 1) == 1), over={kappa: nonzero()}, where=[let(f, Z**2 - 2 / kappa * Z + 1)],
-      given=[given("kappa^2 < 1", kappa**2 < 1)],
-      by=[steps("BLZ94-E8.4", prose="With gamma = 0, (8.4) is alpha^2 - (2/kappa) alpha + 1 = 0; the product of the roots is one, they are real and differ. That every "
-                                    "other orbit tends to the root inside is the cross ratio of Figure 8.2. The Jacobian at (alpha, 0) is diag(1, -alpha)."),
-          example({kappa: "1/2"}), example({kappa: "-1/3"}), example({kappa: 2}), instances(20)])
+      always(t, (alpha[t] - lam) * (al - 1 / lam) == p[t] * (al - lam) * (alpha[t] - 1 / lam))
+      & (inside_roots(f) == 1) & (outside_roots(f) == 1) & (substitute(f, lam) == 0) & (substitute(f, 1 / lam) == 0)
+      & (laurent(c[1], 1) == u) & (laurent(d[1], 1) == -v / lam) & (laurent(c[1], 0) == 1 / lam),
+      over={lam: nonzero(), x: scalar(), u: scalar(), v: scalar()},
+      where=[let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE, let(e, HALF * (lam + 1 / lam)), let(f, Z**2 - 2 * e * Z + 1), rec(p, t, 1, lam**2 * p[t]), *_BESIDE_IT],
+      given=[given("lambda is the root inside", abs(lam) < 1)],
+      by=[steps("BLZ94-E8.4", facts=["center manifold theorem: an invariant manifold that is tangent to the center space is a center manifold"],
+                prose="With gamma = 0, (8.4) is alpha^2 - (2/kappa) alpha + 1 = 0; the product of the roots is one, they are real and differ. alpha moves by 1/(2e - alpha), so that the cross ratio has the factor lambda^2; "
+                      "every orbit but that of 1/lambda tends to lambda unless it ends. At (1/lambda, 0) the derivative has the eigenvalues 1 and -1/lambda, the second outside the circle: "
+                      "the center manifold has dimension one."),
+          instances(20, horizon=3, using={w: nonzero()}, made_by={lam: w / (1 + abs(w))}), example({lam: 2, x: 3, u: 1, v: 1}), example({lam: "1/2", x: 3, u: 1, v: 1})],
+      note="1/kappa = e = (lambda + 1/lambda)/2, which for 0 < |lambda| < 1 is every kappa with 0 < kappa^2 < 1; p is lambda^(2t). alpha - gamma = x names the point of the curve. "
+           "(c, d) is the orbit from (1/lambda + u/z, v/z).")
 
 _NUM = x**2 - 2 * e * x + 1
 _MOBIUS = (rec(d, t, x, d[t] - c[t]), rec(c, t, 1, d[t] + (1 - 2 * e) * c[t]), rec(v, t, 0, (2 - 2 * e) * v[t] - w[t]), rec(w, t, -1, (2 - 2 * e) * v[t]))

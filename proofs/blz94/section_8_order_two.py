@@ -10,10 +10,13 @@ from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import example, identity, instances, restated, steps
 from exactkf.language import (
       Identity,
+      T,
       Z,
+      block,
       circle_roots,
       coeff,
       coprime,
+      cospi,
       defined,
       det,
       function,
@@ -22,7 +25,6 @@ from exactkf.language import (
       inside_roots,
       inv,
       let,
-      matrix_of,
       monic,
       nonneg_on_circle,
       nonzero,
@@ -44,7 +46,7 @@ from exactkf.language import (
       vector,
       when,
 )
-from proofs.blz94.notation import HALF, ORBIT, D, a, alpha, alpha0, b, gamma, gamma0, i, j, k, n, symmetric_part, t, u
+from proofs.blz94.notation import HALF, ORBIT, A, D, F, a, alpha, alpha0, b, g, gamma, gamma0, h, i, j, k, monic_of, n, symmetric_part, t, u
 from proofs.blz94.section_7_convergence import ALONG, CONVERGENCE, POWERS_TEND, TENDS
 from proofs.blz94.section_8 import CURVE_B, ONE, al, ga
 
@@ -223,15 +225,26 @@ claim("BLZ94-E8.9", "2/beta are the values of z + 1/z at the zeros of D",
       by=[steps(prose="2D/d_0 = 2 + kappa_1(z + 1/z) + kappa_2(z^2 + 1/z^2), and z^2 + 1/z^2 = (z + 1/z)^2 - 2; z + 1/z = 2 cos(phi) = 2/beta."),
           instances(20, using={u: nonzero(), v: scalar()}, made_by={k2: 2 / (u * v + 2), k1: -(u + v) * 2 / (u * v + 2), w: 2 * (u - v) / (u * v + 2)})])
 
-_F = let(f, (Z**8 + 1) * (Z**6 - Z**3 + 1))
-claim("BLZ94-X8.2", "the period 144",
-      (w * w == Identity(14)) & (p < 1),
-      where=[_F, let(X, matrix_of(i, j, 14, 14, when(j == i + 1, 1, when(i == 14, -coeff(f, j - 1), 0)))),
-                 let(u, X**24), let(v, u**2), let(w, u**3),
-                 let(p, when((v == Identity(14)) | (v == -Identity(14)), 1, 0) + when((w == Identity(14)) | (w == -Identity(14)), 1, 0))],
-      by=[steps("BLZ94-E6.16", "BLZ94-P6.6", prose="By (6.16) the orbit is back at time t if S^t is the identity. The eigenvalues of S are among those of X, and S^72 has 1 and -1 for eigenvalues."), instances()],
-      note="The eigenvalues of S are e^(+-i pi/8), of order 16, and e^(+-i pi/9), of order 18, among the roots of z^8 + 1 and of z^6 - z^3 + 1, whose companion "
-           "matrix is X; p counts those of its powers 48 (v) and 72 (w) that are the identity or its negative; every proper divisor of 144 divides one of them. The orbit returns when S^t is the identity; S^t = -I would exchange a and b.")
+#: c = 2 cos(pi/72), x = 2 cos(9 pi/72), y = 2 cos(8 pi/72); a and b with the D of these angles, and S
+_TURNS = (let(n, 2), let(c, 2 * cospi(1, 72)), let(p, c**3 - 3 * c), let(x, p**3 - 3 * p), let(y, ((c**2 - 2) ** 2 - 2) ** 2 - 2))
+_ON_CURVE = (let(a, rows([[al1], [al2]])),
+             let(b, inv(rows([[1 + al2, al1 + x + y], [2 * al1, 2 * al2 - x * y - 2]])) * rows([[-al1 - (x + y) * al2], [(x * y + 2) * al2 - 2]])), let(g, (b - a) / 2))
+_S_OF = (let(F, rows([[-a[1], 1], [-a[2], 0]])), let(h, rows([[1], [0]])), let(A, F - g * T(h)),
+         let(S, block([[inv(T(A)), -(inv(T(A)) * h * T(h))], [g * T(g) * inv(T(A)), A - g * T(g) * inv(T(A)) * h * T(h)]])))
+_FIRST, _LOWER = rows([[1, 0], [0, 1], [0, 0], [0, 0]]), rows([[0, 0, 1, 0], [0, 0, 0, 1]])
+_REST = 0 * Identity(2)
+claim("BLZ94-X8.2", "every orbit that does not escape has the period 144",
+      (Z**2 * symmetric_part(monic_of(a), monic_of(b)) == (a[2] + g[2]) * (Z**2 - x * Z + 1) * (Z**2 - y * Z + 1)) & (r == 144),
+      over={al1: scalar(), al2: scalar()},
+      where=[*_TURNS, *_ON_CURVE, *_S_OF, let(u, S**24), let(v, u**2), let(w, u**3),
+             let(r, when(w * w == Identity(4), when(_LOWER * v * _FIRST == _REST, 48, when(_LOWER * w * _FIRST == _REST, 72, 144)), 0))],
+      by=[steps("BLZ94-E6.16", "BLZ94-P6.6", facts=["planes that are invariant under a symplectic matrix and have no eigenvalue in common, nor one inverse to one of the other, are orthogonal"],
+                prose="By (6.16) the state at time t is that of S^t(I; 0), and the orbit is back at a divisor t of 144 only if the plane of (I; 0) is invariant under S^t. The eigenvalues of S are those of "
+                      "P6.6, simple, of the orders 16 and 18, so that S^144 = I. Their planes E and E* are orthogonal, and the form is not zero on them; it is on the plane of (I; 0), which is none of them. "
+                      "S^48 is 1 on E and turns E* by a third, so an invariant plane would be one of them. S^72 is -1 and 1, so an invariant plane would hold an (x; 0) in E and a (y; 0) in E*. The form of (x; 0) and S(y; 0), a "
+                      "product of a linear function of x and one of y, is zero, and so one of these is, and the form of (x; 0) and S(x; 0), or that of (y; 0) and S(y; 0): then it is zero on E, or on E*."),
+          example({al1: 0, al2: "1/2"}), instances(2)],
+      note="(al_1, al_2) = a names any point of X_D at which the linear equations for b have one solution. r is the least period: each proper divisor of 144 divides 48 or 72, and v and w, the powers 48 and 72 of S, do not keep the plane of (I; 0).")
 
 
 # ---------------------------------------------------------------------- Figures 8.4 to 8.6, sign indefinite D

@@ -43,7 +43,6 @@ from exactkf.language import (
     matrix,
     nonneg,
     nonsingular,
-    positive,
     positive_semidefinite,
     psd,
     rank,
@@ -555,34 +554,34 @@ def printed_gain(W):
 UNIT, RATE, BOUND, c, d, D_ = symbols("Dn rate B c d D")
 #: covariance of (L -K)(u; r)
 DRIVEN = hstack(L, -K) * COVARIANCE * T(hstack(L, -K))
-BOUNDED = [given("c", loewner(c * UNIT, W - Wn) & loewner(c * UNIT, Wn - W)), given("d", loewner(d * Identity(n), UNIT))]
+#: terms that show how far W_0 and UNIT are below multiples of the identity
+ABOVE_START = [trace(W + Wn) * Identity(n) - (W + Wn), c * (L * A) * UNIT * T(L * A)]
+ABOVE_UNIT = trace(UNIT) * Identity(n) - UNIT
 DECAY = RATE * BOUND[t] - (L * A) * BOUND[t] * T(L * A)
 KEPT_WITHIN = [[L * A * excess * T(A) * T(L), DECAY] for excess in (BOUND[t] - (Wt[t] - Wn), BOUND[t] - (Wn - Wt[t]))]
 E447_PROOF = induction(
-    also=[[], [], [], [psd(DECAY)]],
+    also=[[], [], [], [psd(DECAY)], [], []],
     base=[order(), order(), order(inside=[within(0, unique=(L * A, T(L * A)))]),
-          order([c / d * (d * Identity(n) - UNIT)], [c * UNIT - (W - Wn)], [c * UNIT - (Wn - W)])],
-    step=[order(), order(), order(), order([RATE * DECAY], *KEPT_WITHIN)])
+          order([c / (1 + d) * ABOVE_UNIT, c / (1 + d) * Identity(n)], [*ABOVE_START, 2 * Wn], [*ABOVE_START, 2 * W]), order([ABOVE_UNIT]), order([1 / (1 + d) * Identity(1)])],
+    step=[order(), order(), order(), order([RATE * DECAY], *KEPT_WITHIN), order(), order()])
 SLOW = X0 * (1 / (1 + trace(T(L) * L) * trace(T(X0) * X0)))
 claim("NWL92-E4.47", "error covariance with constant gains, as printed without transposes",
       ERROR_NEXT == printed_gain(W), sizes=["l", "n", "p"], over=ERROR_OVER, given=[NOISE],
       by=[example(STEADY), instances(made_by=RANDOM_NOISE, using=RANDOM_NOISE_FREE, l=2, n=2, p=2)],
       repair=repair("other", MISSING,
                     (ERROR_NEXT == constant_gain(W)) & psd(Wn) & iff(D_ == constant_gain(D_), D_ == Wn)
-                    & always(t, loewner(BOUND[t], Wt[t] - Wn) & loewner(BOUND[t], Wn - Wt[t])),
-                    sizes=["l", "n", "p"], over={**ERROR_OVER, D_: symmetric_matrix(n), c: nonneg(), d: positive()},
-                    where=[let(UNIT, stein(L * A, Identity(n))), let(Wn, stein(L * A, DRIVEN)), let(RATE, (d - 1) / d),
+                    & always(t, loewner(BOUND[t], Wt[t] - Wn) & loewner(BOUND[t], Wn - Wt[t])) & loewner(d * Identity(n), UNIT) & (RATE < 1),
+                    sizes=["l", "n", "p"], over={**ERROR_OVER, D_: symmetric_matrix(n)},
+                    where=[let(UNIT, stein(L * A, Identity(n))), let(Wn, stein(L * A, DRIVEN)), let(c, trace(W + Wn)), let(d, trace(UNIT)), let(RATE, d / (1 + d)),
                            rec(Wt, t, W, constant_gain(Wt[t])), rec(BOUND, t, c * UNIT, RATE * BOUND[t])],
-                    given=[NOISE, standing("LA stable", schur(L * A)), *BOUNDED, standing("d >= 1", d >= 1)],
-                    by=[restated("a symmetric matrix is at most a multiple of the identity"), E447_PROOF,
-                        example({**STEADY, W: [[1, 0], [0, 2]], D_: [[0, 0], [0, 0]], c: 2, d: 2}), example({**STEADY, W: [[1, 0], [0, 2]], D_: [[1, 0], [0, 0]], c: 2, d: 2}),
-                        instances(16, made_by={**RANDOM_NOISE, A: SLOW, c: trace(W + Wn), d: trace(UNIT)}, using={**RANDOM_NOISE_FREE, X0: matrix(l, n)},
-                                  horizon=3, l=(1, 2), n=(1, 2), p=(1, 2)),
-                        instances(8, made_by={**RANDOM_NOISE, A: SLOW, c: trace(W + Wn), d: trace(UNIT), D_: Wn}, using={**RANDOM_NOISE_FREE, X0: matrix(l, n)},
+                    given=[NOISE, standing("LA stable", schur(L * A))],
+                    by=[E447_PROOF, example({**STEADY, W: [[1, 0], [0, 2]], D_: [[0, 0], [0, 0]]}), example({**STEADY, W: [[1, 0], [0, 2]], D_: [[1, 0], [0, 0]]}),
+                        instances(16, made_by={**RANDOM_NOISE, A: SLOW}, using={**RANDOM_NOISE_FREE, X0: matrix(l, n)}, horizon=3, l=(1, 2), n=(1, 2), p=(1, 2)),
+                        instances(8, made_by={**RANDOM_NOISE, A: SLOW, D_: Wn}, using={**RANDOM_NOISE_FREE, X0: matrix(l, n)},
                                   horizon=3, l=(1, 2), n=(1, 2), p=(1, 2))]),
       note=("The left side is the covariance of the error (4.39). The second part of the corrected statement is the convergence: stein(M, N) is the solution of "
-            "X = MXM' + N. D is that for N = I, and the distance of W_t from the solution Wn of (4.48), the only one, which is nonnegative, is at most "
-            "c(1 - 1/d)^t D, where c and d are any numbers with -cD <= W_0 - Wn <= cD and D <= dI; there are some, as D >= I."))
+            "X = MXM' + N. D is that for N = I, c and d are traces, and the distance of W_t from the solution Wn of (4.48), the only one, which is nonnegative, is "
+            "at most c(d/(1 + d))^t D, which is at most cd(d/(1 + d))^t I."))
 
 claim("NWL92-E4.48", "the limit of the error covariance with constant gains, as printed without transposes",
       iff(W == printed_gain(W), W == P), sizes=["l", "n", "p"], over={**ERROR_OVER, P: positive_semidefinite(n)},

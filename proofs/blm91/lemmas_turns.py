@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""Orbits on a hyperbola with a rational angle, for every fraction: hints for proofs with numbers.
+
+Let 1/kappa = lambda = cos(theta), theta = pi n/d in lowest terms, and s_k = sin(k theta) = cos(pi (2kn - d)/(2d)), so that s_(k+1) + s_(k-1) = 2 lambda s_k,
+lambda^2 + s_1^2 = 1, and s_k = 0 exactly for the multiples k of d. With K_j = (1 - pi_0) s_(j+1) - alpha_0 s_j the solution of the Riccati equation has
+
+    (1 - pi_j) K_(j-1) = alpha_0 K_j:
+
+it is back at time t when s_t ((1 - pi_0)^2 - 2 lambda alpha_0 (1 - pi_0) + alpha_0^2) = 0, and the second factor is positive. A line through (v_1, v_2)' is moved to
+that through (v_1 s_(j+1) - v_2 s_j, v_1 s_j - v_2 s_(j-1))'.
+
+For (3.10) let 1/kappa = -cos(2 pi q/p), S_k = sin(2 pi k q/p) = cos(pi (4kq - p)/(2p)), C_k = cos(2 pi k q/p) and E_j = S_(j+1) + alpha_0 S_j. Then
+
+    alpha_j E_j = -(S_j + alpha_0 S_(j-1)),      gamma_j E_j = gamma_0 S_1,
+
+and a return at time t makes E_t = S_1, as gamma_0 is not 0, and (1 + alpha_0^2 - 2 lambda alpha_0) S_t = gamma_0^2 S_t = 0, hence C_t = 1: p divides t q, and so t.
+
+For a slope x let M_j = U_j - x U_(j-1). Then b_j M_j = M_(j-1), whatever the angle is.
+"""
+
+from exactkf.evidence import angles, at_index, by_cases, by_induction, cleared, existing, multiplied, shown_first, square_of, unfolded
+from exactkf.language import *
+from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCLID, LAST, NOT_ZERO, SMALLER, coprime_, d, gk, gu, gv, gx, gy, n, turns, x, y, z
+from proofs.blm91.consequences_angles import s as sine
+from proofs.blm91.notation import *
+
+__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+
+p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
+
+
+def three(k):
+    """s_(k+1) + s_(k-1) = 2 lambda s_k."""
+    return angles("product", 2 * n, 2 * k * n - d, 2 * d)
+
+
+#: where s_k is zero, in lowest terms; for n = 1
+SINES_D = [shown_first(EUCLID, BY_INVERSE), shown_first(NOT_ZERO, BY_EUCLID), shown_first(sine(d) == 0, LAST)]
+SINES_1 = [shown_first(EUCLID, [by_cases(y >= 1)]), shown_first(NOT_ZERO, BY_EUCLID),
+           shown_first(sine(d) == 0, [angles("right", d), angles("cosines", 2 * d * n - d, d, 2 * d), at_index(turns, 0)])]
+PYTHAGORAS = shown_first(lam**2 + sine(1) ** 2 == 1, [angles("product", 2 * n, 2 * n, 2 * d), angles("product", 2 * n - d, 2 * n - d, 2 * d),
+                                                    angles("product", 4 * n - d, d, 2 * d), angles("right", d)])
+NO_FIXED = [PYTHAGORAS, at_index(z, 1), by_cases(sine(1) ** 2 > 0)]
+
+
+# ---------------------------------------------------------------------- solutions of the Riccati equation
+def K_(k):
+    """K_k."""
+    return (1 - w) * sine(k + 1) - al0 * sine(k)
+
+
+SOLUTION = by_induction(
+    j, 0, defined(pit[j]) >> (((1 - pit[j]) * K_(j - 1) == al0 * K_(j)) & (K_(j - 1) != 0)),
+    base=[cleared(), *values_at(0, pit), three(0), angles("right", d), at_index(z, 1), by_cases(K_(-1) == -al0 * sine(0))],
+    step=[cleared(), *values_at(j + 1, pit), three(j), three(j + 1), by_cases(K_(j + 1) == 2 * lam * K_(j) - K_(j - 1)),
+          by_cases(pit[j] == 1, [], [by_cases((1 - pit[j + 1]) * (1 - pit[j]) == 2 * lam * al0 * (1 - pit[j]) - al0**2)]),
+          *map(multiplied, (K_(j), K_(j - 1), 1 - pit[j], al0, (1 - pit[j]) * K_(j), (1 - pit[j]) ** 2 * K_(j)))])
+NOT_AT_REST = shown_first((1 - w) ** 2 - 2 * lam * al0 * (1 - w) + al0**2 > 0, [*NO_FIXED, square_of(1 - w - lam * al0), by_cases(al0**2 > 0), multiplied(al0**2)])
+#: when a solution is back
+OF_SOLUTIONS = [SOLUTION, NOT_AT_REST, at_index(j, t), at_index(z, t), three(t), by_cases(sine(t) == 0), multiplied(1 - w), multiplied(al0)]
+
+# ---------------------------------------------------------------------- lines
+LINES_TURN = (rec(X1, t, v1, 2 * lam * X1[t] - X2[t]), rec(X2, t, v2, X1[t]))
+LINE = by_induction(j, 0, (X1[j] * sine(1) == v1 * sine(j + 1) - v2 * sine(j)) & (X2[j] * sine(1) == v1 * sine(j) - v2 * sine(j - 1)),
+                    base=[unfolded(X1, 0), unfolded(X2, 0), three(0), angles("right", d)], step=[unfolded(X1, j + 1), unfolded(X2, j + 1), three(j + 1), three(j)])
+NO_EIGENVECTOR = shown_first(v1**2 - 2 * lam * v1 * v2 + v2**2 > 0, [
+    *NO_FIXED, *(by_cases(v_**2 > 0) for v_ in (v1, v2)), *(multiplied(v_**2) for v_ in (v1, v2)), square_of(v1 - lam * v2), square_of(v2 - lam * v1)])
+#: when a line is back, at time k
+OF_LINES = [LINE, PYTHAGORAS, NO_EIGENVECTOR, at_index(j, k), at_index(z, k), at_index(z, 1), three(k), by_cases(sine(k) == 0), *map(multiplied, (v1, v2, sine(1))),
+            by_cases(X1[k] * v2 * sine(1) == X2[k] * v1 * sine(1))]
+
+# ---------------------------------------------------------------------- points of the plane
+LOWEST_PQ = [standing("angle", (q >= 1) & (2 * q < p)), given("lowest terms", coprime_(q, p))]
+
+
+def S_(k):
+    """S_k."""
+    return cospi(4 * k * q - p, 2 * p)
+
+
+def E_(k):
+    """E_k."""
+    return S_(k + 1) + al0 * S_(k)
+
+
+def three_(k):
+    """S_(k+1) + S_(k-1) = 2 C_1 S_k."""
+    return angles("product", 4 * q, 4 * k * q - p, 2 * p)
+
+
+C_H = cospi(2 * h_ * q, p)
+IN_LOWEST = shown_first(forall(x, 1, p - 1, forall(y, 0, q, x * q != p * y)),
+                        [BEZOUT, at_index(gk, q + p), at_index(gx, q), at_index(gy, p), *SMALLER[:3], by_cases(gu * y - gv * x >= 1)])
+POSITIVE = shown_first(S_(1) > 0, [angles("acute", 4 * q - p, 2 * p)])
+PYTHAGORAS_ = shown_first(cospi(2 * q, p) ** 2 + S_(1) ** 2 == 1, [angles("product", 4 * q, 4 * q, 2 * p), angles("product", 4 * q - p, 4 * q - p, 2 * p),
+                                                                    angles("product", 8 * q - p, p, 2 * p), angles("right", p)])
+MOVING = shown_first(ga0**2 > 0, [PYTHAGORAS_, by_cases(S_(1) ** 2 > 0), square_of(al0 - lam)])
+ON_CURVE = by_induction(i, 0, defined(al[i]) >> ((1 + al[i] ** 2 - ga[i] ** 2 == 2 * lam * al[i]) & (al[i] != 0)),
+                        base=[cleared(), *values_at(0)], step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)])
+CLOSED_FORM = by_induction(
+    j, 0, (defined(al[j]) & defined(ga[j])) >> ((al[j] * E_(j) == -(S_(j) + al0 * S_(j - 1))) & (ga[j] * E_(j) == ga0 * S_(1)) & (E_(j) != 0)),
+    base=[cleared(), *values_at(0), three_(0), angles("right", p), POSITIVE],
+    step=[cleared(), at_index(i, j), *values_at(j + 1), three_(j + 1), three_(j), by_cases(E_(j + 1) == -(2 * lam - al[j]) * E_(j)),
+          by_cases(1 - ga[j] ** 2 == al[j] * (2 * lam - al[j])),
+          *map(multiplied, (E_(j), al[j] * ga[j], ga[j] ** 2, ga[j] * E_(j), al[j] * E_(j)))])
+FULL_TURN = shown_first(
+    forall(h_, 1, p, ((S_(h_ + 1) + al0 * S_(h_) == S_(1)) & (al0 * S_(1) == -(S_(h_) + al0 * S_(h_ - 1)))) >> ((S_(h_) == 0) & (C_H == 1))),
+    [three_(h_), angles("product", 4 * h_ * q, 4 * q - p, 2 * p), angles("product", 4 * (h_ - 1) * q, p, 2 * p), angles("right", p), MOVING,
+     by_cases((1 + al0**2 - 2 * lam * al0) * S_(h_) == 0), by_cases(S_(h_) == 0), *map(multiplied, (al0, S_(h_), al0 * (S_(1) + S_(h_ - 1)))),
+     by_cases((1 - C_H) * S_(1) == 0)])
+AFTER_P = shown_first((S_(p) == 0) & (S_(p + 1) == S_(1)) & (S_(p - 1) == -S_(1)),
+                      [angles("right", p), angles("cosines", 4 * p * q - p, p, 2 * p), angles("cosines", 4 * (p + 1) * q - p, 4 * q - p, 2 * p),
+                       angles("cosines", 4 * (p - 1) * q - p, 4 * q + p, 2 * p), angles("product", 4 * q, p, 2 * p), at_index(turns, q)])
+#: when a point is back
+OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, CLOSED_FORM, PYTHAGORAS_, MOVING, FULL_TURN,
+             by_cases(t == p, [AFTER_P, at_index(j, p)],
+                      [at_index(j, t), by_cases(E_(t) == S_(1)), multiplied(ga0), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]),
+             multiplied(S_(1))]
+
+# ---------------------------------------------------------------------- slopes, for any angle
+U_, W_ = symbols("U U_before")
+
+
+def of_slope(b, start, index):
+    """Hints: b_j M_j = M_(j-1), and M_j is not 0, while the slope exists."""
+    M, before = U_[index] - start * W_[index], W_[index] - start * (2 * lam * W_[index] - U_[index])
+    return by_induction(index, 0, defined(b[index]) >> ((b[index] * M == before) & (M != 0)),
+                        base=[cleared(), *values_at(0, b), unfolded(U_, 0), unfolded(W_, 0)],
+                        step=[cleared(), *values_at(index + 1, b), unfolded(U_, index + 1), unfolded(W_, index + 1), multiplied(M), by_cases(b[index] * M == before),
+                              by_cases(b[index] == 2 * lam)])
+
+
+def by_ends(b, start):
+    """Hints: a slope that ends within k steps is U_i/U_(i-1) for some i <= k."""
+    return by_induction(k, 0, (~exists(i, 1, k, U_[i] == start * W_[i])) >> defined(b[k]), base=[cleared(), *values_at(0, b)],
+                        step=[cleared(), existing(b, k + 1), at_index(j, k), unfolded(U_, k + 1), unfolded(W_, k + 1), at_index(i, k + 1), at_index(i, i)])
+
+
+def not_before(b, start):
+    """Hints: a slope that exists after m steps is U_i/U_(i-1) for no i <= m."""
+    return by_induction(m, 0, defined(b[m]) >> forall(i, 1, m, U_[i] != start * W_[i]), base=[cleared(), *values_at(0, b)],
+                        step=[cleared(), existing(b, m + 1), at_index(j, m + 1), at_index(i, i), by_cases(i == m + 1)])
