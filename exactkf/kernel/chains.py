@@ -53,7 +53,10 @@ class Chains(Reading):
             def put(*made: Part, k: int = k) -> Symbolic:
                 return self.word([*parts[:k], *made, *parts[k + 1:]], i, j)
 
-            found = self._rewritten(tree, env, flip, put, len(parts) == 1)
+            def inside() -> None:
+                self._need_within(i, self._width((*parts[0][:2], not parts[0][2])), j, self._width(parts[-1]))
+
+            found = self._rewritten(tree, env, flip, put, len(parts) == 1, inside)
             if found is not None:
                 return found
         for k in range(1, len(parts)):
@@ -84,9 +87,16 @@ class Chains(Reading):
             return d is not None and d[0] == "let" and tree[1] not in self.closed | self.recursive and d[3][0] in _AS_ENTRIES
         return tree[0] in _AS_ENTRIES
 
-    def _rewritten(self, tree: Any, env: Mapping[str, Form], flip: bool, put: Callable[..., Symbolic], alone: bool) -> Symbolic | None:
-        """A product with this factor, or this matrix alone, once it is replaced by what it is made of; None for a letter."""
-        if not self.is_matrix(tree) or self._is_power_of_number(tree, env):
+    def _rewritten(self, tree: Any, env: Mapping[str, Form], flip: bool, put: Callable[..., Symbolic], alone: bool,
+                   inside: Callable[[], None]) -> Symbolic | None:
+        """A product with this factor, or this matrix alone, once it is replaced by what it is made of; None for a letter.
+
+        A matrix of one row and column is a number only ``inside`` of the product: beyond, where the same term is no number for another size, it is not the same.
+        """
+        if not self.is_matrix(tree):
+            return self.value(tree, env) * put()
+        if self._is_power_of_number(tree, env):
+            inside()
             return self.value(tree, env) * put()
         op = tree[0]
         if op == "T":
@@ -95,6 +105,8 @@ class Chains(Reading):
             return put((["^", tree[1][1], tree[2]], env, not flip))
         if op == "*":
             scalars, chain = self._factors(tree, env)
+            if self._are_matrices(scalars):
+                inside()
             out = put(*((x, env, flip) for x in (reversed(chain) if flip else chain)))
             for part in scalars:
                 out = self._chain(part, _ONE, _ONE, env) * out
@@ -185,6 +197,7 @@ class Chains(Reading):
         if not word:
             return self.number(int(self.region.zero(plus(i, j, -1))))
         if len(word) == 1 and word[0][3] == _ONE and (tree := parsed(word[0][0]))[0] == "sym" and tree[1] in self.sequences:
+            self._need_first(i if word[0][2] else j)
             return self.atom(("at", tree[1], form_key(j if word[0][2] else i)))
         ways = [(*_written(word), form_key(i), form_key(j)), (*_written(self._transposed(word)), form_key(j), form_key(i))]
         moves = any(name.startswith("#") for place in ways[0][1:] for name, _ in place)  # then indices are no reason, as they move in a sum

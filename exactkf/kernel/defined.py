@@ -68,6 +68,8 @@ def _values(make: Callable[[Region], Terms], name: str, case: Case, sizes: list[
     if region.empty:
         return
     terms = make(region)
+    if region.decide({INDEX: 1}) is not True:  # of a recursion that starts before zero
+        terms.always.discard(INDEX)
     terms.within = terms.region.reduce(within), terms.known.connected[name]
     try:
         if terms.is_matrix(tree):

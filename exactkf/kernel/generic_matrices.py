@@ -172,8 +172,21 @@ class Matrices(Reading):
     def _need_entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> None:
         """Beyond its rows and columns a matrix has no entry."""
         rows, cols = self.shape(tree, env)
-        if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, {"": 1}), (rows, i), (j, {"": 1}), (cols, j))):
+        self._need_within(i, rows, j, cols)
+
+    def _need_within(self, i: Form, rows: Form, j: Form, cols: Form) -> None:
+        """A row and a column that there are."""
+        if not all(self.region.holds(plus(x, y, -1)) for x, y in ((i, _ONE), (rows, i), (j, _ONE), (cols, j))):
             raise Undefined("no entry there")
+
+    def _need_first(self, j: Form) -> None:
+        """A column of numbers is named by its rows: it has no other column, not even beyond its rows."""
+        if self.region.reduce(plus(j, _ONE, -1)):
+            raise Undefined("no entry there")
+
+    def _are_matrices(self, scalars: list[list]) -> bool:
+        """Whether one of the products of size 1 x 1 is made of matrices."""
+        return any(self.is_matrix(x) for part in scalars for x in part)
 
     def entry(self, tree: Any, i: Form, j: Form, env: Mapping[str, Form]) -> Symbolic:
         """Entry (i, j) of a matrix, counted from 1."""
@@ -197,6 +210,8 @@ class Matrices(Reading):
             return out
         if op == "*":
             scalars, chain = self._factors(tree, env)
+            if self._are_matrices(scalars):  # for another size the same term is no number, and beyond its places another one
+                self._need_entry(tree, i, j, env)
             factor = self.number(1)
             for part in scalars:
                 factor = factor * self._chain(part, {"": 1}, {"": 1}, env)
@@ -222,15 +237,19 @@ class Matrices(Reading):
         if op == "sum":
             return self.matrix_sum(tree, env, lambda body, inner: self.entry(body, i, j, inner))
         if self._is_power_of_number(tree, env):
+            self._need_entry(tree, i, j, env)
             return self.value(tree, env)
         if op in ("inv", "^", "subst"):
             return self._chain([tree], i, j, env)
         if op in ("sym", "at"):
             if tree[1] in self.sequences:
+                self._need_first(j)
                 return self.atom(("at", tree[1], form_key(i)))
             d = self.definitions[tree[1]]
             if d[0] == "rec":
                 place = (i, j) if self.shape(d[4][0], {})[1] != {"": 1} else (i,)
+                if len(place) == 1:
+                    self._need_first(j)
                 return self._call(tree[1], (self.index(tree[2], env),), lambda body, inner: self.entry(body, i, j, inner), place=place)
             return self.entry(d[3], i, j, dict(zip(d[2], (self.index(a, env) for a in tree[2:]), strict=True)) if op == "at" else {})
         raise Unknown(f"{op!r} of matrices at a generic index")

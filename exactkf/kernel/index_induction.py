@@ -270,7 +270,7 @@ class Proof:
     def _instances(self, terms: Terms, use: Mapping[str, Any], names: Mapping[str, Form], current: int | None) -> Iterator[Symbolic]:
         """Equations, as left minus right side, that a lemma says at the places given."""
         if "definition" in use:
-            with suppress(Unknown):  # it speaks of names of another part
+            with suppress(Unknown, Undefined):  # it speaks of names of another part, or of places that there are not
                 places = {name: terms.index(tree, names) for name, tree in use.get("place", {}).items()}
                 at = tuple(terms.index(tree, names) for tree in use["at"])
                 yield terms.defining(use["definition"], at, places)
