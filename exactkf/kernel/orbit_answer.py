@@ -20,6 +20,9 @@ from exactkf.kernel.orbit_structure import check_structure
 
 __all__ = ["check_answer", "pair_of"]
 
+#: what is written as a list, where it is not null; the digits of a number would be taken for a list of numbers
+_LISTS = {"a", "g", "gcd", "factor", "d", "kappa", "circle_zeros", "S", "jordan", "polynomial", "dominant", "codominant", "minpoly", "interval", "alpha"}
+
 
 def check_answer(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> None:
     """Accept the statement if all of it is right.
@@ -30,6 +33,7 @@ def check_answer(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> N
         With the step that does not follow.
     """
     need({"question", "answer"} <= set(statement) <= {"question", "answer", "ahead"}, "the statement is not a question with an answer")
+    need(_has_lists(statement), "a list is written as a number")
     question, answer = statement["question"], statement["answer"]
     core = {k: v for k, v in answer.items() if k not in ("slow", "structure")}
     several, told = "a" in question, "slow" in answer
@@ -53,6 +57,15 @@ def check_answer(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> N
     if "ahead" in statement:
         need(question.get("system") != "riccati", "the state ahead is one of the filter")
         check_ahead(Q, S, answer, statement["ahead"], evidence)
+
+
+def _has_lists(data: Any, name: str = "") -> bool:
+    """Every list of the statement is one, and so are the rows of S and the modulus of a field."""
+    if isinstance(data, Mapping):
+        return all(_has_lists(x, key) for key, x in data.items())
+    if isinstance(data, list):
+        return all(_has_lists(x, "a" if name == "S" or name == "field" and not k else "") for k, x in enumerate(data))
+    return data is None or name not in _LISTS
 
 
 def pair_of(question: Mapping[str, Any]) -> tuple[list, list]:

@@ -220,3 +220,58 @@ def test_a_matrix_that_is_closed_in_one_lemma_has_no_more_places_there(read):
     assert not accepted("generic index", made, {"lemmas": [ones, zero, closed], "uses": [{"lemma": 2, "at": {"s": 0}}]})
     same = {"index": "s", "direct": True, "closed": ["M"], "says": ["=", ["sym", "N"], at("M", 0)]}
     assert accepted("generic index", {**made, "says": ["=", ["sym", "N"], at("M", 0)]}, {"lemmas": [ones, zero, same]})
+
+
+# ---------------------------------------------------------------------- places that there are for no size
+def nothing_follows(lemma_says, over=(), where=()):
+    """Whether a lemma about a place that a matrix has not, whatever n > 0 is, shows c n = 0 for n = 1."""
+    made = statement(["forall", "k", n, 1, ["=", ["*", c, n], 0]], [*SCALAR, *over], [["h", [">=", n, 1], "standing"]], where)
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 1}, "values": {"c": 1, **{name: [[1]] for name, _ in over}}}})
+    lemma = {"index": "s", "direct": True, "says": ["=", ["*", c, lemma_says], 0]}
+    return not accepted("generic index", made, {"lemmas": [lemma], "uses": [{"lemma": 0, "at": {"s": 0}}]})
+
+
+IDENTITY, ROWS, COLUMNS = ["I", n], ["mat", "i", "j", n, 2, when("<=", i, n, 0, 1)], ["mat", "i", "j", 2, n, when("<=", j, n, 0, 1)]
+PART = ["mat", "i", "j", n, n, when("<=", i, n, when("=", i, j, 1, 0), 0)]
+
+
+@pytest.mark.parametrize("term", [
+    ["entry", ["*", COLUMNS, IDENTITY], 1, BEYOND], ["entry", ["*", IDENTITY, ROWS], BEYOND, 1], ["entry", ["T", ["*", COLUMNS, IDENTITY]], BEYOND, 1],
+    ["entry", ["^", A, 0], BEYOND, 1], ["entry", ["*", ["^", PART, 2], ROWS], BEYOND, 1], ["entry", ["*", PART, A], BEYOND, 1],
+])
+def test_beyond_its_places_a_matrix_of_one_row_is_no_number(term):
+    """For n = 1 the identity is a number, and M 1 is M beyond its columns too; for every n together M I is a sum of zeros there."""
+    assert nothing_follows(term, [["A", ["matrix", n, n]]] if "A" in str(term) else [])
+
+
+def test_a_place_for_every_size_is_used_at_a_size_of_one():
+    """The same for an index of the lemma, which is one where it is used."""
+    matrix = ["mat", "i", "j", 2, s, when("<=", j, s, 0, 1)]
+    lemma = {"index": "s", "from": 1, "direct": True, "says": ["=", ["*", c, ["entry", ["*", matrix, ["I", s]], 1, ["+", s, 1]]], 0]}
+    assert not accepted("generic index", statement(["=", c, 0], SCALAR), {"lemmas": [lemma], "uses": [{"lemma": 0, "at": {"s": 1}}]})
+
+
+def test_a_column_has_one_column():
+    """A value of a recursion of columns is remembered by its rows: what it is in a second column, which there is not, is not what it is in the first."""
+    step = ["mat", "i", "j", BEYOND, 1, when("=", j, 1, ["entry", at("X", t), i, 1], 0)]
+    second, first = (["entry", at("X", ["+", s, 1]), 1, column] for column in (2, 1))
+    lemma = {"index": "s", "direct": True, "says": ["=", ["+", ["*", 0, second], first], 0]}
+    made = statement(["forall", "t", 0, n, ["=", ["entry", at("X", ["+", t, 1]), 1, 1], 0]], [["w", ["matrix", BEYOND, 1]]], (),
+                     [["rec", "X", "t", 0, [w], step]])
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 1}, "values": {"w": [[5], [1]]}}})
+    assert not accepted("generic index", made, {"lemmas": [lemma], "uses": [{"lemma": 0, "at": {"s": t}}]})
+    same = ["=", ["entry", at("X", ["+", t, 1]), 1, 1], ["entry", at("X", t), 1, 1]]
+    assert accepted("generic index", {**made, "says": ["forall", "t", 0, n, same]}, {"lemmas": []})
+
+
+# ---------------------------------------------------------------------- recursions that start before zero
+@pytest.mark.parametrize("start, zero", [(-1, True), (0, False)])
+def test_a_recursion_that_starts_before_zero_is_looked_at_from_there(start, zero):
+    """X_(t+1) = X_t Y_(t+1) with Y = 0, 1, 1, .. is 1, 0, 0, .. from -1 on, and 1, 1, .. from 0 on: X_t is not divided by in the first case."""
+    where = [["rec", "Y", "t", 0, [0], 1], ["rec", "X", "t", start, [1], ["*", at("X", t), at("Y", ["+", t, 1])]]]
+    value = {"index": "t", "says": ["=", at("X", t), 0 if zero else 1], "uses": [{"lemma": 0, "at": {"t": t}}]}
+    made = statement(["forall", "t", 0, n, ["=", c, 0]], SCALAR, (), where)
+    divided = [{"lemma": 0, "at": {"t": t}, "times": ["/", c, at("X", t)]}]
+    assert not accepted("generic index", made, {"lemmas": [value], "uses": divided})
+    told = ["forall", "t", 0, n, ["=", ["/", c, at("X", t)], ["/", c, at("X", t)]]]
+    assert accepted("generic index", {**made, "says": told}, {"lemmas": []}) is not zero

@@ -508,3 +508,13 @@ def test_intervals_of_states_of_all_starts():
         tried += 1
         starts.add((reduced.start, over))
     assert starts >= {(0, False), (0, True), (1, False), (1, True)}
+
+
+# ---------------------------------------------------------------------- what is written as another thing
+@pytest.mark.parametrize("path, text", [(("question", "a"), "01"), (("question", "g"), "00"), (("answer", "structure", "d"), "401"),
+                                        (("answer", "structure", "gcd"), "1"), (("answer", "limit", "alpha"), "00"), (("ahead", "state", "g"), "00")])
+def test_digits_are_no_list(path, text):
+    """A string is not read as the list of its characters."""
+    made = changed(certify_ahead(decide([fmpq(0), fmpq(1)], [fmpq(0), fmpq(0)]), 3, 20), ("statement", *path), text)
+    with pytest.raises(Rejected, match="a list is written as a number"):
+        replay({**made, "digest": digest(made)})
