@@ -91,7 +91,8 @@ class Chains(Reading):
                    inside: Callable[[], None]) -> Symbolic | None:
         """A product with this factor, or this matrix alone, once it is replaced by what it is made of; None for a letter.
 
-        A matrix of one row and column is a number only ``inside`` of the product: beyond, where the same term is no number for another size, it is not the same.
+        A matrix of one row and column is a number only ``inside`` of the product: for another size the same term is no number, and beyond the
+        places of the product another one.
         """
         if not self.is_matrix(tree):
             return self.value(tree, env) * put()
