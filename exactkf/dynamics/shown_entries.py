@@ -146,10 +146,10 @@ def _polynomial(label: str, label_latex: str, p: Sequence[Any]) -> Entry:
     return Entry(label, polynomial_text(p), label_latex, f"${polynomial_latex(p)}$")
 
 
-def _circle(zeros: Sequence[Mapping[str, Any]], digits: int) -> Entry:
-    """The zeros of D on the circle, with multiplicities."""
-    words, latex = [], []
-    for zero in zeros:
+def _circle(zeros: Sequence[Mapping[str, Any]] | None, digits: int) -> Entry:
+    """The zeros of D on the circle, with multiplicities; all of it if D is zero."""
+    words, latex = ([], []) if zeros is not None else (["all z"], ["all $z$"])
+    for zero in zeros or ():
         x, k = zero["two_cos"], zero["multiplicity"]
         times = {1: "simple", 2: "double"}.get(k, f"of multiplicity {k}")
         if x in ("2", "-2"):

@@ -74,8 +74,8 @@ class Structure:
         :math:`2 d_i / d_0`; None if :math:`d_0 = 0`.
     sign : str
         "positive", "nonnegative", "zero", "nonpositive", "negative" or "indefinite", of `D` of the state itself on the circle.
-    circle_zeros : tuple of CirclePoint
-        The zeros of the same on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each.
+    circle_zeros : tuple of CirclePoint or None
+        The zeros of the same on the circle; those with 2 cos(angle) between -2 and 2 stand for two zeros each. None if it is zero everywhere.
     positive_real : bool
         Whether the state is in the positive real region: `D` is positive on the circle, and `a` and `b`, with what they have in common, are Schur.
     S : Matrix or None, shape (2m, 2m)
@@ -97,7 +97,7 @@ class Structure:
     d: tuple[Any, ...]
     kappa: tuple[Any, ...] | None
     sign: str
-    circle_zeros: tuple[CirclePoint, ...]
+    circle_zeros: tuple[CirclePoint, ...] | None
     positive_real: bool
     S: Matrix | None
     jordan: tuple[JordanBlocks, ...]
@@ -150,7 +150,7 @@ def structure(a: Sequence[Scalar], g: Sequence[Scalar]) -> Structure:
         if spectral_sign(D) != "+-":
             dominant, codominant, factor = _subspaces(D, q_m)
     return Structure(m, reduced.start, tuple(gcd_poly(case.Q, case.S)), tuple(reduced.removed), d,
-                     tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, () if sign == "zero" else tuple(circle_points(_without_zero(whole))),
+                     tuple(2 * x / d[0] for x in d[1:]) if d[0] != 0 else None, sign, None if sign == "zero" else tuple(circle_points(_without_zero(whole))),
                      inside, S, jordan, dominant, codominant, tuple(D[m:]), factor)
 
 
@@ -193,7 +193,7 @@ def structure_json(found: Structure) -> dict[str, Any]:
     return {
         "field": field_json(over), "order": found.order, "start": found.start, "gcd": listed(found.gcd), "factor": listed(found.factor),
         "d": listed(found.d), "kappa": listed(found.kappa), "sign": found.sign,
-        "circle_zeros": [zero._asdict() for zero in found.circle_zeros], "positive_real": found.positive_real,
+        "circle_zeros": None if found.circle_zeros is None else [zero._asdict() for zero in found.circle_zeros], "positive_real": found.positive_real,
         "S": None if found.S is None else [listed(row) for row in found.S.rows],
         "jordan": [{"polynomial": listed(f), "size": k} for f, k in found.jordan],
         "dominant": _numbers(found.dominant), "codominant": _numbers(found.codominant),

@@ -7,8 +7,9 @@ Main statements
 ---------------
 0. *Which D.*  d, kappa, the sign and the zeros on the circle are those of the pair (Q, S) itself; S_m, its blocks and its subspaces belong to the pair that
    is left when common factors are taken out, D in 2 and 3 to that pair.
-1. *Zeros on the circle.*  In x = z + 1/z they are the zeros of D in [-2, 2], of half the multiplicity if x is 2 or -2.  Numbers in increasing
-   order, each a zero of the square-free factor of the multiplicity that is named with it, are all if there are as many as Sturm's theorem counts.
+1. *Zeros on the circle.*  If D is zero they are not listed.  Else, in x = z + 1/z, they are the zeros of D in [-2, 2], of half the multiplicity if x is
+   2 or -2.  Numbers in increasing order, each a zero of the square-free factor of the multiplicity that is named with it, are all if there are as many as
+   Sturm's theorem counts.
 2. *Jordan blocks.*  If v, Sv, ..., S^{2m-1} v are independent and D(S) v = 0, then D is the characteristic polynomial of S, up to a factor, and there is
    one block for each of its zeros, as large as its multiplicity. Nothing else is used: independent is what interval elimination finds regular.
 3. *Subspaces.*  Let D keep one sign on the circle, w be its stable factor, f one of w, w_* = z^m w(1/z)/w(0), and W = ker f_*(S), f_* = z^m f(1/z)/f(0);
@@ -74,7 +75,10 @@ def check_structure(Q: list, S: list, field: AlgebraicField | None, said: Mappin
     need(said["sign"] == SIGNS[shape], f"D is {SIGNS[shape]} on the circle")
     real = shape == "+" and count_circle(Q)[0] == len(Q) - 1
     need(said["positive_real"] is real, f"that the state is positive real is {real}")
-    _zeros_on_circle(chebyshev(whole), said["circle_zeros"])
+    if shape == "0":
+        need(said["circle_zeros"] is None, "D is zero everywhere on the circle")
+    else:
+        _zeros_on_circle(chebyshev(whole), said["circle_zeros"])
     if m == 0 or reduced.escape is not None:
         need(said["S"] is None and said["jordan"] == [] and said["dominant"] is said["codominant"] is None, "there is no S")
         return

@@ -100,6 +100,7 @@ def test_common_factors_of_a_and_b():
     # (z + 1)(z - 1/2) and (z + 1)(z + 1/3): D has a double zero at -1, that of the pair without z + 1 has none
     ({"b": [1, "4/3", "1/3"], "a": [1, "1/2", "-1/2"]}, ["3/2", "2/3", "-1/12"], "nonnegative", [{"two_cos": "-2", "multiplicity": 2}], ["5/6", "-1/12"]),
     ({"alpha": [0], "gamma": ["3/2"]}, ["-5/4", "0"], "negative", [], ["1"]),  # one step on it is positive
+    ({"a": [0, -1], "g": [0, 1]}, ["0", "0", "0"], "zero", None, ["0", "0"]),  # Q = z^2, S = 1
     ({"a": ["1/2", 1], "g": [0, 0]}, ["9/4", "1", "1"], "nonnegative", [{"two_cos": "-1/2", "multiplicity": 2}], ["1"]),
 ])
 def test_d_is_that_of_the_filter_whatever_a_and_b_have_in_common(data, d, sign, zeros, reduced):
