@@ -86,7 +86,7 @@ def look_for(data: dict, deadline: float, *, seed: int = 0, tries: int = _TRIES,
         for instance, world in sampler.stream(tries):
             if time.perf_counter() > deadline:
                 break
-            if (key := repr(instance["values"])) in seen:
+            if (key := repr([instance["sizes"], instance["values"]])) in seen:
                 continue
             seen.add(key)
             search.checks += 1

@@ -68,6 +68,7 @@ REFUTED = {
     "symplectic matrices are symmetric in blocks": "sizes n\nmatrix A, B, C, D n n\nassume [A, B; C, D] symplectic\nclaim A*D' == I",
     "intertwined matrices are equal": "sizes n\nmatrix R, J, K n n\nassume R invertible\nassume R*J == K*R\nclaim J == K",
     "sizes that begin above three": "sizes n\nmatrix A n-4 n\nclaim A*A' == 0",
+    "sizes without matrices": "sizes n\nclaim det(2*I(n)) == 2",
     "a recursion stands still": "sizes n\nmatrix F, P, Q n n\nlet X[0] = P\nlet X[t+1] = F*X[t]*F' + Q\nclaim for all t: X[t] == P",
 }
 
