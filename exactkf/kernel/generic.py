@@ -337,7 +337,8 @@ class Terms(Indefinite, Polynomials, Matrices, Chains):
         """A value of a recursive definition (its coefficient or entry at a place), less what defines it there."""
         d = self.definitions.get(name)
         kept = name in self.letters or name in self.whole & self.in_z  # without indices too
-        if d is None or name not in self.recursive | self.closed | self.whole or name in self.unused or not (args or kept):
+        nothing = not args and name in self.known.reached.get(name, ())  # it leads back to itself, and need not define anything
+        if d is None or name not in self.recursive | self.closed | self.whole or name in self.unused or nothing or not (args or kept):
             raise Unknown(f"no definition of {name} to be used there")
         if not all(self.region.holds(a) for a in args) or d[0] == "rec" and not self.region.holds(plus(args[0], {"": d[3] + len(d[4])}, -1)):
             raise Unknown(f"the definition of {name} says nothing there")

@@ -275,3 +275,21 @@ def test_a_recursion_that_starts_before_zero_is_looked_at_from_there(start, zero
     assert not accepted("generic index", made, {"lemmas": [value], "uses": divided})
     told = ["forall", "t", 0, n, ["=", ["/", c, at("X", t)], ["/", c, at("X", t)]]]
     assert accepted("generic index", {**made, "says": told}, {"lemmas": []}) is not zero
+
+
+# ---------------------------------------------------------------------- names that stand for nothing
+@pytest.mark.parametrize("body, second, hints, place", [
+    (["+", ["sym", "p"], ["z"]], 0, {"whole": ["p"]}, {"z": 1}),
+    (["+", ["sym", "q"], ["z"]], ["sym", "p"], {"whole": ["p", "q"]}, {"z": 1}),
+    (["mat", "i", "j", n, n, ["+", ["entry", ["sym", "p"], i, j], 1]], 0, {"closed": ["p"]}, {"row": 1, "column": 1}),
+    (["+", ["sym", "q"], ["z"]], ["z"], {"whole": ["p", "q"]}, {"z": 1}),
+])
+def test_a_definition_that_leads_back_to_itself_defines_nothing(body, second, hints, place):
+    """p = p + z, kept as it is, would say z = 0; p = q + z with q = z says that the coefficient of z is two."""
+    made = statement(["=", c, 0], SCALAR, [["h", [">=", n, 1], "standing"]], [["let", "p", [], body], ["let", "q", [], second]])
+    said = [{"definition": "p", "at": [], "place": place, "times": ["neg", c]}]
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 1}, "values": {"c": 1}}})
+    assert not accepted("generic index", made, {**hints, "lemmas": [], "uses": said})
+    if second == ["z"]:
+        told = [{"definition": name, "at": [], "place": place} for name in "pq"]
+        assert accepted("generic index", {**made, "says": ["=", ["coeff", ["sym", "p"], 1], 2]}, {**hints, "lemmas": [], "uses": told})
