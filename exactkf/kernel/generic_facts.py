@@ -72,6 +72,12 @@ def _square(region: Region, rows: Form) -> Region:
     return region.and_(plus(_ROW, _ONE, -1), plus(rows, _ROW, -1), plus(_COLUMN, _ONE, -1), plus(rows, _COLUMN, -1))
 
 
+def _without_inverses(proof: Any, tree: Any, name: str) -> None:
+    """What the evidence brings in exists on every instance on which the fact has a value: nothing else says that an inverse in it does."""
+    if Terms(proof.statement, Region.of()).inverts(tree):
+        raise Rejected(f"{name}: an inverse in the evidence, which need not exist")
+
+
 def _triangles(proof: Any, matrix: Any, env: Mapping[str, Form], region: Region, name: str) -> list[Region]:
     """Places on, above and below the diagonal of a square matrix."""
     square = _square(region, _order(proof, matrix, env, region, name))
@@ -91,6 +97,7 @@ def determinant(proof: Any, says: Any, triangular: Any, env: Mapping[str, Form],
     """det M = product of d_k: LM is upper triangular with diagonal d, L is unit lower triangular."""
     _, k, low, high, body = says[2]
     matrix = says[1][1]
+    _without_inverses(proof, triangular, name)
     terms = Terms(proof.statement, region)
     rows = _order(proof, matrix, env, region, name)
     first, last = terms.index(low, env), terms.index(high, env)
@@ -154,6 +161,7 @@ def _charpoly(proof: Any, lemma: Mapping[str, Any], env: dict[str, Form], region
     matrix, p, (index, row) = says[1][1], says[2], lemma["by"]
     if proof.is_bound(index, env):
         raise Rejected(f"{name}: index {index!r} bound twice")
+    _without_inverses(proof, row, name)
     rows, uses, names = _order(proof, matrix, env, region, name), lemma.get("uses", ()), {**env, **_PLACE, "z": {"z": 1}}
     if not region.and_(_minus(rows)).empty:
         raise Rejected(f"{name}: the matrix may have no rows")

@@ -33,7 +33,9 @@ class Polynomials(Reading):
     def coefficient(self, tree: Any, m: Form, env: Mapping[str, Form]) -> Symbolic:
         """Coefficient of z^m of a (pseudo-)polynomial."""
         if not self.has_z(tree):
-            return self.value(tree, env) if self.region.zero(m) else self.number(0)
+            here = self.region.zero(m)
+            value = self.value(tree, env) if here or self.inverts(tree) else None  # an inverse is met whatever the coefficient is
+            return self.number(0) if value is None or not here else value
         op = tree[0]
         if op == "z":
             return self.number(int(self.region.zero(plus(m, {"": 1}, -1))))
@@ -112,6 +114,7 @@ class Polynomials(Reading):
             if x[0] == "if":
                 return put(x[2] if self.condition(x[1], env) else x[3], env)
             if x[0] == "sum":
+                self._need_terms(plus(self.index(x[3], env), self.index(x[2], env), -1), [*rest[:place], *rest[place + 1:]])
                 return self._sum(x, env, put)
             if x[0] in ("sym", "at") and (d := self.definitions.get(x[1])) and x[1] not in self.whole | self.closed:
                 args = tuple(self.index(a, env) for a in x[2:])
@@ -122,9 +125,15 @@ class Polynomials(Reading):
         for k, (x, env, flip, _) in enumerate(rest):
             if (degree := self._degree(x, env)) is not None:
                 others = [*rest[:k], *rest[k + 1:]]
+                self._need_terms(degree, others)
                 return self.total({}, degree, lambda _, j, x=x, env=env, flip=flip, others=others: (  # type: ignore[misc]
                     self.coefficient(x, j, env) * self._product(others, self.region.reduce(plus(m, j, 1 if flip else -1)))))
         raise Unknown("a product of polynomials at a generic index")
+
+    def _need_terms(self, length: Form, others: list[tuple[Any, Mapping[str, Form], bool, int]]) -> None:
+        """What is multiplied by no term is not read, and the inverses in it are not met, which a function of z needs all the same."""
+        if self.region.decide(length) is not True and any(self.inverts(y) for y, *_ in others):
+            raise Unknown("an inverse in a product with a sum that may have no terms")
 
     def _degree(self, tree: Any, env: Mapping[str, Form]) -> Form | None:
         """A number d if a name stands for a polynomial with exponents 0 .. d."""

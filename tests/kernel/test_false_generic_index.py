@@ -293,3 +293,38 @@ def test_a_definition_that_leads_back_to_itself_defines_nothing(body, second, hi
     if second == ["z"]:
         told = [{"definition": name, "at": [], "place": place} for name in "pq"]
         assert accepted("generic index", {**made, "says": ["=", ["coeff", ["sym", "p"], 1], 2]}, {**hints, "lemmas": [], "uses": told})
+
+
+# ---------------------------------------------------------------------- inverses that nothing says to exist
+U, SINGULAR = ["sym", "u"], ["inv", ["mat", "i", "j", 2, 2, 0]]
+COLUMN = [["u", ["matrix", 2, 1]]]
+#: u = 0 where a matrix of zeros has an inverse, and what says so of u_1
+NOWHERE = {"index": "s", "fact": "solve", "says": ["=", ["*", SINGULAR, U, 0], U]}
+BY_NOWHERE = [{"lemma": 0, "at": {"s": 0, "row": 1, "column": 1}}]
+NOTHING = ["*", 0, ["entry", SINGULAR, 1, 1]]
+
+
+@pytest.mark.parametrize("extra, good", [(NOTHING, False), (0, True)])
+def test_a_triangular_matrix_of_the_evidence_has_no_inverses(extra, good):
+    """det diag(1, 1 + u_1) is not 1, though L is the identity plus zero times an inverse that does not exist."""
+    by = ["mat", "i", "j", 2, 2, ["+", when("=", i, j, 1, 0), extra]]
+    last = ["+", 1, at("u", 1)]
+    matrix = ["mat", "i", "j", 2, 2, when("=", i, j, when("=", i, 2, last, 1), 0)]
+    for factor, right in ((1, False), (when("=", k, 2, last, 1), True)):
+        made = statement(["=", ["det", matrix], ["prod", "k", 1, 2, factor]], COLUMN)
+        fact = {"index": "s", "fact": "det", "by": by, "says": made["says"], "uses": BY_NOWHERE}
+        assert accepted("generic index", made, {"lemmas": [NOWHERE], "triangular": by, "uses": BY_NOWHERE}) is (good and right)
+        assert accepted("generic index", made, {"lemmas": [NOWHERE, fact], "uses": [{"lemma": 1, "at": {"s": 0}}]}) is (good and right)
+        assert accepted("counterexample", made, {"instance": {"sizes": {"n": 1}, "values": {"u": [[5], [1]]}}}) is not right
+
+
+@pytest.mark.parametrize("in_values", [True, False])
+@pytest.mark.parametrize("factor", [0, ["sum", "k", 1, n, ["*", at("w", k), ["^", ["z"], k]]]])
+def test_an_inverse_is_met_in_every_coefficient(in_values, factor):
+    """z (1 + u_1) + S (z + 0 V) is not z + S z, where V is an inverse that does not exist: not as functions, and then at the coefficient of z neither."""
+    term = ["*", ["z"], ["+", 1, at("u", 1)]]
+    left = ["+", ["*", factor, ["+", ["z"], NOTHING]], term] if factor else ["+", NOTHING, term]
+    equal = {"index": "s", "direct": True, "in values": in_values, "says": ["=", left, ["+", ["*", factor, ["z"]], ["z"]]], "uses": BY_NOWHERE}
+    made = statement(["forall", "k", n, 0, ["=", ["coeff", term, 1], 1]], [*COLUMN, ["w", ["signal", 0]]])
+    assert accepted("counterexample", made, {"instance": {"sizes": {"n": 0}, "values": {"u": [[5], [1]], "w": [0]}}})
+    assert not accepted("generic index", made, {"lemmas": [NOWHERE, equal], "uses": [{"lemma": 1, "at": {"s": 0, "z": 1}}]})
