@@ -73,11 +73,14 @@ def unit(first, last):
 K, Dg, lam, V1, V2 = symbols("K Dg lam V1 V2")
 ASCENDING = given("ascending", forall(i, 1, d - 1, Dg[i, i] <= Dg[i + 1, i + 1]))
 
+E0, Lam = symbols("E Lam")
 claim("B93-D1.4", "the distance does not depend on the order of the two matrices",
-      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)},
-      by=[order(), instances(6, d=(1, 2, 3)), restated("the eigenvalues of the inverse are the reciprocals")],
-      note="A definition. That the distance is symmetric is checked: exchanging P and Q replaces the eigenvalues by their reciprocals, and their logarithms "
-           "change the sign.")
+      Q*inv(P)*E0 == E0*inv(Lam), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d), E0: nonsingular(d), Lam: nonsingular(d)},
+      given=[given("eigenvalues and eigenvectors of P inv(Q)", P*inv(Q)*E0 == E0*Lam)],
+      by=[order(), instances(6, d=(1, 2, 3), made_by={Lam: inv(E0)*P*inv(Q)*E0})],
+      note="A definition. That the distance is symmetric is checked: Lam is the diagonal matrix of the eigenvalues of P inv(Q), or any matrix that is similar "
+           "to it, by E, and then Q inv(P) is similar to inv(Lam). So exchanging P and Q replaces the eigenvalues by their reciprocals, with multiplicities; "
+           "the squares of their logarithms stay.")
 
 dP, NEW = symbols("dP NEW")
 claim("B93-S30", "the arc length is invariant",

@@ -21,7 +21,7 @@ where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, first, identity, induction, instances, order, part, restated
+from exactkf.evidence import combination, example, first, identity, induction, instances, order, part, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -251,27 +251,56 @@ not_checked("B93-E23", "the rates of the eigenvalues", "superior limits of logar
             "most twice |log x| near x = 1, which is about the logarithm and not about matrices")
 not_checked("B93-S62", "condition (C1) as it is checked", "a condition on an expectation, which the proof quotes without the positive part that Theorem 3.1 has")
 
-a2, f2, c2, b2 = symbols("a2 f2 c2 b2")
-STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S))
+a0, s0, phi, b0, r0, tau, Phi1 = symbols("a s phi b r tau Phi1")
+STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S), let(Phi1, T0 * inv(I + R * S + R * A * T(A))))
+
+
+def at_most(X, bound, size=d):
+    """The norm of X is at most a number that is not negative: |Xx| is at most so many times |x|, for every x."""
+    return loewner(bound**2 * Identity(size), T(X) * X)
+
+
+def _squares(X, bound):
+    """bound I - X for a nonnegative X from the squares, where the bound is positive."""
+    below = bound * I - X
+    return [1 / (2 * bound) * (bound**2 * I - T(X) * X), 1 / (2 * bound) * below * below]
+
+
+def _squared(bound, root, *terms):
+    """bound^2 I - XX for a nonnegative X with a root, from terms that add up to bound I - X."""
+    return [bound * x for x in terms] + [root * x * root for x in terms]
+
+
+BY_NORMS = "The norm of X is the least c >= 0 with |Xx| <= c|x| for every x, that is X*X <= c^2 I. What is said of norms is said of all positive bounds of them. "
+LESS = T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0
 claim("B93-S64", "a bound for the image of the identity",
-      loewner(T0, inv(inv(T0) + R)) & loewner((a2 + f2) * I, T0), sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), a2: nonneg(), f2: nonneg()}, where=STEP,
-      given=[given("||A||^2 <= a2", loewner(a2 * I, A * T(A))), given("||F||^2 <= f2", loewner(f2 * I, F * T(F)))],
-      by=[order([T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0], [a2 * I - A * T(A), f2 * I - F * T(F)]),
-          instances(**SMALL, using={c: positive()}, made_by={A: c * I, a2: c**2, F: Zero(d, p), f2: 0}),
-          instances(d=1, p=1, q=(1, 2), made_by={a2: A[1, 1]**2, f2: F[1, 1]**2}), instances(**SMALL),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="The squared norm of A is the least a2 with AA* <= a2 I, and a larger nonnegative matrix has a larger norm.")
+      (Phi1 == G) & (at_most(T0, tau) >> at_most(G, tau)) & ((at_most(A * T(A), a0) & at_most(S, s0)) >> at_most(T0, a0 + s0))
+      & ((at_most(A, al) & at_most(F, phi, p)) >> (at_most(A * T(A), al**2) & at_most(S, phi**2))), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), a0: positive(), s0: positive(), al: positive(), phi: positive()},
+      where=[*STEP, let(G, inv(inv(T0) + R))],
+      by=[order([], _squares(T0, tau), [LESS], _squared(tau, E, tau * I - T0, T0 - G),
+                _squares(A * T(A), a0), _squares(S, s0), _squared(a0 + s0, K, a0 * I - A * T(A), s0 * I - S),
+                *([(x**2 * I - X * T(X)) * (x**2 * I - X * T(X)), 2 * X * (x**2 * Identity(n) - T(X) * X) * T(X)] for X, x, n in ((A, al, d), (F, phi, p))),
+                roots={E: G, K: T0},
+                inside=[within(1, loewner(tau * I, T0), loewner(T0, G)), within(2, loewner(a0 * I, A * T(A)), loewner(s0 * I, S))]),
+          instances(d=1, p=1, q=(1, 2), made_by={A: al * I, F: phi * I, a0: al**2, s0: phi**2, tau: al**2 + phi**2}),
+          instances(**SMALL, made_by={A: al * I, a0: al**2, F: Zero(d, p), tau: al**2}), instances(**SMALL)],
+      note=BY_NORMS + "The norm of the sum is at most the sum of the norms, as is shown for these two nonnegative matrices.")
 
 claim("B93-S65", "a bound for the inverse of the image of the identity",
-      loewner(inv(A * T(A)), inv(T0)) & loewner((b2 + c2) * I, G), sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), b2: nonneg(), c2: nonneg()}, where=[*STEP, let(G, inv(A * T(A)) + R)],
-      given=[given("||inv(A)||^2 <= b2", loewner(b2 * I, inv(A * T(A)))), given("||C||^2 <= c2", loewner(c2 * I, T(C) * C))],
-      by=[order([inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))], [b2 * I - inv(A * T(A)), c2 * I - T(C) * C]),
-          instances(**SMALL, using={c: positive()}, made_by={A: c * I, b2: 1 / c**2, C: Zero(q, d), c2: 0}),
-          instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
+      (inv(Phi1) == G) & ((at_most(inv(T0), tau) & at_most(R, r0)) >> at_most(G, tau + r0)) & (at_most(inv(A * T(A)), b0) >> at_most(inv(T0), b0))
+      & ((at_most(inv(A), be) & at_most(C, ga)) >> (at_most(inv(A * T(A)), be**2) & at_most(R, ga**2))), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), r0: positive(), b0: positive(), be: positive(), ga: positive()},
+      where=[*STEP, let(G, inv(T0) + R)],
+      by=[order([], _squares(inv(T0), tau), _squares(R, r0), _squared(tau + r0, E, tau * I - inv(T0), r0 * I - R),
+                _squares(inv(A * T(A)), b0), [inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))],
+                _squared(b0, K, b0 * I - inv(A * T(A)), inv(A * T(A)) - inv(T0)),
+                _squared(be**2, L, be**2 * I - T(inv(A)) * inv(A)), _squared(ga**2, U, ga**2 * I - T(C) * C),
+                roots={E: G, K: inv(T0), L: inv(A * T(A)), U: R},
+                inside=[within(1, loewner(tau * I, inv(T0)), loewner(r0 * I, R)), within(2, loewner(b0 * I, inv(A * T(A))), loewner(inv(A * T(A)), inv(T0)))]),
+          instances(d=1, p=(1, 2), q=1, made_by={A: I / be, F: Zero(d, p), C: ga * I, b0: be**2, r0: ga**2, tau: be**2}),
+          instances(**SMALL, made_by={A: I / be, b0: be**2, F: Zero(d, p), tau: be**2}), instances(**SMALL)],
+      note=BY_NORMS + "Phi_1(I) = inv(inv(T) + R_1), by S63.")
 
 #: the blocks of the matrix of each time and of the product of the first t, the image of X0 under the maps, and the inverses of the denominators
 At, Bt, Ct, Dt, Wt, X0, at, bt, ct, et, Xt = symbols("A B C D W X0 a b c e X")
@@ -323,19 +352,23 @@ claim("B93-S72", "the difference of two solutions",
                         restated("the norm of a symmetric matrix X is the least c with -cI <= X <= cI")]))
 
 # ---------------------------------------------------------------- Theorem 2.6
-tau_ = symbols("tau")[0]
+UNIT_RATE = (1 / la)**2 * I - T(inv(X)) * inv(X)
+ABOVE_LAMBDA, BELOW_SIGMA = X - la * I, si * I - P
+SHIFTED = inv(X + la * I)
+FALLS = [[], [T(x1) * ABOVE_LAMBDA * x1], [la / si * (T(x1) * BELOW_SIGMA * x1)], [T(x1) * ABOVE_LAMBDA * x1, la / si * (T(x1) * BELOW_SIGMA * x1)]]
 claim("B93-S78", "the Lyapunov function along the backward recursion",
-      (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (si * la * T(x1) * x1 >= la * T(x1) * P * x1)
-      & (T(x0) * P0 * x0 <= tau_ * T(x1) * P * x1), sizes=["d"],
+      (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (la * T(x1) * x1 >= la / si * (T(x1) * P * x1))
+      & (T(x0) * P0 * x0 <= tau * T(x1) * P * x1), sizes=["d"],
       over={B: matrix(d, d), P0: positive_semidefinite(d), X: positive_semidefinite(d), x1: vector(d), la: nonneg(), si: positive()},
-      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau_, 1 - la / si)],
-      given=[given("T >= lambda I", loewner(X, la * I)), given("P <= sigma I", loewner(si * I, P))],
-      by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [T(x1) * (X - la * I) * x1, la / si * (T(x1) * (si * I - P) * x1)]),
+      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau, 1 - la / si)],
+      given=[given("lambda = 1/|inv(T)|, or 0", (la == 0) | (invertible(X) & (la > 0) & at_most(inv(X), 1 / la))), given("|P| <= sigma", at_most(P, si))],
+      by=[order([1 * X], _squares(P, si), *FALLS,
+                [la**3 * SHIFTED * X * UNIT_RATE * X * SHIFTED, la**2 * SHIFTED * E * X * UNIT_RATE * X * E * SHIFTED], _squares(P, si), *FALLS,
+                roots={E: X}, lemmas=[loewner(X, la * I), loewner(si * I, P)]),
           instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
-          instances(d=(1, 2)),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
-           "V_n <= tau V_(n+1).")
+          instances(d=(1, 2), made_by={la: 0}), instances(d=(1, 2))],
+      note=BY_NORMS + "lambda is 0 where T is singular. x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of "
+                      "Lemma 2.7. The last line is V_n <= tau V_(n+1).")
 
 G_, Bs_, Ts_, Pi_, rate, p0, pbar, tau1 = symbols("G B T Pi rate p0 pbar tau")
 claim("B93-S77", "n steps have the form of one",
