@@ -83,11 +83,11 @@ def apart(reader: Reader) -> Reader:
 
 def definiteness(reader: Reader, tree: Any) -> int:
     """0: not known, 1: positive semidefinite, 2: positive definite."""
-    known = _by_hypothesis(reader, tree)
-    if known:
-        return known
     if isinstance(tree, int):
         return 1 if tree >= 0 else 0
+    known = max(_by_hypothesis(reader, tree), _sign_by_hypothesis(reader, tree))  # a matrix that is compared has one row and one column
+    if known:
+        return known
     op, args = tree[0], tree[1:]
     if op == "sym":
         definition = reader.lets.get(args[0])

@@ -64,7 +64,7 @@ from exactkf.language import (
 )
 from proofs.b93.introduction import K0, K1, K2, LOUD, ONE_PHI, P1, STEP_GIVEN, STEP_MADE, STEP_OVER, STEP_SIZES, Y1, V
 from proofs.b93.introduction import STEP as ONE_TIME
-from proofs.b93.notation import d, i, j, k, n, p, q, r
+from proofs.b93.notation import BY_NORMS, at_most, d, from_squares, i, j, k, n, p, q, r, root_bound, squared_bound
 
 A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
 P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
@@ -253,33 +253,14 @@ not_checked("B93-S62", "condition (C1) as it is checked", "a condition on an exp
 
 a0, s0, phi, b0, r0, tau, Phi1 = symbols("a s phi b r tau Phi1")
 STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S), let(Phi1, T0 * inv(I + R * S + R * A * T(A))))
-
-
-def at_most(X, bound, size=d):
-    """The norm of X is at most a number that is not negative: |Xx| is at most so many times |x|, for every x."""
-    return loewner(bound**2 * Identity(size), T(X) * X)
-
-
-def _squares(X, bound):
-    """bound I - X for a nonnegative X from the squares, where the bound is positive."""
-    below = bound * I - X
-    return [1 / (2 * bound) * (bound**2 * I - T(X) * X), 1 / (2 * bound) * below * below]
-
-
-def _squared(bound, root, *terms):
-    """bound^2 I - XX for a nonnegative X with a root, from terms that add up to bound I - X."""
-    return [bound * x for x in terms] + [root * x * root for x in terms]
-
-
-BY_NORMS = "The norm of X is the least c >= 0 with |Xx| <= c|x| for every x, that is X*X <= c^2 I. What is said of norms is said of all positive bounds of them. "
 LESS = T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0
 claim("B93-S64", "a bound for the image of the identity",
       (Phi1 == G) & (at_most(T0, tau) >> at_most(G, tau)) & ((at_most(A * T(A), a0) & at_most(S, s0)) >> at_most(T0, a0 + s0))
       & ((at_most(A, al) & at_most(F, phi, p)) >> (at_most(A * T(A), al**2) & at_most(S, phi**2))), sizes=["d", "p", "q"],
       over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), a0: positive(), s0: positive(), al: positive(), phi: positive()},
       where=[*STEP, let(G, inv(inv(T0) + R))],
-      by=[order([], _squares(T0, tau), [LESS], _squared(tau, E, tau * I - T0, T0 - G),
-                _squares(A * T(A), a0), _squares(S, s0), _squared(a0 + s0, K, a0 * I - A * T(A), s0 * I - S),
+      by=[order([], from_squares(T0, tau), [LESS], squared_bound(tau, E, tau * I - T0, T0 - G),
+                from_squares(A * T(A), a0), from_squares(S, s0), squared_bound(a0 + s0, K, a0 * I - A * T(A), s0 * I - S),
                 *([(x**2 * I - X * T(X)) * (x**2 * I - X * T(X)), 2 * X * (x**2 * Identity(n) - T(X) * X) * T(X)] for X, x, n in ((A, al, d), (F, phi, p))),
                 roots={E: G, K: T0},
                 inside=[within(1, loewner(tau * I, T0), loewner(T0, G)), within(2, loewner(a0 * I, A * T(A)), loewner(s0 * I, S))]),
@@ -292,10 +273,10 @@ claim("B93-S65", "a bound for the inverse of the image of the identity",
       & ((at_most(inv(A), be) & at_most(C, ga)) >> (at_most(inv(A * T(A)), be**2) & at_most(R, ga**2))), sizes=["d", "p", "q"],
       over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), r0: positive(), b0: positive(), be: positive(), ga: positive()},
       where=[*STEP, let(G, inv(T0) + R)],
-      by=[order([], _squares(inv(T0), tau), _squares(R, r0), _squared(tau + r0, E, tau * I - inv(T0), r0 * I - R),
-                _squares(inv(A * T(A)), b0), [inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))],
-                _squared(b0, K, b0 * I - inv(A * T(A)), inv(A * T(A)) - inv(T0)),
-                _squared(be**2, L, be**2 * I - T(inv(A)) * inv(A)), _squared(ga**2, U, ga**2 * I - T(C) * C),
+      by=[order([], from_squares(inv(T0), tau), from_squares(R, r0), squared_bound(tau + r0, E, tau * I - inv(T0), r0 * I - R),
+                from_squares(inv(A * T(A)), b0), [inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))],
+                squared_bound(b0, K, b0 * I - inv(A * T(A)), inv(A * T(A)) - inv(T0)),
+                squared_bound(be**2, L, be**2 * I - T(inv(A)) * inv(A)), squared_bound(ga**2, U, ga**2 * I - T(C) * C),
                 roots={E: G, K: inv(T0), L: inv(A * T(A)), U: R},
                 inside=[within(1, loewner(tau * I, inv(T0)), loewner(r0 * I, R)), within(2, loewner(b0 * I, inv(A * T(A))), loewner(inv(A * T(A)), inv(T0)))]),
           instances(d=1, p=(1, 2), q=1, made_by={A: I / be, F: Zero(d, p), C: ga * I, b0: be**2, r0: ga**2, tau: be**2}),
@@ -352,9 +333,7 @@ claim("B93-S72", "the difference of two solutions",
                         restated("the norm of a symmetric matrix X is the least c with -cI <= X <= cI")]))
 
 # ---------------------------------------------------------------- Theorem 2.6
-UNIT_RATE = (1 / la)**2 * I - T(inv(X)) * inv(X)
 ABOVE_LAMBDA, BELOW_SIGMA = X - la * I, si * I - P
-SHIFTED = inv(X + la * I)
 FALLS = [[], [T(x1) * ABOVE_LAMBDA * x1], [la / si * (T(x1) * BELOW_SIGMA * x1)], [T(x1) * ABOVE_LAMBDA * x1, la / si * (T(x1) * BELOW_SIGMA * x1)]]
 claim("B93-S78", "the Lyapunov function along the backward recursion",
       (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (la * T(x1) * x1 >= la / si * (T(x1) * P * x1))
@@ -362,8 +341,8 @@ claim("B93-S78", "the Lyapunov function along the backward recursion",
       over={B: matrix(d, d), P0: positive_semidefinite(d), X: positive_semidefinite(d), x1: vector(d), la: nonneg(), si: positive()},
       where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau, 1 - la / si)],
       given=[given("lambda = 1/|inv(T)|, or 0", (la == 0) | (invertible(X) & (la > 0) & at_most(inv(X), 1 / la))), given("|P| <= sigma", at_most(P, si))],
-      by=[order([1 * X], _squares(P, si), *FALLS,
-                [la**3 * SHIFTED * X * UNIT_RATE * X * SHIFTED, la**2 * SHIFTED * E * X * UNIT_RATE * X * E * SHIFTED], _squares(P, si), *FALLS,
+      by=[order([1 * X], from_squares(P, si), *FALLS,
+                root_bound(X, la, 1 / la, E), from_squares(P, si), *FALLS,
                 roots={E: X}, lemmas=[loewner(X, la * I), loewner(si * I, P)]),
           instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
           instances(d=(1, 2), made_by={la: 0}), instances(d=(1, 2))],
