@@ -317,20 +317,30 @@ claim("B93-S71", "the norm of K_n",
           instances(d=1, using={c: nonzero()}, made_by={K: c * I, si: c**2}), instances(d=(1, 2), made_by={K: I, si: 1}), instances(d=(1, 2))],
       note="||K||^2 is the least c with K*K <= cI, and ||Pbar||^2 the least with Pbar*Pbar <= cI.")
 
+APART = {"over": {K: matrix(d, d), D: diagonal(d), si: positive(), mu: positive(), c: positive()},
+         "where": [let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
+         "given": [given("||Pbar|| <= sigma", at_most(Pbar, si)), given("||D - I|| <= mu", at_most(D - I, mu)), given("||K|| <= c", at_most(K, c))]}
+
+
+def _in_the_middle(bound, side):
+    """c^2 I - XX for X = K*YK and c = bound mu, from Y and -Y at most mu I and K*K at most the bound."""
+    limit = bound * mu
+    less, more = limit * I - X, limit * I + X
+    return [1 / (2 * limit) * outer * term * outer for outer, gap in ((more, mu * I - SPREAD), (less, mu * I - -SPREAD)) for term in (mu * side, T(K) * gap * K)]
+
+
+SPREAD = D - I
+MIDDLE = [[1 / (2 * mu) * (mu**2 * I - T(SPREAD) * SPREAD), 1 / (2 * mu) * (mu * I - sign * SPREAD) * (mu * I - sign * SPREAD)] for sign in (1, -1)]
 claim("B93-S72", "the difference of two solutions",
-      loewner(si * si * mu * I, X) & loewner(X, -(si * si * mu) * I), sizes=["d"],
-      over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
-      given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)), given("|1 - lambda_i| <= mu", loewner(mu * I, D - Identity(d)) & loewner(D - Identity(d), -mu * I))],
-      by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1), instances(d=(1, 2))],
+      at_most(X, si * si * mu), sizes=["d"], **APART,
+      by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1, c="1/2"), instances(d=(1, 2))],
       repair=repair("factor", "The norm of Pbar enters once: ||K||^2 is ||Pbar||, not its square.",
-                    loewner(si * mu * I, X) & loewner(X, -(si * mu) * I), sizes=["d"],
-                    over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
-                    given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)),
-                           given("above", loewner(mu * I, D - Identity(d))), given("below", loewner(D - Identity(d), -mu * I))],
-                    by=[order([mu * (si * I - T(K) * K), T(K) * (mu * I - (D - I)) * K], [mu * (si * I - T(K) * K), T(K) * (D - I - -mu * I) * K]),
-                        instances(d=1, made_by={si: K[1, 1]**2, D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, D: (1 - mu) * I}),
-                        instances(d=(1, 2)),
-                        restated("the norm of a symmetric matrix X is the least c with -cI <= X <= cI")]))
+                    at_most(X, c**2 * mu) & at_most(X, si * mu), sizes=["d"], **APART,
+                    by=[order(from_squares(Pbar, si), *MIDDLE, _in_the_middle(c**2, c**2 * I - T(K) * K), _in_the_middle(si, si * I - Pbar),
+                              lemmas=[loewner(si * I, Pbar), loewner(mu * I, SPREAD), loewner(mu * I, -SPREAD)]),
+                        instances(d=1, made_by={si: K[1, 1]**2, c: K[1, 1], D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, c: K[1, 1], D: (1 - mu) * I}),
+                        instances(d=(1, 2))]),
+      note=BY_NORMS + "The norm of the diagonal matrix D - I is the largest |1 - lambda_i|.")
 
 # ---------------------------------------------------------------- Theorem 2.6
 ABOVE_LAMBDA, BELOW_SIGMA = X - la * I, si * I - P
