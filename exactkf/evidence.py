@@ -385,6 +385,7 @@ EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
 
 
 def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None, kept: tuple[Any, Any, Any] | None = None,
+           pencil: tuple[Any, ...] | None = None,
            solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
@@ -401,10 +402,13 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
     kept : triple of terms
         C, A and B with an observable pair (C, A), as a hypothesis says: for an equation X = 0 it is shown that CX = 0 and AX = XB.
+    pencil : two or four terms
+        M and N of a detectable pencil, as a hypothesis says: for an equation X = 0 it is shown that MX = 0; or with numbers a and b, a^2 + b^2 >= 1 by a
+        hypothesis, for X with two columns that MX[[a, b], [-b, a]] = NX.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional
-        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``solutions`` are for; else they are for the leaf.
+        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``pencil``, ``solutions`` are for; else they are for the leaf.
     """
     help_: dict[str, Any] = {}
     if stein is not None:
@@ -413,6 +417,8 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         help_["unique"] = [to_expr(m).tree for m in unique]
     if kept:
         help_["kept"] = [to_expr(m).tree for m in kept]
+    if pencil:
+        help_["pencil"] = [to_expr(m).tree for m in pencil]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
     return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}

@@ -24,10 +24,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
+from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain, sign
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector, none_annihilated
+from exactkf.kernel.stable import is_detectable, is_observable, is_stable, no_eigenvector, none_annihilated
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
@@ -56,6 +56,7 @@ FACTS = {
     "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
     "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex: "
                           "CX = 0 and AX = XB give X = 0 if C annihilates none",
+    "detectable pencil": "full column rank of sM - tN for |s| >= |t|: MX = 0 gives X = 0, and so does MXB = NX for a turn B with a factor of one or more",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -170,6 +171,8 @@ class Leaf:
         Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
     kept : triple of trees
         An observable pair C, A and a matrix B: instead of X = 0 it is shown that CX = 0 and AX = XB, for an equation.
+    pencil : two or four trees
+        A detectable pencil M, N: instead of X = 0 it is shown that MX = 0, or for numbers a, b besides that MX[[a, b], [-b, a]] = NX.
 
     Attributes
     ----------
@@ -185,7 +188,7 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = ()) -> None:
+                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = (), pencil: Any = ()) -> None:
         said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
@@ -226,6 +229,8 @@ class Leaf:
             found = self._contracted(found, unique, op == "=")
         if kept:
             found = self._kept(found, kept, op == "=")
+        if pencil:
+            found = self._in_pencil(found, pencil, op == "=")
         if stein is not None:
             found = self._contracted(found, [stein, ["T", stein]], bool(wanted))
         if op == "invertible":
@@ -355,6 +360,24 @@ class Leaf:
             raise Unknown("what acts from the right is not square")
         times = reader._times
         return [y for x in found for y in (times(rows, x), reader._plus(times(inner, x), times(x, outer), -1))]
+
+    def _in_pencil(self, found: list, by: Any, fits: bool) -> list:
+        """MX, or MXB - NX with a turn B that does not shrink, in the place of X, for a detectable pencil (M, N)."""
+        reader, times = self.reader, self.reader._times
+        if not fits or len(by) not in (2, 4) or not is_detectable(reader, *by[:2]) or not all(exists(reader, x, self.known) for x in by):
+            raise Unknown("a pencil that no hypothesis says to be detectable, or no equation")
+        first, second = (reader.read(x) for x in by[:2])
+        if not all(isinstance(x, Blocks) for x in (first, second, *found)) or any(reader.total(x.rows) != reader.total(first.cols) for x in found):
+            raise Unknown("matrices of other sizes")  # a 1 x 1 matrix is no number here
+        if len(by) == 2:
+            return [times(first, x) for x in found]
+        re, im = by[2:]
+        if any(isinstance(reader.read(x), Blocks) for x in (re, im)) or not sign(reader, ["-", ["+", ["*", re, re], ["*", im, im]], 1]):
+            raise Unknown("numbers of which no hypothesis says that they are not inside the unit circle")
+        turn = reader.read(["block", *([["*", x, ["I", 1]] for x in row] for row in ((re, im), (["neg", im], re)))])
+        if any(reader.total(x.cols) != reader.total(turn.rows) for x in found):
+            raise Unknown("real and imaginary part of a vector are needed")
+        return [reader._plus(times(times(first, x), turn), times(second, x), -1) for x in found]
 
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""

@@ -29,6 +29,7 @@ from exactkf.language import (
     T,
     Zero,
     block,
+    detectable,
     given,
     hstack,
     inv,
@@ -201,6 +202,11 @@ STABILIZER = {Na: matrix(n, l), Nb: matrix(n, p), Ma: matrix(l, l), Mb: matrix(l
 STABILIZABLE_FORMULA = (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])
                         == block([[Identity(l), Zero(l, p)], [Zero(p, l), Identity(p)]])) & schur(A * Na)
 STABILIZABLE = given("stabilizable", STABILIZABLE_FORMULA)
+#: Definition 4.1: sF - tK has full column rank, (sF - tK, G) full row rank, for all (s, t) other than (0, 0) with |s| >= |t|
+K_BLOCK = vstack(A, Zero(p, n))
+DETECTABLE_PENCIL = F_BLOCK, K_BLOCK
+STABILIZABLE_PENCIL = T(hstack(F_BLOCK, NOISE_G)), T(hstack(K_BLOCK, 0 * NOISE_G))
+STABILIZABLE_PAIR = given("stabilizable", detectable(*STABILIZABLE_PENCIL))
 #: both for the systems of `solved`, whose gains are a detector
 CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
              H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(T(U1), T(U2))),
