@@ -402,9 +402,9 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
     kept : triple of terms
         C, A and B with an observable pair (C, A), as a hypothesis says: for an equation X = 0 it is shown that CX = 0 and AX = XB.
-    pencil : two or four terms
-        M and N of a detectable pencil, as a hypothesis says: for an equation X = 0 it is shown that MX = 0; or with numbers a and b, a^2 + b^2 >= 1 by a
-        hypothesis, for X with two columns that MX[[a, b], [-b, a]] = NX.
+    pencil : two, three or four terms
+        M and N of a detectable pencil, as a hypothesis says: for an equation X = 0 it is shown that MX = 0; or with a stable B that MX = NXB; or with
+        numbers a and b, a^2 + b^2 >= 1 by a hypothesis, for X with two columns that MX[[a, b], [-b, a]] = NX.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional

@@ -56,7 +56,8 @@ FACTS = {
     "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
     "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex: "
                           "CX = 0 and AX = XB give X = 0 if C annihilates none",
-    "detectable pencil": "full column rank of sM - tN for |s| >= |t|: MX = 0 gives X = 0, and so does MXB = NX for a turn B with a factor of one or more",
+    "detectable pencil": "full column rank of sM - tN for |s| >= |t|, not both zero: MX = 0 gives X = 0, so does MX = NXB with a stable B, "
+                         "and MXB = NX with a turn B and a factor of one or more",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -171,8 +172,8 @@ class Leaf:
         Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
     kept : triple of trees
         An observable pair C, A and a matrix B: instead of X = 0 it is shown that CX = 0 and AX = XB, for an equation.
-    pencil : two or four trees
-        A detectable pencil M, N: instead of X = 0 it is shown that MX = 0, or for numbers a, b besides that MX[[a, b], [-b, a]] = NX.
+    pencil : two, three or four trees
+        A detectable pencil M, N: instead of X = 0 it is shown that MX = 0, or MX = NXB for a stable B, or for numbers a, b that MX[[a, b], [-b, a]] = NX.
 
     Attributes
     ----------
@@ -362,15 +363,20 @@ class Leaf:
         return [y for x in found for y in (times(rows, x), reader._plus(times(inner, x), times(x, outer), -1))]
 
     def _in_pencil(self, found: list, by: Any, fits: bool) -> list:
-        """MX, or MXB - NX with a turn B that does not shrink, in the place of X, for a detectable pencil (M, N)."""
+        """MX, or MX - NXB with a stable B, or MXB - NX with a turn B that does not shrink, in the place of X, for a detectable pencil (M, N)."""
         reader, times = self.reader, self.reader._times
-        if not fits or len(by) not in (2, 4) or not is_detectable(reader, *by[:2]) or not all(exists(reader, x, self.known) for x in by):
+        if not fits or len(by) not in (2, 3, 4) or not is_detectable(reader, *by[:2]) or not all(exists(reader, x, self.known) for x in by):
             raise Unknown("a pencil that no hypothesis says to be detectable, or no equation")
         first, second = (reader.read(x) for x in by[:2])
         if not all(isinstance(x, Blocks) for x in (first, second, *found)) or any(reader.total(x.rows) != reader.total(first.cols) for x in found):
             raise Unknown("matrices of other sizes")  # a 1 x 1 matrix is no number here
         if len(by) == 2:
             return [times(first, x) for x in found]
+        if len(by) == 3:
+            last = self._stable(by[2])
+            if not isinstance(last, Blocks) or any(reader.total(x.cols) != reader.total(last.rows) for x in found):
+                raise Unknown("a stable matrix of another size")
+            return [reader._plus(times(first, x), times(times(second, x), last), -1) for x in found]
         re, im = by[2:]
         if any(isinstance(reader.read(x), Blocks) for x in (re, im)) or not sign(reader, ["-", ["+", ["*", re, re], ["*", im, im]], 1]):
             raise Unknown("numbers of which no hypothesis says that they are not inside the unit circle")

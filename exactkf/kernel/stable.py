@@ -22,8 +22,9 @@ And of a pair (C, A), observable if C annihilates no eigenvector of A, real or c
 
 And of a pencil (M, N), detectable if sM - tN has full column rank for all complex s and t with |s| >= |t|, not both zero:
 
-6. if (M, N) is detectable, MX = 0 gives X = 0 (s = 1, t = 0), and X = 0 if it has two columns x, y with
-   MX[[a, b], [-b, a]] = NX and a^2 + b^2 >= 1 (s = a + ib, t = 1 at x + iy).
+6. if (M, N) is detectable, MX = 0 gives X = 0 (s = 1, t = 0); so does MX = NXB with a stable B, as u, u', .. with Bu = tu, Bu' = tu' + u, ..
+   give (M - tN)Xu = 0, then (M - tN)Xu' = 0, ..; and X = 0 if it has two columns x, y with MX[[a, b], [-b, a]] = NX and a^2 + b^2 >= 1
+   (s = a + ib, t = 1 at x + iy).
 
 Main definitions
 ----------------

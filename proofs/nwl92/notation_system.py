@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactkf.evidence import Evidence, example, instances, order, restated, within
+from exactkf.evidence import Evidence, example, instances, order, within
 from exactkf.language import (
     Expr,
     Identity,
@@ -207,15 +207,8 @@ K_BLOCK = vstack(A, Zero(p, n))
 DETECTABLE_PENCIL = F_BLOCK, K_BLOCK
 STABILIZABLE_PENCIL = T(hstack(F_BLOCK, NOISE_G)), T(hstack(K_BLOCK, 0 * NOISE_G))
 STABILIZABLE_PAIR = given("stabilizable", detectable(*STABILIZABLE_PENCIL))
-#: both for the systems of `solved`, whose gains are a detector
-CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
-             H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(T(U1), T(U2))),
-             Ma: T(upper(l, p)) * H0 * upper(l, p), Mb: T(upper(l, p)) * H0 * lower(l, p),
-             Mc: T(lower(l, p)) * H0 * upper(l, p), Md: T(lower(l, p)) * H0 * lower(l, p)}
 CERTIFICATES = ("Detectability is said as in Lemma 4.1: (E; C) has a left inverse (Le Lc) with stable Le A; the converse is plain, as "
                 "(E - tA)x = 0 and Cx = 0 give x = t Le A x. Stabilizability is the same for the transposed matrices.")
-#: what it takes to say both in this way
-CERTIFICATE_FACT = restated("a detectable pair (A, C) has a D with stable A + DC, on which Lemma 4.1 rests")
 
 
 # ------------------------------------------------------------------ two solutions of one Riccati equation
