@@ -21,6 +21,7 @@ evidence            what it shows                                              b
 `example`           one instance given by hand, tried before all others        instances
 `restated`          the formula says what is printed by classical facts        bounds it: steps
 `part`              the formula is less than what is printed                   bounds it: instances
+`chosen`            variables of the formula exist, by a classical theorem      else it is steps
 ==================  =========================================================  ==========================
 """
 
@@ -34,9 +35,9 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "cleared", "combination",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "chosen", "cleared", "combination",
     "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction", "instances", "lemma", "multiplied",
-    "null_vector", "order", "part", "positivity", "restated", "shown_first", "square_of", "steps", "unfolded", "use", "valued", "within",
+    "null_vector", "order", "part", "positivity", "restated", "shown_first", "spectral", "square", "square_of", "steps", "unfolded", "use", "valued", "within",
 ]
 
 
@@ -473,6 +474,24 @@ def restated(*facts: str) -> Evidence:
     """
     _sentences("restated", facts)
     return Evidence("restated", {"facts": facts})
+
+
+def chosen(*choices: tuple[str, Any, tuple[Any, ...]]) -> Evidence:
+    """Beside other evidence: variables of the formula exist by a theorem, so that what is said of all of them is said of some; see `exactkf.kernel.existence`.
+
+    Without a certificate that they do, a proof of the formula counts as `steps`. Each choice is `spectral` or `square`.
+    """
+    return Evidence("chosen", {"choices": tuple((theorem, to_expr(term).tree, tuple(map(_name, names))) for theorem, term, names in choices)})
+
+
+def spectral(term: Any, turn: Expr, diagonal: Expr) -> tuple[str, Any, tuple[Any, ...]]:
+    """A symmetric term is U D T(U), with T(U) U = I and a diagonal D."""
+    return "spectral", term, (turn, diagonal)
+
+
+def square(term: Any, root: Expr) -> tuple[str, Any, tuple[Any, ...]]:
+    """A positive definite term is L T(L), with a nonsingular L."""
+    return "square", term, (root,)
 
 
 def part(covers: str) -> Evidence:
