@@ -13,13 +13,14 @@ falls along the backward recursion.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, first, induction, instances, order, restated
+from exactkf.evidence import chosen, example, first, induction, instances, order, restated, spectral, square
 from exactkf.evidence import part as only
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
+    cospectral,
     diagonal,
     forall,
     function,
@@ -34,6 +35,7 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive,
+    positive_definite,
     positive_semidefinite,
     rec,
     sequence,
@@ -132,13 +134,17 @@ claim("B93-E19", "the sampled system",
 
 # --- the stability of the filter -------------------------------------------------------------------------------------------
 
-K, Dg, Pb, al, tau, si, xp, Bs, x, Pi, Vv, Cov, Ts, la, sg, c = symbols("K Dg Pb al tau si xp Bs x Pi VV Cov T lambda sg c")
+K, L, W, Dg, Pb, al, tau, si, xp, Bs, x, Pi, Vv, Cov, Ts, la, sg, c = symbols("K L W Dg Pb al tau si xp Bs x Pi VV Cov T lambda sg c")
 claim("B93-S69", "two positive matrices in common coordinates",
-      P*inv(Pb) == T(K)*Dg*inv(T(K)), sizes=["d"], over={K: nonsingular(d), Dg: diagonal(d)}, where=[let(Pb, T(K)*K), let(P, T(K)*Dg*K)],
-      by=[order(), instances(6, d=(1, 2, 3)),
-          restated("spectral theorem: two positive matrices are diagonal in one basis", "similar matrices have the same eigenvalues")],
-      note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms "
-           "of the entries of D.")
+      invertible(K) & (Pb == T(K)*K) & (P == T(K)*Dg*K) & pd(Dg) & cospectral(P*inv(Pb), Dg), sizes=["d"],
+      over={P: positive_definite(d), Pb: positive_definite(d), L: nonsingular(d), W: matrix(d, d), Dg: diagonal(d)}, where=[let(K, T(W)*T(L))],
+      given=[given("a square of Pbar", Pb == L*T(L)), given("W is orthogonal", T(W)*W == I), given("its columns are eigenvectors", inv(L)*P*T(inv(L)) == W*Dg*T(W))],
+      by=[order([T(W)], [inv(T(L))*W], [], [], [T(W)*inv(L)*P*T(inv(L))*W], [T(K), inv(T(K))], lemmas=[invertible(W)]),
+          chosen(square(Pb, L), spectral(inv(L)*P*T(inv(L)), W, Dg)),
+          *(instances(6, d=size, using={V: matrix(d, d), U: diagonal(d)},
+                      made_by={W: (I - (V - T(V)))*inv(I + (V - T(V))), Dg: U*U + I, Pb: L*T(L), P: L*W*Dg*T(W)*T(L)}) for size in (1, 2, 3))],
+      note="There are such L, W and D for all P and Pbar. P inv(Pbar) and D have one characteristic polynomial, so that the eigenvalues, of which the distance is "
+           "made, are the entries of D, which are positive.")
 
 ENERGY = function(Vv, [t], T(x[t])*Cov[t]*x[t])
 STEP_DOWN = [(1 - la[t]/sg[t])*(Pi[t]*Vv(0) - Vv(t)), T(x[t])*(Ts[t] - la[t]*I)*x[t], la[t]/sg[t]*(T(x[t])*(sg[t]*I - Cov[t])*x[t])]

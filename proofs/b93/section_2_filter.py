@@ -21,7 +21,7 @@ where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, first, identity, induction, instances, order, part, restated, within
+from exactkf.evidence import chosen, combination, example, first, identity, induction, instances, order, part, restated, spectral, within
 from exactkf.language import (
     Identity,
     T,
@@ -29,6 +29,7 @@ from exactkf.language import (
     always,
     block,
     column,
+    cospectral,
     diagonal,
     forall,
     function,
@@ -223,21 +224,31 @@ not_checked("B93-L2.2.1", "weakly observable systems enter H1", LIMITS)
 not_checked("B93-L2.2.2", "weakly controllable systems enter H2", LIMITS)
 
 # ---------------------------------------------------------------- Theorem 2.4 and Proposition 2.5
+BELOW_LARGEST, ABOVE_SMALLEST = la * I - D, D - mu * I
+EIGENVALUES = order(
+    [T(U)], [T(U) * Q * U], [], [U, T(U)],
+    [la * (U * BELOW_LARGEST * T(U)), U * E * BELOW_LARGEST * E * T(U)], [1 / (c + la) * (T(x) * (c**2 * I - T(Q) * Q) * x)],
+    [1 / mu * (U * inv(D) * ABOVE_SMALLEST * inv(D) * T(U)), (1 / mu)**2 * (U * inv(D) * E * ABOVE_SMALLEST * E * inv(D) * T(U))],
+    [1 / (mu * (mu * c + 1)) * (T(mu * y) * (c**2 * I - T(inv(Q)) * inv(Q)) * (mu * y))],
+    lemmas=[invertible(U), pd(D), inv(Q) * (mu * y) == y], roots={E: T(U) * Q * U})
 claim("B93-S60", "the smallest and the largest eigenvalue as norms",
-      loewner(la * I, Q) & loewner(Q, mu * I) & (Q * x == la * x) & (inv(Q) * y == y / mu), sizes=["d"],
-      over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), x: vector(d), y: vector(d)},
-      given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)),
-             given("the entries of D are at most lambda", loewner(la * I, D)), given("and at least mu", loewner(D, mu * I)),
-             given("lambda is one of them", D * T(U) * x == la * T(U) * x), given("so is mu", D * T(U) * y == mu * T(U) * y)],
-      by=[order([U * (la * I - D) * T(U)], [U * (D - mu * I) * T(U)]),
-          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": 2}, x=[1], y=[0]),
-          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[0, 1], y=[1, 1]),
-          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[1, 1], y=[1, 0]),
-          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": "1/2", "mu": 1}, x=[0], y=[1]),
-          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu}),
-          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)}),
-          restated("spectral theorem", "the norm of a nonnegative matrix is its largest eigenvalue")],
-      note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
+      cospectral(Q, D) & (loewner(la * I, D) >> (at_most(Q, la) & (at_most(Q, c) >> (la <= c))))
+      & (loewner(D, mu * I) >> (at_most(inv(Q), 1 / mu) & (at_most(inv(Q), c) >> (1 / mu <= c)))), sizes=["d"],
+      over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), c: positive(), x: vector(d), y: vector(d)},
+      given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)), given("lambda is an eigenvalue", (Q * x == la * x) & (T(x) * x == 1)),
+             given("so is mu", (Q * y == mu * y) & (T(y) * y == 1))],
+      by=[EIGENVALUES, chosen(spectral(Q, U, D)),
+          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[0, 1], y=[1, 0], c=1),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 2, "mu": 1}, x=[1], y=[1], c=1),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": "1/2"}, x=[1], y=[1], c=1),
+          example(d=1, Q=[[4]], D=[[1]], U=[[2]], **{"lambda": 4, "mu": 4}, x=[1], y=[1], c=4),
+          *(instances(12, d=size, using={L: diagonal(d), S: matrix(d, d)},
+                      made_by={U: (I - (S - T(S))) * inv(I + (S - T(S))), D: L * L + I / 2, Q: U * D * T(U), la: D[1, 1], mu: D[d, d],
+                               x: U * column(i, d, when(i == 1, 1, 0)), y: U * column(i, d, when(i == d, 1, 0)), c: bound}) for size in (1, 2, 3)
+            for bound in (D[1, 1], 1 / D[d, d]))],
+      note="By the spectral theorem there are U and D with this Q, and the entries of D are its eigenvalues. D <= lambda I says of a diagonal matrix that none is above "
+           "lambda, so that lambda is the largest, and mu is the smallest. Then lambda is a bound as the norm of Q is to be, and not above any other: it is |Q|; and 1/mu "
+           "is |inv(Q)|. The distance of Q and I is made of the logarithms of the entries of D by its definition.")
 for _id, _title in (
         ("S61", "what the theorem says of the error"), ("T2.4", "the stationary error covariance and convergence to it"),
         ("S67", "a composition contracts with positive probability"),
