@@ -386,7 +386,7 @@ EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
 
 
 def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None, kept: tuple[Any, Any, Any] | None = None,
-           pencil: tuple[Any, ...] | None = None,
+           pencil: tuple[Any, ...] | None = None, inertia: tuple[Any, Any, Any, Any, Any] | None = None,
            solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
@@ -406,6 +406,8 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
     pencil : two, three or four terms
         M and N of a detectable pencil, as a hypothesis says: for an equation X = 0 it is shown that MX = 0; or with a stable B that MX = NXB; or with
         numbers a and b, a^2 + b^2 >= 1 by a hypothesis, for X with two columns that MX[[a, b], [-b, a]] = NX.
+    inertia : five terms
+        X, V, P, Y, Q: for W >= 0 it is shown that diag(W, Q) = X' diag(V, P) X for a semidefinite V and a symmetric P, and the terms add up to P - Y'QY.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional
@@ -418,8 +420,9 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         help_["unique"] = [to_expr(m).tree for m in unique]
     if kept:
         help_["kept"] = [to_expr(m).tree for m in kept]
-    if pencil:
-        help_["pencil"] = [to_expr(m).tree for m in pencil]
+    for key, terms in (("pencil", pencil), ("inertia", inertia)):
+        if terms:
+            help_[key] = [to_expr(m).tree for m in terms]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
     return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}

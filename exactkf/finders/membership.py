@@ -97,7 +97,7 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         For determinants.
     inside : sequence of [number, vector, lemmas]
         See `exactkf.kernel.order.leaves`.
-    stable : sequence of [number, {"solutions", "stein", "unique", "kept", "pencil"}]
+    stable : sequence of [number, {"solutions", "stein", "unique", "kept", "pencil", "inertia"}]
         What the proof of a leaf, counted as the sums are, makes of stable matrices.
     """
     out = []
@@ -176,7 +176,7 @@ def _help_at(made: Induction, case: dict, help_: dict) -> dict:
     out: dict[str, Any] = {}
     if "stein" in help_:
         out["stein"] = made.at(help_["stein"], case)
-    for key in ("unique", "kept", "pencil"):
+    for key in ("unique", "kept", "pencil", "inertia"):
         if key in help_:
             out[key] = [made.at(m, case) for m in help_[key]]
     if "solutions" in help_:

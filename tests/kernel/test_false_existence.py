@@ -67,7 +67,8 @@ def test_what_exists():
     (TURNED,), (ORTHOGONAL,), (), (ORTHOGONAL, TURNED, given("more", psd(D))), (ORTHOGONAL, TURNED, given("more", invertible(U))),
     (given("orthogonal", U * T(U) == Identity(d)), TURNED), (ORTHOGONAL, given("turned", S == T(U) * D * U)),
     (ORTHOGONAL, given("turned", U * D * T(U) == S)),
-    (ORTHOGONAL, TURNED, given("fixed", U == X)), (ORTHOGONAL, TURNED, given("fixed", eq(D, S, X))), (ORTHOGONAL, TURNED, given("one of two", psd(D) | psd(X)))],
+    (ORTHOGONAL, TURNED, given("fixed", U == X)), (ORTHOGONAL, TURNED, given("fixed", eq(D, S, X))),
+    (ORTHOGONAL, TURNED, given("one of two", psd(D) | psd(X)))],
     ids=lambda some: ", ".join(str(g) for g in some)[:60])
 def test_what_is_asked_is_what_the_theorem_gives(hypotheses):
     """Neither less nor more."""
