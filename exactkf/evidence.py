@@ -35,9 +35,10 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "chosen", "cleared", "combination",
-    "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction", "instances", "lemma", "multiplied",
-    "null_vector", "order", "part", "positivity", "restated", "shown_first", "spectral", "square", "square_of", "steps", "unfolded", "use", "valued", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "chosen",
+    "cleared", "combination", "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction",
+    "instances", "lemma", "multiplied", "null_vector", "order", "part", "positivity", "restated", "shown_first", "spectral", "square", "square_of",
+    "steps", "unfolded", "use", "valued", "within",
 ]
 
 

@@ -14,8 +14,8 @@ theorem       of the term                 variables                             
 
 The term has a value, and is what it has to be, without the hypotheses that mention the
 variables or such as are chosen after them; and no other hypothesis mentions them. So
-the variables may be chosen in their order, after all others. The conclusion has a value
-whatever they are.
+the variables may be chosen in their order, after all others. What the conclusion
+says of them has a value whatever they are.
 
 Main definitions
 ----------------
@@ -59,14 +59,14 @@ def existence(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list
         _need(all(formula in said for formula in met), f"{theorem}: the statement does not say what the theorem gives")
         said = [formula for formula in said if formula not in met]
     _need(not any(set(names) & _mentioned(statement, formula) for formula in said), "more is asked of what is chosen than the theorems give")
-    _has_value(statement, statement["says"])
+    _has_value(statement, statement["says"], set(names))
     return []
 
 
-def _has_value(statement: Mapping[str, Any], formula: Any) -> None:
+def _has_value(statement: Mapping[str, Any], formula: Any, names: set[str]) -> None:
     """The conclusion has a value whatever is chosen: what it inverts is nonsingular by its form, or by a member of it that comes before."""
     for member in formula[1:] if formula[0] == "and" else [formula]:
-        _need(exists(Reader(statement), member, []), "the conclusion need not have a value for what is chosen")
+        _need(not names & _mentioned(statement, member) or exists(Reader(statement), member, []), "the conclusion need not have a value for what is chosen")
         statement = {**statement, "given": [*statement["given"], ["", member, "standing"]]}
 
 

@@ -32,7 +32,8 @@ from tests.kernel.acceptance import is_accepted
 H, K, P, Q, V, W, X, Y, Z, m, n = symbols("H K P Q V W X Y Z m n")
 A, B, C, D = symbols("A B C D")
 SIZES = {"sizes": ["m", "n"], "over": {W: symmetric_matrix(m), V: positive_semidefinite(m), P: symmetric_matrix(n), Q: symmetric_matrix(n),
-                                       H: positive_semidefinite(n), Y: matrix(n, n), A: matrix(m, m), B: matrix(m, n), C: matrix(n, m), D: matrix(n, n), K: matrix(n, n)}}
+                                       H: positive_semidefinite(n), Y: matrix(n, n), K: matrix(n, n), A: matrix(m, m),
+                                       B: matrix(m, n), C: matrix(n, m), D: matrix(n, n)}}
 WHOLE = block([[A, B], [C, D]])
 AFTER, BEFORE = block([[W, Zero(m, n)], [Zero(n, m), Q]]), block([[V, Zero(m, n)], [Zero(n, m), P]])
 CONGRUENT = given("congruent", AFTER == T(WHOLE) * BEFORE * WHOLE)
