@@ -96,9 +96,8 @@ claim("B93-L2.3", "the distance to the identity between two multiples of a logar
                     made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2)), larger: when(ENDS >= 0, l[d] ** 2, l[1] ** 2)}),
           example(d=2, l=[1, 0], larger=0), example(d=3, l=[1, 2, 1], larger=1), example(d=2, l=[0, 2], larger=0),
           instances(8, d=(2, 3)),
-          restated("spectral theorem: the norms of Q and of its inverse are the largest eigenvalue and the reciprocal of the smallest",
-                   "the logarithm is increasing")],
-      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1, and the squared distance is "
+          restated("the logarithm is increasing, and log(1/x) = -log(x)")],
+      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1 by B93-S60, and the squared distance is "
            "the sum of their squares, total_d. As l_1 <= l_d, the larger of their squares is that of l_d exactly if l_1 + l_d >= 0. The count is t, and the "
            "rest is what is missing to t times that. At t = d the first two inequalities put the larger square below the sum, whichever of the two it is, "
            "and the others are the upper bound.")
