@@ -21,7 +21,7 @@ evidence            what it shows                                              b
 `example`           one instance given by hand, tried before all others        instances
 `restated`          the formula says what is printed by classical facts        bounds it: steps
 `part`              the formula is less than what is printed                   bounds it: instances
-`chosen`            variables of the formula exist, by a classical theorem      else it is steps
+`chosen`            variables of the formula exist, by a classical theorem     else it is steps
 ==================  =========================================================  ==========================
 """
 
