@@ -16,7 +16,7 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, example, instances, part, steps
+from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps
 from exactkf.language import *
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
@@ -59,11 +59,16 @@ claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, coun
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
       repair=repair("boundary case", WHY, RIGHT & (total == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=CORRECT, given=[*LOWEST, EVEN],
                     by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; each of them is proved for every p in X.18. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
-claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
-      where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
-      by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
-          instances(), example(y=2), example(y=-3)],
-      note="y = alpha + gamma runs over all nonzero numbers. The two points y = 1, -1 end in one step; all others have period 4.")
+#: the points at t = 1, .., 5 for kappa infinite, one after the other
+TURN_BACK = [shown_first(defined(al[t_]) & defined(ga[t_]) & place, [cleared(), *values_at(t_), *(values_at(0) if t_ == 1 else ()), *map(multiplied, (al0, al0**2, ga0, al0 * ga0))])
+             for t_, place in ((1, (al[1] * al0 == -1) & (ga[1] * al0 == ga0)), (2, (al[2] == al0) & (ga[2] == -ga0)), (3, (al[3] == al[1]) & (ga[3] == -ga[1])), (4, (al[4] == al0) & (ga[4] == ga0)), (5, (al[5] == al[1]) & (ga[5] == ga[1])))]
+UNLESS_ZERO = by_cases(al0 > 0, TURN_BACK, [by_cases(al0 < 0, TURN_BACK)])
+claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end",
+      iff(defined(al[1]), al0 != 0) & ((al0 != 0) >> (defined(al[4]) & defined(ga[4]) & forall(t, 1, 4, iff((al[t] == al0) & (ga[t] == ga0), t == 4)))) & iff(al0 == 0, (ga0 == 1) | (ga0 == -1)),
+      over={al0: scalar(), ga0: scalar()}, where=ORBIT, given=[given("kappa infinite", 1 + al0**2 - ga0**2 == 0)],
+      by=[arithmetic(UNLESS_ZERO, *values_at(0), existing(al, 2), existing(al, 1), by_cases(ga0**2 > 0), member=0), arithmetic(UNLESS_ZERO, by_cases(t == 4), by_cases(t == 3), by_cases(t == 2), multiplied(al0**2), multiplied(al0 * ga0), by_cases(ga0**2 > 0), member=1), arithmetic(by_cases(ga0 > 0), member=2),
+          instances(using={y: nonzero()}, made_by={al0: (y - 1 / y) / 2, ga0: (y + 1 / y) / 2}), example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1)],
+      note="The points (0, 1) and (0, -1) end in one step; all others have period 4.")
 turn = sym("turn")
 POINT_OF = (let(lam, turn / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 DENSE = (*POINT_OF, *ORBIT, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
