@@ -28,7 +28,7 @@ from exactkf.claims import claim
 from exactkf.evidence import arithmetic, evaluation, example, induction, instances, part, steps, valued
 from exactkf.language import *
 from proofs.blm91.consequences_angles import COPRIME
-from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_POINTS
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_FORMS, OF_POINTS
 from proofs.blm91.notation import *
 
 H = 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]
@@ -52,10 +52,10 @@ LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)
 #: 1/kappa = -cos(2 pi q/p), and a point of the hyperbola
 TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 claim("BLM91-X.3", "the period for kappa = -sec(2 pi q/p), by the closed form",
-      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"], over={q: integer(1, 29)},
-      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[part("p <= 60, one point of each hyperbola"), evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
-      note="Every angle in lowest terms with p <= 60, that is both signs of kappa and kappa infinite (p = 4, q = 1), from one point of each hyperbola; "
-           "by (X.2) the point does not matter. For every p and every point see X.5.")
+      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["q", "p"], over={al0: scalar()},
+      where=[*COPRIME, let(lam, -cospi(2 * q, p)), *PROJECTIVE], given=LOWEST_PQ,
+      by=[arithmetic(*OF_FORMS), instances(24, q=(1, 2, 3), p=range(3, 9)), example(q=5, p=12, alpha0=2), example(q=7, p=30, alpha0="1/2"), example(q=2, p=6, alpha0=3)],
+      note="For every q and p, both signs of kappa and kappa infinite (p = 4, q = 1), from every point of the hyperbola: its second coordinate does not enter.")
 claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itself",
       (1 + al0**2 - ga0**2 == 2 * lam * al0) & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)),
       sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[part("p <= 10, two points of each hyperbola"), evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],

@@ -24,7 +24,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_FORMS", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
 
@@ -95,6 +95,7 @@ POSITIVE = shown_first(S_(1) > 0, [angles("acute", 4 * q - p, 2 * p)])
 PYTHAGORAS_ = shown_first(cospi(2 * q, p) ** 2 + S_(1) ** 2 == 1, [angles("product", 4 * q, 4 * q, 2 * p), angles("product", 4 * q - p, 4 * q - p, 2 * p),
                                                                     angles("product", 8 * q - p, p, 2 * p), angles("right", p)])
 MOVING = shown_first(ga0**2 > 0, [PYTHAGORAS_, by_cases(S_(1) ** 2 > 0), square_of(al0 - lam)])
+ROUND = shown_first(1 + al0**2 - 2 * lam * al0 > 0, [PYTHAGORAS_, by_cases(S_(1) ** 2 > 0), square_of(al0 - lam)])
 ON_CURVE = by_induction(i, 0, defined(al[i]) >> ((1 + al[i] ** 2 - ga[i] ** 2 == 2 * lam * al[i]) & (al[i] != 0)),
                         base=[cleared(), *values_at(0)], step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)])
 CLOSED_FORM = by_induction(
@@ -105,12 +106,19 @@ CLOSED_FORM = by_induction(
           *map(multiplied, (E_(j), al[j] * ga[j], ga[j] ** 2, ga[j] * E_(j), al[j] * E_(j)))])
 FULL_TURN = shown_first(
     forall(h_, 1, p, ((S_(h_ + 1) + al0 * S_(h_) == S_(1)) & (al0 * S_(1) == -(S_(h_) + al0 * S_(h_ - 1)))) >> ((S_(h_) == 0) & (C_H == 1))),
-    [three_(h_), angles("product", 4 * h_ * q, 4 * q - p, 2 * p), angles("product", 4 * (h_ - 1) * q, p, 2 * p), angles("right", p), MOVING,
+    [three_(h_), angles("product", 4 * h_ * q, 4 * q - p, 2 * p), angles("product", 4 * (h_ - 1) * q, p, 2 * p), angles("right", p), ROUND,
      by_cases((1 + al0**2 - 2 * lam * al0) * S_(h_) == 0), by_cases(S_(h_) == 0), *map(multiplied, (al0, S_(h_), al0 * (S_(1) + S_(h_ - 1)))),
      by_cases((1 - C_H) * S_(1) == 0)])
 AFTER_P = shown_first((S_(p) == 0) & (S_(p + 1) == S_(1)) & (S_(p - 1) == -S_(1)),
                       [angles("right", p), angles("cosines", 4 * p * q - p, p, 2 * p), angles("cosines", 4 * (p + 1) * q - p, 4 * q - p, 2 * p),
                        angles("cosines", 4 * (p - 1) * q - p, 4 * q + p, 2 * p), angles("product", 4 * q, p, 2 * p), at_index(turns, q)])
+#: s_j M_j S_1 = E_j: the closed form without division
+LINEAR_FORM = by_induction(
+    j, 0, (sg[j] * Mt[j] * S_(1) == E_(j)) & (sg[j] * Nt[j] * S_(1) == -(S_(j) + al0 * S_(j - 1))),
+    base=[*(unfolded(x_, 0) for x_ in (Mt, Nt, sg)), three_(0), angles("right", p)],
+    step=[*(unfolded(x_, j + 1) for x_ in (Mt, Nt, sg)), three_(j + 1), three_(j), *map(multiplied, (al0, lam))])
+#: when the closed form is that of the start again
+OF_FORMS = [IN_LOWEST, POSITIVE, LINEAR_FORM, FULL_TURN, by_cases(t == p, [AFTER_P, at_index(j, p)], [at_index(j, t), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]), multiplied(S_(1))]
 #: when a point is back
 OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, CLOSED_FORM, PYTHAGORAS_, MOVING, FULL_TURN,
              by_cases(t == p, [AFTER_P, at_index(j, p)],
