@@ -18,6 +18,7 @@ orbits stays with its neighbours.
 from exactkf.claims import claim, repair
 from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps
 from exactkf.language import *
+from proofs.blm91.lemmas_turns import OF_ENDLESS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
@@ -109,10 +110,14 @@ claim("BLM91-C3.8.1", "periodic points are dense in the corridors", (d == p) & (
       by=[steps("BLM91-X.2", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="1/kappa is a continuous and nowhere locally constant function of the point, and on kappa = -sec(2 pi q/p) all points but finitely many values of alpha are periodic"),
           instances(8, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2", k=1), example(alpha0=-1, gamma0=1, k=1)],
       note="Within 1/(1 + k) of the given point there is one of period p, found with alpha - gamma kept; (3.10) is run from it in the number field and is back first after p steps.")
+whole = sym("orbit_exists")
 ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
-claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: scalar()}, where=ORDER,
-      given=[EXISTS], by=[steps("BLM91-X.2", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
-      note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
+claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", whole & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)) & (lam**2 < 1), sizes=["p"],
+      over={al0: scalar(), ga0: scalar()}, where=[let(q, 1), let(lam, -cospi(2 * q, p)), *ORBIT, let(whole, defined(al[p]) & defined(ga[p]))],
+      given=[standing("p at least 3", p >= 3), given("which points", al0 > 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(*OF_ENDLESS), instances(12, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="1/kappa = -cos(2 pi/p), for every p >= 3, and all points of the hyperbola with alpha_0 > 1, infinitely many: gamma_0^2 = 1 + alpha_0^2 - 2 alpha_0/kappa is positive. None of them ends, and each has period p.")
 #: a q prime to p for which 1/kappa = cos(pi (p - 2q)/p) has the sign of k
 REALIZED = function(flag, [x, k], exists(q, 1, x - 1, coprime_(x, q) & (2 * q < x) & (cospi(x - 2 * q, x) * k > 0)))
 below, above = symbols("below above")
