@@ -16,26 +16,29 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps
+from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps, valued
 from exactkf.language import *
-from proofs.blm91.lemmas_turns import OF_ENDLESS
+from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_POINTS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
 p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, never, alb, gab = symbols("p q y gcd odd d back time alpha_i gamma_i count found hits far never alpha_near gamma_near")
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
-EXISTS = standing("the orbit exists", defined(ga[p]))
-#: half of arctan sqrt(kappa^2 - 1), or of its supplement, is pi q/p
-BY_OMEGA = (GCD, let(lam, when(4 * q > p, cospi(p - 2 * q, p), -cospi(2 * q, p))), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
+EXISTS = standing("the orbit exists", defined(al[p]) & defined(ga[p]))
 KRONECKER = "Kronecker: multiples of an irrational part of a full turn are dense on the circle"
 
 # ---------------------------------------------------------------------- the theorem
-claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), over={p: integer(3, 7), q: integer(1, 3), u: scalar()}, where=BY_OMEGA,
-      given=[*LOWEST, EXISTS],
-      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"], prose="|kappa| > 1 and omega = pi q/p give 1/kappa = cos(pi - 2 omega) = -cos(2 pi q/p), and X.5 is the statement"),
-          instances(3), *(example(p=p_, q=q_, u=2) for p_, q_ in ((3, 1), (4, 1), (5, 2), (6, 1), (7, 3)))],
-      note="omega = pi q/p < pi/4 is kappa < -1, where arctan sqrt(kappa^2 - 1) = 2 omega; omega > pi/4 is kappa > 1, where it is pi - 2 omega. u runs through points of the hyperbola.")
+claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), sizes=["q", "p"], over={al0: nonzero(), ga0: scalar(), lam: scalar()},
+      where=[*OF_ANGLES, *ORBIT, BACK],
+      given=[*LOWEST_PQ, given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), EXISTS,
+             given("the angle", ((lam < 0) >> (cospi(2 * q, p) == -lam)) & ((lam >= 0) >> (cospi(p - 2 * q, p) == lam)))],
+      by=[arithmetic(shown_first(cospi(p - 2 * q, p) == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), shown_first(lam == -cospi(2 * q, p)), valued(), *OF_POINTS),
+          instances(12, q=1, p=(3, 4, 6), using={u: scalar()}, made_by={lam: -cospi(2 * q, p), al0: ALPHA_OF, ga0: GAMMA_OF}),
+          *(example(**{"q": 1, "p": p_, "alpha0": a_, "gamma0": g_, "lambda": l_}) for p_, a_, g_, l_ in ((3, "-5/3", "-7/3", "1/2"), (4, "-4/3", "-5/3", 0), (6, -1, -1, "-1/2"), (6, "-5/3", "-7/3", "1/2"))),
+          example(**{"q": 2, "p": 6, "alpha0": "-5/3", "gamma0": "-7/3", "lambda": "1/2"})],
+      note="For every q and p and every point of the hyperbola; (0, 1) and (0, -1) end at once. lambda = 1/kappa; arctan sqrt(kappa^2 - 1) has the cosine 1/|kappa|, and is 2 pi q/p for kappa < -1, pi - 2 pi q/p for kappa > 1. kappa infinite is q = 1, p = 4.")
 TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          function(gt, [i, t], when(t == 0, 1 / Ut[i - 1], -gt(i, t - 1) * st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), function(time, [i, t], defined(st(i, t - 1)) & ~defined(st(i, t))),
