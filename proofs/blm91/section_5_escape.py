@@ -19,11 +19,13 @@ from exactkf.evidence import (
     instances,
     multiplied,
     restated,
+    shown_first,
     square_of,
     steps,
     valued,
 )
 from exactkf.language import *
+from proofs.blm91.lemmas_turns import OF_ENDLESS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
@@ -140,9 +142,13 @@ claim("BLM91-S87", "theta from omega, and the period of alpha",
       where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1)), function(closes, [t], Ut[t - 1] == 0)], given=LOWEST,
       by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a common divisor of p and p - 2q divides 2q, hence 2; U_(t-1) = 0 says that t theta is a multiple of pi"), instances(20, p=range(3, 21)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even).")
-claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
-      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[steps("BLM91-X.1", "BLM91-X.2", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p", "the cosine maps (0, pi) onto (-1, 1)"], prose="q = 1 serves for every p; the orbit is back exactly when w^t = 1"), instances(12, p=range(3, 13)), example(p=3), example(p=4), example(p=6), example(p=7)],
-      note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, from one point of each hyperbola. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
+claim("BLM91-S88", "every period p >= 3 occurs", whole & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)) & (lam < 1) & (lam > -1), sizes=["p"], over={al0: scalar(), ga0: scalar()},
+      where=[let(q, 1), let(lam, cospi(p - 2 * q, p)), *ORBIT, let(whole, defined(al[p]) & defined(ga[p]))],
+      given=[standing("p at least 3", p >= 3), given("which points", al0 > 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(shown_first(lam == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), *OF_ENDLESS),
+          instances(12, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="omega = pi/p gives period p, from the points of its hyperbola with alpha_0 > 1, none of which ends. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
       where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))],
       by=[evaluation(), restated("exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p, so that (X.5) gives the periods")],
