@@ -30,7 +30,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, c, before, pit, w, v1, v2, X1, X2 = symbols("p q h c before pi_t w v1 v2 V1 V2")
 
@@ -137,6 +137,8 @@ OF_FORMS = [IN_LOWEST, POSITIVE, LINEAR_FORM, FULL_TURN, by_cases(t == p, [AFTER
 RETURNS = [FULL_TURN, by_cases(t == p, [AFTER_P, at_index(j, p)],
                                [at_index(j, t), by_cases(E_(t) == S_(1)), multiplied(ga0), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]),
            multiplied(S_(1))]
+#: -cos(2 pi q/p) in both of its forms
+OF_KAPPA = [shown_first(cospi(p - 2 * q, p) == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), shown_first(lam == -cospi(2 * q, p))]
 #: when a point is back
 OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, ONE_STEP, CLOSED_FORM, PYTHAGORAS_, MOVING, *RETURNS]
 

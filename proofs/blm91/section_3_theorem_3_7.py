@@ -19,7 +19,7 @@ from exactkf.claims import claim, repair
 from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps, valued
 from exactkf.language import *
 from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
-from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_POINTS
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
@@ -34,7 +34,7 @@ claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall
       where=[*OF_ANGLES, *ORBIT, BACK],
       given=[*LOWEST_PQ, given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), EXISTS,
              given("the angle", ((lam < 0) >> (cospi(2 * q, p) == -lam)) & ((lam >= 0) >> (cospi(p - 2 * q, p) == lam)))],
-      by=[arithmetic(shown_first(cospi(p - 2 * q, p) == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), shown_first(lam == -cospi(2 * q, p)), valued(), *OF_POINTS),
+      by=[arithmetic(*OF_KAPPA, valued(), *OF_POINTS),
           instances(12, q=1, p=(3, 4, 6), using={u: scalar()}, made_by={lam: -cospi(2 * q, p), al0: ALPHA_OF, ga0: GAMMA_OF}),
           *(example(**{"q": 1, "p": p_, "alpha0": a_, "gamma0": g_, "lambda": l_}) for p_, a_, g_, l_ in ((3, "-5/3", "-7/3", "1/2"), (4, "-4/3", "-5/3", 0), (6, -1, -1, "-1/2"), (6, "-5/3", "-7/3", "1/2"))),
           example(**{"q": 2, "p": 6, "alpha0": "-5/3", "gamma0": "-7/3", "lambda": "1/2"})],

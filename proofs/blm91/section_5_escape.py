@@ -25,7 +25,7 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_turns import OF_ENDLESS
+from proofs.blm91.lemmas_turns import OF_ENDLESS, OF_KAPPA
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
@@ -145,7 +145,7 @@ claim("BLM91-S87", "theta from omega, and the period of alpha",
 claim("BLM91-S88", "every period p >= 3 occurs", whole & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)) & (lam < 1) & (lam > -1), sizes=["p"], over={al0: scalar(), ga0: scalar()},
       where=[let(q, 1), let(lam, cospi(p - 2 * q, p)), *ORBIT, let(whole, defined(al[p]) & defined(ga[p]))],
       given=[standing("p at least 3", p >= 3), given("which points", al0 > 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
-      by=[arithmetic(shown_first(lam == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), *OF_ENDLESS),
+      by=[arithmetic(*OF_KAPPA, *OF_ENDLESS),
           instances(12, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
           example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
       note="omega = pi/p gives period p, from the points of its hyperbola with alpha_0 > 1, none of which ends. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")

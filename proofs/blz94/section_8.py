@@ -62,6 +62,10 @@ from exactkf.language import (
     vector,
     when,
 )
+from proofs.blm91.consequences_angles import COPRIME
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS
+from proofs.blm91.notation import ORBIT as FROM_START
+from proofs.blm91.notation import al0, ga0
 from proofs.blz94.notation import (
     HALF,
     ORBIT,
@@ -236,19 +240,23 @@ claim("BLZ94-X.9", "alpha - gamma moves by a fractional linear map, whose powers
 #: 1/kappa = -cos(2 pi q/p), q and p coprime: then the z^k - 1 have only z - 1 in common
 _COS = -cospi(2 * q, p)
 _PRIME = standing("q and p coprime, q < p/2", coprime(sum_of(k, 0, p - 1, Z**k), sum_of(k, 0, q - 1, Z**k)) & (2 * q < p))
-_CURVE = (let(e, _COS), let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE)
-#: w is the first step at which the orbit is back; alpha - gamma names the point
-_RETURN = (function(f, [k], when(alpha[k] - gamma[k] == x, k, f(k + 1))), let(w, f(1)))
-_PERIOD = w == p
-_ROTATION = steps("BLZ94-E8.4", "BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
-                  prose="By X.9 the orbit is back at time t exactly if sin(t phi) = 0, with phi = pi q/p.")
-claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p", "q"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
-      given=[_PRIME], by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9), q=(1, 2, 3, 4))],
-      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p), with 2 pi q/p in (0, pi/2) for kappa < -1 and in (pi/2, pi) for kappa > 1. x = alpha - gamma names any point "
-           "of the curve.")
+_RETURNS = forall(t, 1, p, iff((alpha[t] == al0) & (gamma[t] == ga0), t == p))
+_ON = given("(8.4)", 1 + al0**2 - ga0**2 == 2 * lam * al0)
+_LINES = dict(using={x: scalar()}, made_by={al0: 2 * (lam + x) / (1 - x**2), ga0: 1 + x * 2 * (lam + x) / (1 - x**2)})
+claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _RETURNS & (lam**2 < 1), sizes=["q", "p"],
+      over={al0: nonzero(), ga0: scalar(), lam: scalar()}, where=[*COPRIME, *FROM_START],
+      given=[*LOWEST_PQ, _ON, standing("the orbit exists", defined(alpha[p]) & defined(gamma[p])),
+             given("the angle", ((lam < 0) >> (cospi(2 * q, p) == -lam)) & ((lam >= 0) >> (cospi(p - 2 * q, p) == lam)))],
+      by=[arithmetic(*OF_KAPPA, valued(), *OF_POINTS), instances(12, q=1, p=(3, 4, 6), using=_LINES["using"], made_by={lam: _COS, **_LINES["made_by"]}),
+          *(example(dict(zip((q, p, al0, ga0, lam), one, strict=True))) for one in (
+              (1, 3, "-5/3", "-7/3", "1/2"), (1, 4, "-4/3", "-5/3", 0), (1, 6, -1, -1, "-1/2"), (1, 6, "-5/3", "-7/3", "1/2"), (2, 6, "-5/3", "-7/3", "1/2")))],
+      note="For every q and p and every point of the curve; lambda = 1/kappa. arctan sqrt(kappa^2 - 1) has the cosine 1/|kappa|, and is 2 pi q/p for kappa < -1, pi - 2 pi q/p for kappa > 1.")
 
-claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[let(q, 1), *_CURVE, *_RETURN], given=[standing("p > 2", p > 2)],
-      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on. Period four needs 1/kappa = 0, the curve d_0 = 0 that (8.4) includes as kappa infinite; no finite kappa has it.")
+claim("BLZ94-X8.A3", "every period from three on occurs", d & _RETURNS, sizes=["p"], over={al0: scalar(), ga0: scalar()},
+      where=[let(q, 1), let(lam, _COS), *FROM_START, let(d, defined(alpha[p]) & defined(gamma[p]))], given=[standing("p > 2", p > 2), given("which points", al0 > 1), _ON],
+      by=[arithmetic(*OF_ENDLESS), instances(12, p=(3, 4, 6), **_LINES), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="q = 1, for any p from three on: the points with alpha_0 > 1 have orbits that exist (d), of period p. Period four needs 1/kappa = 0, the curve d_0 = 0 that (8.4) includes as kappa infinite; no finite kappa has it.")
 
 claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p", "q"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
