@@ -30,7 +30,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "U_", "W_", "X1", "X2", "by_ends", "not_before", "of_last", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, c, before, pit, w, v1, v2, X1, X2 = symbols("p q h c before pi_t w v1 v2 V1 V2")
 
@@ -189,3 +189,22 @@ def not_before(b, start):
     """Hints: a slope that exists after m steps is U_i/U_(i-1) for no i <= m."""
     return by_induction(m, 0, defined(b[m]) >> forall(i, 1, m, U_[i] != start * W_[i]), base=[cleared(), *values_at(0, b)],
                         step=[cleared(), existing(b, m + 1), at_index(j, m + 1), at_index(i, i), by_cases(i == m + 1)])
+
+
+# v_k = A^(-k) (0, 1)' = (W_k, U_k)'
+LINES_BACK = (rec(U_, t, 1, 2 * lam * U_[t] - W_[t]), rec(W_, t, 0, U_[t]))
+LENGTH = by_induction(pit, 0, U_[pit] ** 2 - 2 * lam * U_[pit] * W_[pit] + W_[pit] ** 2 == 1, base=[unfolded(U_, 0), unfolded(W_, 0)], step=[unfolded(U_, pit + 1), unfolded(W_, pit + 1)])
+
+
+def of_last(b, start, last):
+    """Hints: with M_last = 0, M_(last-k) W_last = W_k, so that the slope exists until then; and the slope ends with the first k for which M_k = 0."""
+    def M(k):
+        return U_[k] - start * W_[k]
+
+    backwards = by_induction(
+        c, 0, (c <= last - 1) >> ((M(last - c) * W_[last] == W_[c]) & (M(last - c - 1) * W_[last] == W_[c + 1])),
+        base=[LENGTH, at_index(pit, last - 1), unfolded(W_, 0), unfolded(W_, 1), *(unfolded(x_, k_) for x_ in (U_, W_) for k_ in (0, last)), multiplied(W_[last]), multiplied(U_[last - 1])],
+        step=[*(unfolded(x_, k_) for x_ in (U_, W_) for k_ in (c + 2, c + 1, last - c, last - c - 1)), *map(multiplied, (W_[last], start, start * W_[last], lam))])
+    slopes = [of_slope(b, start, j), by_ends(b, start), not_before(b, start), at_index(i, i)]
+    return [by_cases(M(last) == 0, [backwards, *slopes, at_index(k, last - 1), at_index(m, last), at_index(i, last), at_index(c, last - i), at_index(s, last - i)],
+                     [*slopes, at_index(k, last), at_index(m, last - 1), at_index(s, last)]), multiplied(W_[last]), multiplied(start)]

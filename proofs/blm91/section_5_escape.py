@@ -25,7 +25,7 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_turns import OF_ENDLESS, OF_KAPPA
+from proofs.blm91.lemmas_turns import LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, of_last
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
@@ -47,11 +47,12 @@ ALPHA_M = (A**(-m) * rows([[0], [1]]))[2, 1] / (A**(-m) * rows([[0], [1]]))[1, 1
 BEFORE = (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]
 claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1]), sizes=["m"], over={**FRACTIONS, x: scalar()}, where=ENDS, given=IRRATIONAL,
       by=[example(m=1, numerator=1, denominator=3, x=1), instances(m=(1, 2))],
-      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x == al1), sizes=["m"], over={**FRACTIONS, x: scalar()},
-                    where=[*ENDS, let(al1, v[2, 1] / v[1, 1])], given=IRRATIONAL,
-                    by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'"),
-                        instances(20, m=(1, 2, 3, 4), made_by={x: ALPHA_M}), instances(20, m=(2, 3, 4), made_by={x: BEFORE}), instances(20, m=(1, 2, 3))]),
-      note="On fractions 1/kappa = lambda with terms up to 13; the angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
+      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x * W_[n] == U_[n]) & (W_[n] != 0), sizes=["n"], over={lam: scalar(), x: scalar()},
+                    where=[*LINES_BACK, SLOPES, let(flag, leaves(n, be))], given=[standing("|kappa| > 1", lam**2 < 1), standing("a step", n >= 1), given("irrational angle", forall(s, 1, n, W_[s] != 0))],
+                    by=[arithmetic(at_index(s, n), *of_last(be, x, n)), instances(24, n=(1, 2, 3, 4), using={u: scalar()}, made_by={lam: SHARE, x: U_[n] / W_[n]}), instances(20, n=(1, 2, 3)),
+                        instances(10, n=(2, 3, 4), using={u: scalar()}, made_by={lam: SHARE, x: U_[n - 1] / W_[n - 1]}), example(**{"n": 2, "lambda": 0, "x": 0}), example(**{"n": 3, "lambda": 0, "x": 0})]),
+      note="In the correction (W_i, U_i)' is A^(-i) (0, 1)', as A^(-1) takes (v_1, v_2)' to (v_2, 2 lambda v_2 - v_1)', and of an irrational angle no more is used than that the vectors up to the n-th have slopes. "
+           "In the print's formula 1/kappa = lambda is a fraction with terms up to 13; its angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
 claim("BLM91-S77", "the escaping slopes are countably many, all different",
       forall(i, 1, m, forall(j, 1, m, iff(Ut[i] * Ut[j - 1] == Ut[j] * Ut[i - 1], i == j))), sizes=["m"], over=FRACTIONS, where=[AS_FRACTION, CHEBYSHEV],
       given=[standing("|kappa| > 1", abs(lam) < 1), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
