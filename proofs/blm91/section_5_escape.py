@@ -124,13 +124,22 @@ claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == la
 ANGLES = {q: integer(1, 4)}
 ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 EXISTS = standing("the orbit exists", defined(ga[p]))
-pair = sym("both")
+#: when alpha is back at m, and gamma up to the sign e, the orbit goes on as from the start, up to that sign; i1 is the time since
+SHIFTED = {e_: by_induction(i1, 0, (defined(al[m + i1]) & defined(ga[m + i1])) >> ((al[m + i1] == al[i1]) & (ga[m + i1] == e_ * ga[i1])), base=[unfolded(x_, 0) for x_ in (al, ga)],
+                            step=[cleared(), *values_at(m + i1 + 1), *(unfolded(x_, i1 + 1) for x_ in (al, ga))]) for e_ in (1, -1)}
+flat, pair, same, turned = symbols("alpha_back both_back a_back gamma_turned")
 claim("BLM91-S84", "periods of alpha, of a and of the point",
-      forall(t, 1, p, (ga[t] ** 2 - ga0**2 == (al[t] - al0) * (al[t] + al0 - 2 * lam)) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), over={p: integer(3, 8), **ANGLES, u: scalar()},
-      where=[*ROTATION, *ORBIT, function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
-      by=[steps("BLM91-E3.13", "BLM91-F8", prose="the orbit stays on the hyperbola, where alpha tells gamma^2 as in the first equation, so that gamma or -gamma is back with alpha; a tells b, hence alpha and gamma"),
-          instances(12), *(example(p=p_, q=q_, u=u_) for p_, q_, u_ in ((3, 1, 2), (4, 1, 2), (5, 2, 2), (6, 1, "1/3"), (8, 3, 3)))],
-      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. omega = pi q/p, and u runs through the points of the hyperbola.")
+      (flat(m) >> (pair(m) | turned(m))) & (flat(m) >> pair(2 * m)) & iff(same(m), pair(m)), sizes=["m"], over={lam: scalar(), al0: scalar(), ga0: scalar()},
+      where=[*ORBIT, function(flat, [t], al[t] == al0), function(pair, [t], flat(t) & (ga[t] == ga0)), function(turned, [t], ga[t] == -ga0), function(same, [t], al[t] - ga[t] == al0 - ga0)],
+      given=[given("|kappa| > 1", lam**2 < 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), standing("the orbit exists", defined(al[2 * m]) & defined(ga[2 * m]))],
+      by=[arithmetic(valued(), CURVE, at_index(i, m), by_cases(ga[m] > ga0), by_cases(ga0 > ga[m]), by_cases(ga[m] + ga0 > 0), by_cases(ga[m] + ga0 < 0), member=0),
+          arithmetic(valued(), CURVE, at_index(i, m), unfolded(al, 0), unfolded(ga, 0), by_cases(al[m] == al0, [by_cases(ga[m] == ga0, [SHIFTED[1]], [by_cases(ga[m] == -ga0, [SHIFTED[-1]])]), at_index(i1, m)]),
+                     member=1),
+          arithmetic(valued(), CURVE, at_index(i, m), by_cases(al[m] > al0), by_cases(al0 > al[m]), by_cases(al0 - ga0 == lam), member=2),
+          instances(20, m=(1, 2, 3), using={u: scalar(), y: scalar()}, made_by={lam: SHARE, al0: 2 * (lam + y) / (1 - y**2), ga0: 1 + y * al0}),
+          *(example(**{"m": m_, "lambda": l_, "alpha0": a_, "gamma0": g_}) for m_, l_, a_, g_ in (
+              (3, "1/2", "-5/3", "-7/3"), (2, 0, "-4/3", "-5/3"), (4, 0, "-4/3", "-5/3"), (3, "-1/2", "-5/3", "-5/3"), (6, "-1/2", -1, -1), (3, "-1/2", -1, -1)))],
+      note="At any time m: if alpha is back, gamma is back up to sign and the point is back at 2m at the latest; a is back with the point. So a point whose alpha has period d has period d or 2d, and that is the period of a.")
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
