@@ -25,7 +25,9 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_turns import LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, of_last
+from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
+from proofs.blm91.consequences_angles import LOWEST as OF_LOWEST
+from proofs.blm91.lemmas_turns import ABOUT_W, LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, W_NOT_ZERO, not_late, of_last
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
@@ -60,13 +62,13 @@ claim("BLM91-S77", "the escaping slopes are countably many, all different",
                 prose="U_i/U_(i-1) is the slope of the line that A^i takes to infinity: one line turned by -i theta, i = 1, 2, .. , in a suitable basis; each slope belongs to two points of the hyperbola"),
           instances(20, m=(2, 3, 5, 8)), example(m=5, numerator=1, denominator=2)],
       note="On fractions 1/kappa with terms up to 13. alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
-claim("BLM91-S78", "escape times for a rational angle",
-      forall(i, 1, last, ends(i)) & forall(i, 1, d, iff(closes(i), flag(i))), sizes=["d"], over={nn: integer(1, 11)},
-      where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d),
-             let(last, d - 1), function(ends, [i], defined(be(i, i - 1)) & ~defined(be(i, i))), function(closes, [i], Ut[i - 1] == 0)],
-      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
-      note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
-           "U_(d-1) = 0 closes the list. T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
+slope = sym("slope")
+claim("BLM91-S78", "escape times for a rational angle", ((time < d) >> (iff(flag, slope * W_[time] == U_[time]) & (W_[time] != 0))) & ((time >= d) >> ~flag), sizes=["n", "d", "time"], over={slope: scalar()},
+      where=[*OF_ANGLES, let(lam, cospi(n, d)), *LINES_BACK, rec(be, t, slope, 1 / (2 * lam - be[t])), let(flag, leaves(time, be))], given=[*OF_LOWEST, standing("a step", time >= 1)],
+      by=[arithmetic(*ABOUT_W, W_NOT_ZERO, by_cases(time < d, [at_index(s, time), *of_last(be, slope, time)]), member=0), arithmetic(*not_late(be, slope, time), member=1),
+          instances(24, n=range(1, 6), d=range(2, 8), time=range(1, 9), made_by={slope: U_[time] / W_[time]}), instances(24, n=range(1, 4), d=range(2, 6), time=range(1, 6))],
+      note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks, from any slope: with theta = pi n/d, for each time 1, .., d - 1 there is one slope that ends with this step, that of A^(-time) (0, 1)' = (U_before, U)', and none ends at another time. "
+           "T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
 bal, bga = symbols("alpha_mirror gamma_mirror")
 #: alpha and its mirror image at every j; the curve at every i; alpha by (5.1) at every k
 MIRRORED = by_induction(j, 0, ((defined(al[j]) | defined(ga[j])) & (defined(bal[j]) | defined(bga[j]))) >> ((al[j] == bal[j]) & (ga[j] == -bga[j])),
