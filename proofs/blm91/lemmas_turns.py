@@ -30,7 +30,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["ABOUT_W", "LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "U_", "W_", "W_NOT_ZERO", "X1", "X2", "by_ends", "not_before", "not_late", "of_last", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "U_", "W_", "X1", "X2", "by_ends", "not_before", "of_last", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, c, before, pit, w, v1, v2, X1, X2 = symbols("p q h c before pi_t w v1 v2 V1 V2")
 
@@ -208,18 +208,3 @@ def of_last(b, start, last):
     slopes = [of_slope(b, start, j), by_ends(b, start), not_before(b, start), at_index(i, i)]
     return [by_cases(M(last) == 0, [backwards, *slopes, at_index(k, last - 1), at_index(m, last), at_index(i, last), at_index(c, last - i), at_index(s, last - i)],
                      [*slopes, at_index(k, last), at_index(m, last - 1), at_index(s, last)]), multiplied(W_[last]), multiplied(start)]
-
-
-#: W_k s_1 = s_k for 1/kappa = cos(pi n/d): W_d = 0, no W_k before it is, and after d steps all lines are back
-SINES_W = by_induction(t, 0, (W_[t] * sine(1) == sine(t)) & (U_[t] * sine(1) == sine(t + 1)), base=[unfolded(U_, 0), unfolded(W_, 0), angles("right", d)],
-                       step=[unfolded(U_, t + 1), unfolded(W_, t + 1), three(t + 1)])
-ABOUT_W = [*SINES_D, SINES_W, at_index(z, 1), shown_first(W_[d] == 0, [at_index(t, d), at_index(z, 1)])]
-W_NOT_ZERO = shown_first(forall(s, 1, d - 1, W_[s] != 0), [at_index(z, s), at_index(t, s)])
-AGAIN = by_induction(h_, 0, (W_[d + h_] == U_[d] * W_[h_]) & (U_[d + h_] == U_[d] * U_[h_]), base=[unfolded(U_, 0), unfolded(W_, 0)],
-                     step=[unfolded(x_, k_) for x_ in (U_, W_) for k_ in (h_ + 1, d + h_ + 1)])
-
-
-def not_late(b, start, last):
-    """Hints: no slope ends with a step >= d."""
-    return [*ABOUT_W, AGAIN, LENGTH, of_slope(b, start, j), by_ends(b, start), not_before(b, start), at_index(i, i), at_index(k, last), at_index(m, last - 1), at_index(i, last - d),
-            at_index(h_, last - d), at_index(pit, d), unfolded(W_, 0), unfolded(U_, 0), *map(multiplied, (U_[d], U_[last - d], start * W_[last - d]))]
