@@ -21,8 +21,8 @@ first_, second_, k_, m_ = symbols("first second back ahead")
 
 # ---------------------------------------------------------------------- angles
 #: x n = d y, n = p - 2q and d = p odd: p divides 2 x q, hence x q; n = d - q and p = 2d: p divides 2x q
-SINES_ODD = [shown_first(EUCLID, [IN_LOWEST, by_rests(x - y, 2, h_, [[at_index(x, x), at_index(y, h_)], []])]), *SINES_D[1:]]
-SINES_EVEN = [shown_first(EUCLID, [IN_LOWEST, at_index(x, 2 * x), at_index(y, x - y)]), *SINES_D[1:]]
+SINES_ODD = [IN_LOWEST, shown_first(EUCLID, [by_rests(x - y, 2, h_, [[at_index(x, x), at_index(y, h_)], []])]), *SINES_D[1:]]
+SINES_EVEN = [IN_LOWEST, shown_first(EUCLID, [at_index(x, 2 * x), at_index(y, x - y)]), *SINES_D[1:]]
 
 # ---------------------------------------------------------------------- lines
 SINES_W = by_induction(t, 0, (W_[t] * sine(1) == sine(t)) & (U_[t] * sine(1) == sine(t + 1)), base=[unfolded(U_, 0), unfolded(W_, 0), angles("right", d)],
