@@ -12,7 +12,24 @@ from exactkf.evidence import angles, at_index, by_cases, by_induction, by_rests,
 from exactkf.language import *
 from proofs.blm91.consequences_angles import EUCLID, d, x, y, z
 from proofs.blm91.consequences_angles import s as sine
-from proofs.blm91.lemmas_turns import IN_LOWEST, LENGTH, ON_CURVE, ONE_STEP, PYTHAGORAS, SINES_D, U_, W_, before, by_ends, c, h_, not_before, of_slope, pit, three
+from proofs.blm91.lemmas_turns import (
+    IN_LOWEST,
+    LENGTH,
+    ON_CURVE,
+    ONE_STEP,
+    PYTHAGORAS,
+    SINES_D,
+    U_,
+    W_,
+    before,
+    by_ends,
+    c,
+    h_,
+    not_before,
+    of_slope,
+    pit,
+    three,
+)
 from proofs.blm91.notation import *
 
 __all__ = ["DIFFERENT", "ends_at", "LISTED", "SINES_EVEN", "SINES_ODD", "TWO_EACH", "W_NOT_ZERO", "about_lines", "first_", "not_late", "second_"]

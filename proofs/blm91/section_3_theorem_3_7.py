@@ -16,7 +16,22 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, cleared, example, existing, instances, multiplied, part, shown_first, steps, valued
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_rests,
+    cleared,
+    example,
+    existing,
+    instances,
+    multiplied,
+    part,
+    shown_first,
+    steps,
+    valued,
+)
 from exactkf.language import *
 from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
 from proofs.blm91.lemmas_ends import DIFFERENT, LISTED, SINES_EVEN, SINES_ODD, TWO_EACH, about_lines, ends_at, first_, second_

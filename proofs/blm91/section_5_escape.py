@@ -19,7 +19,6 @@ from exactkf.evidence import (
     instances,
     multiplied,
     restated,
-    shown_first,
     square_of,
     steps,
     valued,
