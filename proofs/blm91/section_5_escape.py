@@ -31,9 +31,9 @@ from proofs.blm91.lemmas_turns import LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, 
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
-A, A1, p, q, y, be, v, al1, av, mate = symbols("A A1 p q y b v_i alpha_i a_t mate")
-gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, nn, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i n_angle divides")
-last, ends, closes, i1 = symbols("last ends closes i1")
+A, A1, p, q, y, be, v, av, mate = symbols("A A1 p q y b v_i a_t mate")
+gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i divides")
+closes, i1 = symbols("closes i1")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
@@ -45,8 +45,6 @@ FINITE = [standing("|kappa| > 1", abs(lam) < 1)]
 ENDS = (AS_FRACTION, A_LAMBDA, let(v, A**(-m) * rows([[0], [1]])), SLOPES, let(flag, leaves(m, be)))
 FRACTIONS = {top: integer(-12, 12), low: integer(1, 13)}
 IRRATIONAL = [standing("|kappa| > 1", abs(lam) < 1), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("a step", m >= 1)]
-ALPHA_M = (A**(-m) * rows([[0], [1]]))[2, 1] / (A**(-m) * rows([[0], [1]]))[1, 1]
-BEFORE = (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]
 claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1]), sizes=["m"], over={**FRACTIONS, x: scalar()}, where=ENDS, given=IRRATIONAL,
       by=[example(m=1, numerator=1, denominator=3, x=1), instances(m=(1, 2))],
       repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x * W_[n] == U_[n]) & (W_[n] != 0), sizes=["n"], over={lam: scalar(), x: scalar()},
@@ -123,9 +121,6 @@ claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == la
       note="x = a, y = b; the point is ((a + b)/2, (b - a)/2). Each point of the hyperbola has an a of its own, and every a but 1/kappa is that of a point; a = 1/kappa is the asymptote, where b is infinite.")
 
 # ---------------------------------------------------------------------- periods; omega = pi q/p, theta = pi (p - 2q)/p
-ANGLES = {q: integer(1, 4)}
-ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
-EXISTS = standing("the orbit exists", defined(ga[p]))
 #: when alpha is back at m, and gamma up to the sign e, the orbit goes on as from the start, up to that sign; i1 is the time since
 SHIFTED = {e_: by_induction(i1, 0, (defined(al[m + i1]) & defined(ga[m + i1])) >> ((al[m + i1] == al[i1]) & (ga[m + i1] == e_ * ga[i1])), base=[unfolded(x_, 0) for x_ in (al, ga)],
                             step=[cleared(), *values_at(m + i1 + 1), *(unfolded(x_, i1 + 1) for x_ in (al, ga))]) for e_ in (1, -1)}

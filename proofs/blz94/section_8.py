@@ -100,9 +100,8 @@ POINT = {al: scalar(), ga: scalar()}
 #: D of order one
 D_ONE = (let(a, Z + al - ga), let(b, Z + al + ga), let(D, symmetric_part(a, b)))
 DEFINITE = nonneg_on_circle(D) | nonneg_on_circle(-D)
-#: a point of the curve with 1/kappa = e, by a = alpha - gamma
+#: alpha + gamma of the point of the curve with 1/kappa = e, by x = alpha - gamma
 CURVE_B = (e * x - 1) / (x - e)
-ON_CURVE = {al: HALF * (x + CURVE_B), ga: HALF * (CURVE_B - x)}
 
 # ---------------------------------------------------------------------- order one
 claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
