@@ -8,13 +8,14 @@ Let M_k = U_k - alpha_0 W_k. While the orbit exists, alpha_k M_k = M_(k-1) and M
 k <= d - 2: M_(d+k) = U_d M_k, M_d = U_d is not 0, and M_(d-1) = 0 would make alpha_0 = 0. Conversely M_m = 0 makes M_(m-k) W_m = W_k, which is not 0 for k = 1, .., m.
 """
 
-from exactkf.evidence import angles, at_index, by_cases, by_induction, by_rests, existing, multiplied, shown_first, square_of, unfolded
+from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_induction, by_rests, existing, multiplied, shown_first, square_of, unfolded
 from exactkf.language import *
-from proofs.blm91.consequences_angles import EUCLID, d, x, y, z
+from proofs.blm91.consequences_angles import COPRIME, EUCLID, d, x, y, z
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.lemmas_turns import (
     IN_LOWEST,
     LENGTH,
+    LINES_BACK,
     ON_CURVE,
     ONE_STEP,
     PYTHAGORAS,
@@ -32,7 +33,7 @@ from proofs.blm91.lemmas_turns import (
 )
 from proofs.blm91.notation import *
 
-__all__ = ["DIFFERENT", "ends_at", "LISTED", "SINES_EVEN", "SINES_ODD", "TWO_EACH", "W_NOT_ZERO", "about_lines", "first_", "not_late", "second_"]
+__all__ = ["ALL_ENDS", "DIFFERENT", "LISTED", "OF_LIST", "OF_POINT", "SINES_EVEN", "SINES_ODD", "THE_LIST", "TWO_EACH", "W_NOT_ZERO", "about_lines", "ends_at", "first_", "not_late", "of_list", "second_"]
 
 first_, second_, k_, m_ = symbols("first second back ahead")
 
@@ -115,3 +116,22 @@ def ends_at(last, sines=SINES_D):
             unfolded(W_, 0), unfolded(U_, 0), existing(ga, last), by_cases(last == d - 1), by_cases(last == d), *map(multiplied, (U_[d], U_[last - d], al0, al0 * W_[d], al0 * W_[last - d]))]
     return [*about_lines(sines), W_NOT_ZERO, ON_CURVE, ONE_STEP, BY_LINES, ALIKE, AGAIN, LENGTH, NEVER_ZERO,
             by_cases(M(last) == 0, [by_cases(last <= d - 2, [*until(last), *at_end(last)], late)], at_end(last))]
+
+
+# ---------------------------------------------------------------------- the list, as a statement
+ends, listed, same, at_once, at_time, last = symbols("ends listed same_slope ends_at_once time last")
+al_zero, ga_zero, ga_start = symbols("alpha_zero gamma_zero gamma_start")
+#: theta = pi n/d; the points that end, by the slopes U_k/W_k of A^(-k) (0, 1)'; the points with alpha_0 = 0
+ALL_ENDS = (*COPRIME, let(lam, cospi(n, d)), *LINES_BACK, *ORBIT, let(ends, leaves(at_time)), let(listed, (at_time <= d - 2) & (al0 * W_[at_time] == U_[at_time])),
+            function(same, [i, j], U_[i] * W_[j] == U_[j] * W_[i]), let(last, d - 1),
+            rec(al_zero, t, 0, al_zero[t] / (1 - ga_zero[t] ** 2)), rec(ga_zero, t, ga_start, -ga_zero[t] * al_zero[t] / (1 - ga_zero[t] ** 2)), let(at_once, leaves(1, ga_zero)))
+THE_LIST = (iff(ends, listed) & iff(at_once, ga_start**2 == 1) & forall(first_, 1, last, forall(second_, 1, last, iff(same(first_, second_), first_ == second_)))
+            & forall(s, 1, last, W_[s] != 0) & (ga0 != 0))
+OF_LIST = dict(over={al0: nonzero(), ga0: scalar(), ga_start: scalar()})
+OF_POINT = [standing("a step", at_time >= 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)]
+
+
+def of_list(sines=SINES_D):
+    """The evidence for the list, member by member."""
+    return [arithmetic(*ends_at(at_time, sines), member=0), arithmetic(*(hint for k in (1, 0) for hint in values_at(k, al_zero, ga_zero)), member=1),
+            arithmetic(*about_lines(sines), *DIFFERENT, member=2), arithmetic(*about_lines(sines), *LISTED, member=3), arithmetic(*sines, *TWO_EACH, member=4)]

@@ -34,8 +34,8 @@ from exactkf.evidence import (
 )
 from exactkf.language import *
 from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
-from proofs.blm91.lemmas_ends import DIFFERENT, LISTED, SINES_EVEN, SINES_ODD, TWO_EACH, about_lines, ends_at, first_, second_
-from proofs.blm91.lemmas_turns import LINES_BACK, LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS, U_, W_
+from proofs.blm91.lemmas_ends import ALL_ENDS, OF_LIST, OF_POINT, SINES_EVEN, SINES_ODD, THE_LIST, of_list
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
@@ -71,33 +71,18 @@ LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j 
 BY_ORDER = steps("BLM91-X.1", "BLM91-X.10", "BLM91-X.18", "BLM91-E5.1'", prose=LIST_ENDS)
 LISTED_AS = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. In the correction, for every point: "
 OTHER_MAP = "S78 holds, for nearly the same sentence, because its proof speaks of the slope map (5.1), under which (0, 1) and (0, -1) have the slope 0, which ends last; the theorem speaks of (3.10), which ends there at once."
-ends, listed, same, at_once, steps_, half, last = symbols("ends listed same_slope ends_at_once time half last")
-al_zero, ga_zero, ga_start = symbols("alpha_zero gamma_zero gamma_start")
-#: theta = pi n/d; the points that end, by the slopes U_k/W_k of A^(-k) (0, 1)'; the points with alpha_0 = 0
-ALL_ENDS = (*OF_ANGLES, let(lam, cospi(n, d)), *LINES_BACK, *ORBIT, let(ends, leaves(steps_)), let(listed, (steps_ <= d - 2) & (al0 * W_[steps_] == U_[steps_])), function(same, [i, j], U_[i] * W_[j] == U_[j] * W_[i]),
-            let(last, d - 1), rec(al_zero, t, 0, al_zero[t] / (1 - ga_zero[t] ** 2)), rec(ga_zero, t, ga_start, -ga_zero[t] * al_zero[t] / (1 - ga_zero[t] ** 2)), let(at_once, leaves(1, ga_zero)))
-LIST = (iff(ends, listed) & iff(at_once, ga_start**2 == 1) & forall(first_, 1, last, forall(second_, 1, last, iff(same(first_, second_), first_ == second_))) & forall(s, 1, last, W_[s] != 0)
-        & (ga0 != 0))
-OF_LIST = dict(over={al0: nonzero(), ga0: scalar(), ga_start: scalar()})
-ON_IT = [*LOWEST_PQ, standing("a step", steps_ >= 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)]
-
-
-def of_list(sines):
-    """The evidence for the list, member by member."""
-    return [arithmetic(*ends_at(steps_, sines), member=0), arithmetic(*(hint for k_ in (1, 0) for hint in values_at(k_, al_zero, ga_zero)), member=1), arithmetic(*about_lines(sines), *DIFFERENT, member=2),
-            arithmetic(*about_lines(sines), *LISTED, member=3), arithmetic(*sines, *TWO_EACH, member=4)]
-
-
+half = sym("half")
+ON_IT = [*LOWEST_PQ, *OF_POINT]
 HOW_MANY = "The list: slopes U_k/W_k, k = 1, .., d - 1, all different, of two points each: they end with step k (listed), but the last, (0, 1) and (0, -1), at once."
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
-      repair=repair("boundary case", WHY, LIST, sizes=["q", "p", "time"], **OF_LIST, where=[let(d, p), let(n, p - 2 * q), *ALL_ENDS], given=[*ON_IT, standing("p odd", exists(half, 1, p, p == 2 * half + 1))],
+      repair=repair("boundary case", WHY, THE_LIST, sizes=["q", "p", "time"], **OF_LIST, where=[let(d, p), let(n, p - 2 * q), *ALL_ENDS], given=[*ON_IT, standing("p odd", exists(half, 1, p, p == 2 * half + 1))],
                     by=[*of_list(SINES_ODD), instances(12, q=1, p=3, time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
                         *(example(q=q_, p=p_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for q_, p_, m_, a_, g_ in ((1, 3, 1, 1, 1), (1, 3, 1, "-5/3", "-7/3"), (3, 9, 4, 1, 1)))]),
       note=LISTED_AS + "d = p, 1/kappa = cos(pi (p - 2q)/p) = -cos(2 pi q/p). " + HOW_MANY + " " + OTHER_MAP)
 claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
-      repair=repair("boundary case", WHY, LIST, sizes=["q", "d", "time"], **OF_LIST, where=[let(p, 2 * d), let(n, d - q), *ALL_ENDS], given=ON_IT,
+      repair=repair("boundary case", WHY, THE_LIST, sizes=["q", "d", "time"], **OF_LIST, where=[let(p, 2 * d), let(n, d - q), *ALL_ENDS], given=ON_IT,
                     by=[*of_list(SINES_EVEN), instances(12, q=1, d=(2, 3), time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
                         *(example(q=q_, d=d_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for q_, d_, m_, a_, g_ in ((1, 3, 1, -1, 1), (1, 3, 1, "-5/3", "-5/3"), (4, 6, 4, 1, 1)))]),
       note=LISTED_AS + "p = 2d, 1/kappa = cos(pi (d - q)/d) = -cos(2 pi q/p). " + HOW_MANY + " p = 4, kappa infinite, is right as printed. " + OTHER_MAP)

@@ -26,7 +26,7 @@ from exactkf.evidence import (
 from exactkf.language import *
 from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
 from proofs.blm91.consequences_angles import LOWEST as OF_LOWEST
-from proofs.blm91.lemmas_ends import W_NOT_ZERO, about_lines, not_late
+from proofs.blm91.lemmas_ends import ALL_ENDS, OF_LIST, OF_POINT, THE_LIST, W_NOT_ZERO, about_lines, not_late, of_list
 from proofs.blm91.lemmas_turns import LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, of_last
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
@@ -167,15 +167,14 @@ TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t
          function(count, [t], 2 * sum_of(i, 1, d - 1, when(time(i, t), 1, 0))))
 COUNTED = (GCD, D_OF[0], let(lam, cospi(p - 2 * q, p)), *TIMES)
 TWO_EACH = forall(t, 1, d - 1, count(t) == 2)
-CORRECT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0)))
 WHY = ("alpha^(d-1) is 0, and the points (0, 1), (0, -1) of every hyperbola have |gamma| = 1, so that they end at step 1 and not at step d - 1; for d > 2 four points end at step 1, two at "
        "each of the steps 2, .., d - 2, and none later")
-LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1")
 claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
       by=[example(p=3, q=1), instances(p=range(3, 9))],
-      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=LOWEST,
-                    by=[steps("BLM91-X.10", "BLM91-X.18", prose=LIST_ENDS), instances(16, p=range(3, 12)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
-      note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
+      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", THE_LIST, sizes=["n", "d", "time"], **OF_LIST, where=ALL_ENDS, given=[*OF_LOWEST, *OF_POINT],
+                    by=[*of_list(), instances(12, n=(1, 2), d=(2, 3), time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
+                        *(example(n=n_, d=d_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for n_, d_, m_, a_, g_ in ((1, 3, 1, 1, 1), (2, 3, 1, -1, 1), (1, 3, 1, "-5/3", "-7/3"), (2, 6, 4, 1, 1)))]),
+      note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. In the correction, for every fraction n/d: the slopes U_k/W_k, k = 1, .., d - 1, all different, of two points each, end with step k (listed), but the last, 0, at once. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
 #: period p occurs for kappa > 1, or for kappa < -1: 1/kappa = cos(pi (p - 2q)/p) for a q prime to p
