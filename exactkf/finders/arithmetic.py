@@ -128,7 +128,9 @@ class _Search:
 
 
 def _forced(facts: Facts) -> Proof | None:
-    """An equation that can be solved, or something that exists."""
+    """An equation that can be solved, or something that exists, or disjunctions that are true anyway."""
+    if idle := [n for n, f in enumerate(facts.facts) if f is not None and f[0] == "or" and any(map(_is_true, f[1]))]:
+        return {"step": "forget", "facts": idle}
     for n, fact in enumerate(facts.facts):
         if fact is not None and fact[0] == "=":
             able = [m[0] for m, v in fact[1].items() if len(m) == 1 and (abs(v) == 1 or not isinstance(m[0], str) or m[0] not in facts.whole)]
@@ -250,6 +252,11 @@ def _multipliers(facts: Facts) -> list[tuple[Any, Poly]]:
     """Terms by which an equation is multiplied: one, and atoms of the facts."""
     used = {a for f in facts.facts if f is not None and f[0] in ("=", ">=", ">") for m in f[1] for a in m if not _is_existence(a)}
     return [(1, ONE), *((tree_of({(a,): 1}), {(a,): 1}) for a in sorted(used, key=repr))]
+
+
+def _is_true(fact: Any) -> bool:
+    """A relation between numbers that holds."""
+    return fact[0] == "=" and not fact[1] or fact[0] == ">=" and _is_trivial(fact[1])
 
 
 def _is_trivial(p: Poly) -> bool:

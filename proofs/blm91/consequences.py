@@ -27,8 +27,10 @@ every other rational point of the corridors the orbit ends or is dense.
 from exactkf.claims import claim
 from exactkf.evidence import arithmetic, evaluation, example, induction, instances, part, steps, valued
 from exactkf.language import *
-from proofs.blm91.consequences_angles import COPRIME
-from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_POINTS
+from proofs.blm91.consequences_angles import COPRIME, d, n
+from proofs.blm91.consequences_angles import LOWEST as OF_FRACTIONS
+from proofs.blm91.lemmas_ends import DIFFERENT, LISTED, TWO_EACH, about_lines, ends_at, first_, second_
+from proofs.blm91.lemmas_turns import LINES_BACK, LOWEST_PQ, OF_FORMS, OF_POINTS, SINES_D, U_, W_
 from proofs.blm91.notation import *
 
 H = 1 + al[t] ** 2 - ga[t] ** 2 == 2 * lam * al[t]
@@ -52,10 +54,10 @@ LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)
 #: 1/kappa = -cos(2 pi q/p), and a point of the hyperbola
 TURN = (GCD, let(lam, -cospi(2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 claim("BLM91-X.3", "the period for kappa = -sec(2 pi q/p), by the closed form",
-      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"], over={q: integer(1, 29)},
-      where=[let(u, rational("1/2")), *TURN, *PROJECTIVE], given=LOWEST, by=[part("p <= 60, one point of each hyperbola"), evaluation(p=range(3, 61)), instances(12, p=range(3, 9))],
-      note="Every angle in lowest terms with p <= 60, that is both signs of kappa and kappa infinite (p = 4, q = 1), from one point of each hyperbola; "
-           "by (X.2) the point does not matter. For every p and every point see X.5.")
+      forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["q", "p"], over={al0: scalar()},
+      where=[*COPRIME, let(lam, -cospi(2 * q, p)), *PROJECTIVE], given=LOWEST_PQ,
+      by=[arithmetic(*OF_FORMS), instances(24, q=(1, 2, 3), p=range(3, 9)), example(q=5, p=12, alpha0=2), example(q=7, p=30, alpha0="1/2"), example(q=2, p=6, alpha0=3)],
+      note="For every q and p, both signs of kappa and kappa infinite (p = 4, q = 1), from every point of the hyperbola: its second coordinate does not enter.")
 claim("BLM91-X.4", "the period for kappa = -sec(2 pi q/p), along the orbit itself",
       (1 + al0**2 - ga0**2 == 2 * lam * al0) & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)),
       sizes=["p"], over={q: integer(1, 4), u: integer(2, 3)}, where=[*TURN, *ORBIT], given=[*LOWEST, standing("orbit", defined(ga[p]))], by=[part("p <= 10, two points of each hyperbola"), evaluation(p=range(3, 11)), instances(12, p=range(3, 9)), example(p=3, q=1, u=2), example(p=8, q=1, u=3)],
@@ -121,20 +123,23 @@ claim("BLM91-X.11", "iterates in closed form for kappa = 1 and kappa = -1",
                                                      MINUS_, [(-alm[t + 1], 3, 1), *((-SHARED * e_, i_, 1) for e_, i_, _ in MINUS_)], [(1, 4, 1)]]), instances()],
       note="From (1 + x, x) and (-1 - x, x); count is t and s_t = (-1)^t. The distance from the equilibrium is x/(1 - t x): for x = 2/(2j + 1), j >= 1, it is 2 at step j, however small x is.")
 
-# ---------------------------------------------------------------------- escape counts
-odd, d, unit, none, first, last = symbols("odd d unit none first last")
-ends, total, before_al, before_ga, after_al, after_ga, length = symbols("ends total alpha_back gamma_back alpha_on gamma_on steps")
-#: the k-th point before the end on the branch through (2/kappa, 1), by the inverse of (3.10), the first of them with alpha = 0, and how many steps of (3.10) it takes
-BACKWARDS = (function(before_al, [k], when(k == 1, 2 * lam, before_al(k - 1) * (1 - before_ga(k) ** 2))), function(before_ga, [k], when(k == 1, 1, -before_ga(k - 1) / before_al(k - 1))),
-             function(after_al, [k], before_al(k) / (1 - before_ga(k) ** 2)), function(after_ga, [k], -before_ga(k) * after_al(k)),
-             function(length, [k], when(before_ga(k) ** 2 == 1, 1, when((after_al(k) == before_al(k - 1)) & (after_ga(k) == before_ga(k - 1)), 1 + length(k - 1), 0))),
-             function(first, [k], when(before_al(k) == 0, k, first(k + 1))), let(last, first(1)), function(ends, [t], 2 * sum_of(k, 1, last, when(length(k) == t, 1, 0))),
-             function(total, [t], when(t == 1, when(last == 1, 2, 4), when(t < last, 2, 0))))
-ENDING = dict(sizes=["p"], over={q: integer(1, 29)}, where=[GCD, let(lam, -cospi(2 * q, p)), *BACKWARDS], given=LOWEST)
-EVERY_END = (2 * last == when(cospi(p, 1) == -1, 2 * (p - 1), p - 2)) & forall(t, 1, last, ends(t) == total(t))
-claim("BLM91-X.15", "all points that end, and after how many steps, for every p <= 48", EVERY_END, **ENDING, by=[part("p <= 48"), evaluation(p=range(3, 49)), instances(30, p=range(3, 13))],
-      note="Every angle in lowest terms with p <= 48: both signs of kappa and kappa infinite (p = 4, q = 1). On the hyperbola |gamma| = 1 leaves alpha = 2/kappa and alpha = 0, which are where (3.10) divides by zero; "
-           "the inverse of (3.10), alpha = alpha' (1 - gamma^2) with gamma = -gamma'/alpha', leads from (2/kappa, 1) to all that end there, and stops at alpha = 0, which nothing moves to. "
-           "(3.10) is run forwards from each point: its step leads to the point before it in the list, so that the steps that remain are counted once. Mirror images in gamma end with them, hence the factor two. For every p see X.18.")
-claim("BLM91-X.16", "all points that end, and after how many steps, for p = 49, .., 60", EVERY_END, **ENDING, by=[part("49 <= p <= 60"), evaluation(p=range(49, 61)), instances(30, p=range(3, 13))],
-      note="X.15 goes on: with it, every angle in lowest terms with p <= 60, exactly in Q(cos(2 pi q/p)).")
+# ---------------------------------------------------------------------- all points that end
+ends, listed, same, at_once, time, count = symbols("ends listed same_slope ends_at_once time last")
+al_zero, ga_zero, ga_start = symbols("alpha_zero gamma_zero gamma_start")
+claim("BLM91-X.15", "all points that end, and after how many steps, for every rational angle", iff(ends, listed) & iff(at_once, ga_start**2 == 1), sizes=["n", "d", "time"],
+      over={al0: nonzero(), ga0: scalar(), ga_start: scalar()},
+      where=[*COPRIME, let(lam, cospi(n, d)), *LINES_BACK, *ORBIT, let(ends, leaves(time)), let(listed, (time <= d - 2) & (al0 * W_[time] == U_[time])),
+             rec(al_zero, t, 0, al_zero[t] / (1 - ga_zero[t] ** 2)), rec(ga_zero, t, ga_start, -ga_zero[t] * al_zero[t] / (1 - ga_zero[t] ** 2)), let(at_once, leaves(1, ga_zero))],
+      given=[*OF_FRACTIONS, standing("a step", time >= 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(*ends_at(time), member=0), arithmetic(*(hint for k_ in (1, 0) for hint in values_at(k_, al_zero, ga_zero)), member=1),
+          instances(24, n=(1, 2), d=(2, 3), time=(1, 2, 3, 4), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
+          *(example(n=n_, d=d_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for n_, d_, m_, a_, g_ in (
+              (1, 3, 1, 1, 1), (2, 3, 1, -1, 1), (1, 3, 2, 1, 1), (1, 3, 1, "-5/3", "-7/3"), (2, 6, 4, 1, 1)))],
+      note="For every fraction n/d, theta = pi n/d. (W_k, U_k)' is A^(-k) (0, 1)', W printed as U_before. The points with alpha_0 not 0 that end are those of slope U_k/W_k, k = 1, .., d - 2, with step k (listed); "
+           "(0, 1) and (0, -1), of slope U_(d-1)/W_(d-1) = 0, end at once. How many points these are says X.16.")
+claim("BLM91-X.16", "the listed slopes are different, and each belongs to two points",
+      forall(first_, 1, count, forall(second_, 1, count, iff(same(first_, second_), first_ == second_))) & forall(s, 1, count, W_[s] != 0) & (1 + al0**2 - 2 * lam * al0 > 0), sizes=["n", "d"], over={al0: scalar()},
+      where=[*COPRIME, let(lam, cospi(n, d)), *LINES_BACK, function(same, [i, j], U_[i] * W_[j] == U_[j] * W_[i]), let(count, d - 1)], given=OF_FRACTIONS,
+      by=[arithmetic(*about_lines(), *DIFFERENT, member=0), arithmetic(*about_lines(), *LISTED, member=1), arithmetic(*SINES_D, *TWO_EACH, member=2), instances(24, n=range(1, 6), d=range(2, 9)),
+          *(example(n=n_, d=d_, alpha0=x_) for n_, d_, x_ in ((2, 4, 0), (1, 1, 1), (0, 3, 1), (1, 4, 1)))],
+      note="gamma_0^2 = 1 + alpha_0^2 - 2 lambda alpha_0 is positive for every alpha_0. So with X.15 there are 2(d - 1) points that end: four at step 1 (two for d = 2), two at each of the steps 2, .., d - 2.")

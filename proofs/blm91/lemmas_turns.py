@@ -15,6 +15,12 @@ For (3.10) let 1/kappa = -cos(2 pi q/p), S_k = sin(2 pi k q/p) = cos(pi (4kq - p
 
 and a return at time t makes E_t = S_1, as gamma_0 is not 0, and (1 + alpha_0^2 - 2 lambda alpha_0) S_t = gamma_0^2 S_t = 0, hence C_t = 1: p divides t q, and so t.
 
+For q = 1 nothing that starts with alpha_0 > 1 ends. With c = C_1, S_j^2 + S_(j+1)^2 - 2c S_j S_(j+1) = S_1^2 = 1 - c^2, and 2 S_j^2 = 1 - cos(4 pi j/p) is 0 or at least 1 - c, as
+
+    c - cos(4 pi j/p) = 2 sin((2j + 1) pi/p) sin((2j - 1) pi/p).
+
+E_j = 0 makes S_j^2 (alpha_0^2 + 2c alpha_0 + 1) = 1 - c^2, hence (1 - c)(alpha_0 - 1)(alpha_0 + 1 + 2c) <= 0. And alpha_(j+1) does not exist only for alpha_j = 2 lambda, where E_(j+1) = 0.
+
 For a slope x let M_j = U_j - x U_(j-1). Then b_j M_j = M_(j-1), whatever the angle is.
 """
 
@@ -24,9 +30,9 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "U_", "W_", "X1", "X2", "by_ends", "not_before", "of_last", "of_slope", "pit", "v1", "v2", "w"]
 
-p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
+p, q, h_, c, before, pit, w, v1, v2, X1, X2 = symbols("p q h c before pi_t w v1 v2 V1 V2")
 
 
 def three(k):
@@ -95,27 +101,70 @@ POSITIVE = shown_first(S_(1) > 0, [angles("acute", 4 * q - p, 2 * p)])
 PYTHAGORAS_ = shown_first(cospi(2 * q, p) ** 2 + S_(1) ** 2 == 1, [angles("product", 4 * q, 4 * q, 2 * p), angles("product", 4 * q - p, 4 * q - p, 2 * p),
                                                                     angles("product", 8 * q - p, p, 2 * p), angles("right", p)])
 MOVING = shown_first(ga0**2 > 0, [PYTHAGORAS_, by_cases(S_(1) ** 2 > 0), square_of(al0 - lam)])
+ROUND = shown_first(1 + al0**2 - 2 * lam * al0 > 0, [PYTHAGORAS_, by_cases(S_(1) ** 2 > 0), square_of(al0 - lam)])
 ON_CURVE = by_induction(i, 0, defined(al[i]) >> ((1 + al[i] ** 2 - ga[i] ** 2 == 2 * lam * al[i]) & (al[i] != 0)),
                         base=[cleared(), *values_at(0)], step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)])
+
+
+def one_step(k):
+    """Hints: alpha_(k+1) (2 lambda - alpha_k) = 1, gamma_(k+1) (2 lambda - alpha_k) = -gamma_k."""
+    return [cleared(), at_index(i, k), *values_at(k + 1), by_cases(1 - ga[k] ** 2 == al[k] * (2 * lam - al[k])), multiplied(al[k]), multiplied(ga[k])]
+
+
+ONE_STEP = by_induction(before, 0, (defined(al[before + 1]) & defined(ga[before + 1])) >> ((al[before + 1] * (2 * lam - al[before]) == 1) & (ga[before + 1] * (2 * lam - al[before]) == -ga[before])),
+                        base=one_step(0), step=one_step(before + 1))
 CLOSED_FORM = by_induction(
     j, 0, (defined(al[j]) & defined(ga[j])) >> ((al[j] * E_(j) == -(S_(j) + al0 * S_(j - 1))) & (ga[j] * E_(j) == ga0 * S_(1)) & (E_(j) != 0)),
-    base=[cleared(), *values_at(0), three_(0), angles("right", p), POSITIVE],
-    step=[cleared(), at_index(i, j), *values_at(j + 1), three_(j + 1), three_(j), by_cases(E_(j + 1) == -(2 * lam - al[j]) * E_(j)),
-          by_cases(1 - ga[j] ** 2 == al[j] * (2 * lam - al[j])),
-          *map(multiplied, (E_(j), al[j] * ga[j], ga[j] ** 2, ga[j] * E_(j), al[j] * E_(j)))])
+    base=[*values_at(0), three_(0), angles("right", p), POSITIVE],
+    step=[at_index(before, j), *(existing(x_, j + 1) for x_ in (al, ga)), three_(j + 1), three_(j), by_cases(E_(j + 1) == -(2 * lam - al[j]) * E_(j)),
+          *map(multiplied, (E_(j), al[j + 1] * E_(j), ga[j + 1] * E_(j)))])
 FULL_TURN = shown_first(
     forall(h_, 1, p, ((S_(h_ + 1) + al0 * S_(h_) == S_(1)) & (al0 * S_(1) == -(S_(h_) + al0 * S_(h_ - 1)))) >> ((S_(h_) == 0) & (C_H == 1))),
-    [three_(h_), angles("product", 4 * h_ * q, 4 * q - p, 2 * p), angles("product", 4 * (h_ - 1) * q, p, 2 * p), angles("right", p), MOVING,
+    [three_(h_), angles("product", 4 * h_ * q, 4 * q - p, 2 * p), angles("product", 4 * (h_ - 1) * q, p, 2 * p), angles("right", p), ROUND,
      by_cases((1 + al0**2 - 2 * lam * al0) * S_(h_) == 0), by_cases(S_(h_) == 0), *map(multiplied, (al0, S_(h_), al0 * (S_(1) + S_(h_ - 1)))),
      by_cases((1 - C_H) * S_(1) == 0)])
 AFTER_P = shown_first((S_(p) == 0) & (S_(p + 1) == S_(1)) & (S_(p - 1) == -S_(1)),
                       [angles("right", p), angles("cosines", 4 * p * q - p, p, 2 * p), angles("cosines", 4 * (p + 1) * q - p, 4 * q - p, 2 * p),
                        angles("cosines", 4 * (p - 1) * q - p, 4 * q + p, 2 * p), angles("product", 4 * q, p, 2 * p), at_index(turns, q)])
+#: s_j M_j S_1 = E_j: the closed form without division
+LINEAR_FORM = by_induction(
+    j, 0, (sg[j] * Mt[j] * S_(1) == E_(j)) & (sg[j] * Nt[j] * S_(1) == -(S_(j) + al0 * S_(j - 1))),
+    base=[*(unfolded(x_, 0) for x_ in (Mt, Nt, sg)), three_(0), angles("right", p)],
+    step=[*(unfolded(x_, j + 1) for x_ in (Mt, Nt, sg)), three_(j + 1), three_(j), *map(multiplied, (al0, lam))])
+#: when the closed form is that of the start again
+OF_FORMS = [IN_LOWEST, POSITIVE, LINEAR_FORM, FULL_TURN, by_cases(t == p, [AFTER_P, at_index(j, p)], [at_index(j, t), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]), multiplied(S_(1))]
+#: it is back with E_t = S_1
+RETURNS = [FULL_TURN, by_cases(t == p, [AFTER_P, at_index(j, p)],
+                               [at_index(j, t), by_cases(E_(t) == S_(1)), multiplied(ga0), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]),
+           multiplied(S_(1))]
+#: -cos(2 pi q/p) in both of its forms
+OF_KAPPA = [shown_first(cospi(p - 2 * q, p) == -cospi(2 * q, p), [angles("product", p, p - 4 * q, 2 * p), angles("right", p)]), shown_first(lam == -cospi(2 * q, p))]
 #: when a point is back
-OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, CLOSED_FORM, PYTHAGORAS_, MOVING, FULL_TURN,
-             by_cases(t == p, [AFTER_P, at_index(j, p)],
-                      [at_index(j, t), by_cases(E_(t) == S_(1)), multiplied(ga0), at_index(h_, t), angles("cosines", 2 * t * q, 0, p), at_index(x, t), at_index(y, turns)]),
-             multiplied(S_(1))]
+OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, ONE_STEP, CLOSED_FORM, PYTHAGORAS_, MOVING, *RETURNS]
+
+# ---------------------------------------------------------------------- points that never end, for q = 1
+IN_LOWEST_1 = shown_first(forall(x, 1, p - 1, forall(y, 0, q, x * q != p * y)), [by_cases(y >= 1)])
+#: 2 S_k^2 = 1 - cos(4k pi q/p) is 0 or at least 1 - cos(2 pi q/p)
+DOUBLED = [angles("product", 4 * h_ * q - p, 4 * h_ * q - p, 2 * p), angles("product", 8 * h_ * q - p, p, 2 * p), angles("right", p),
+           angles("product", 4 * h_ + 2 - p, 4 * h_ - 2 - p, 2 * p)]
+HALF_TURN = [angles("product", 4 * h_ + 2 - 2 * p, p, 2 * p), angles("product", 4 * h_ - 2 - 2 * p, p, 2 * p), angles("acute", 4 * h_ + 2 - 3 * p, 2 * p), angles("acute", 4 * h_ - 2 - 3 * p, 2 * p)]
+NOT_SMALL = shown_first(forall(h_, 1, p, (S_(h_) == 0) | (2 * S_(h_) ** 2 >= 1 - cospi(2 * q, p))),
+                        [*DOUBLED, by_cases(2 * h_ < p, [angles("acute", 4 * h_ + 2 - p, 2 * p), angles("acute", 4 * h_ - 2 - p, 2 * p)],
+                                            [by_cases(2 * h_ == p, [], [by_cases(h_ == p, [AFTER_P], HALF_TURN)])])])
+CASSINI = by_induction(k, 0, S_(k + 1) ** 2 - 2 * cospi(2 * q, p) * S_(k) * S_(k + 1) + S_(k) ** 2 == S_(1) ** 2,
+                       base=[angles("right", p)], step=[three_(k + 1), multiplied(S_(k + 1)), multiplied(S_(k)), multiplied(S_(k + 2))])
+BEYOND_ONE = shown_first(forall(z, 1, p, E_(z) != 0), [
+    PYTHAGORAS_, NOT_SMALL, CASSINI, at_index(h_, z), at_index(k, z), by_cases(S_(z) == 0), multiplied(S_(z)), multiplied(S_(z + 1)), multiplied(al0),
+    by_cases(cospi(2 * q, p) < 1), by_cases(cospi(2 * q, p) > -1), by_cases(S_(z) ** 2 * (al0**2 + 2 * al0 * cospi(2 * q, p) + 1) == S_(1) ** 2),
+    by_cases((al0 - 1) * (al0 + 1 + 2 * cospi(2 * q, p)) > 0), by_cases(al0**2 + 2 * al0 * cospi(2 * q, p) + 1 > 0),
+    by_cases((1 - cospi(2 * q, p)) * (al0 - 1) * (al0 + 1 + 2 * cospi(2 * q, p)) > 0)])
+
+#: the orbit exists up to time p, as E_k is not 0
+ENDLESS = by_induction(c, 0, (c <= p) >> (defined(al[c]) & defined(ga[c])), base=[*values_at(0)],
+                       step=[at_index(i, c), at_index(j, c), at_index(z, c + 1), *(existing(x_, c + 1) for x_ in (al, ga)), three_(c), three_(c + 1), by_cases(al[c] * (2 * lam - al[c]) == 0),
+                             by_cases(al[c] == 2 * lam), *map(multiplied, (al0, E_(c)))])
+#: from alpha_0 > 1, for q = 1: the orbit exists, and when it is back
+OF_ENDLESS = [IN_LOWEST_1, POSITIVE, BEYOND_ONE, ON_CURVE, ONE_STEP, CLOSED_FORM, PYTHAGORAS_, MOVING, ENDLESS, at_index(c, p), at_index(c, t), *RETURNS]
 
 # ---------------------------------------------------------------------- slopes, for any angle
 U_, W_ = symbols("U U_before")
@@ -140,3 +189,22 @@ def not_before(b, start):
     """Hints: a slope that exists after m steps is U_i/U_(i-1) for no i <= m."""
     return by_induction(m, 0, defined(b[m]) >> forall(i, 1, m, U_[i] != start * W_[i]), base=[cleared(), *values_at(0, b)],
                         step=[cleared(), existing(b, m + 1), at_index(j, m + 1), at_index(i, i), by_cases(i == m + 1)])
+
+
+# v_k = A^(-k) (0, 1)' = (W_k, U_k)'
+LINES_BACK = (rec(U_, t, 1, 2 * lam * U_[t] - W_[t]), rec(W_, t, 0, U_[t]))
+LENGTH = by_induction(pit, 0, U_[pit] ** 2 - 2 * lam * U_[pit] * W_[pit] + W_[pit] ** 2 == 1, base=[unfolded(U_, 0), unfolded(W_, 0)], step=[unfolded(U_, pit + 1), unfolded(W_, pit + 1)])
+
+
+def of_last(b, start, last):
+    """Hints: with M_last = 0, M_(last-k) W_last = W_k, so that the slope exists until then; and the slope ends with the first k for which M_k = 0."""
+    def M(k):
+        return U_[k] - start * W_[k]
+
+    backwards = by_induction(
+        c, 0, (c <= last - 1) >> ((M(last - c) * W_[last] == W_[c]) & (M(last - c - 1) * W_[last] == W_[c + 1])),
+        base=[LENGTH, at_index(pit, last - 1), unfolded(W_, 0), unfolded(W_, 1), *(unfolded(x_, k_) for x_ in (U_, W_) for k_ in (0, last)), multiplied(W_[last]), multiplied(U_[last - 1])],
+        step=[*(unfolded(x_, k_) for x_ in (U_, W_) for k_ in (c + 2, c + 1, last - c, last - c - 1)), *map(multiplied, (W_[last], start, start * W_[last], lam))])
+    slopes = [of_slope(b, start, j), by_ends(b, start), not_before(b, start), at_index(i, i)]
+    return [by_cases(M(last) == 0, [backwards, *slopes, at_index(k, last - 1), at_index(m, last), at_index(i, last), at_index(c, last - i), at_index(s, last - i)],
+                     [*slopes, at_index(k, last), at_index(m, last - 1), at_index(s, last)]), multiplied(W_[last]), multiplied(start)]

@@ -16,54 +16,86 @@ orbits stays with its neighbours.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_rests, example, instances, part, steps
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_rests,
+    cleared,
+    example,
+    existing,
+    instances,
+    multiplied,
+    part,
+    shown_first,
+    steps,
+    valued,
+)
 from exactkf.language import *
+from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
+from proofs.blm91.lemmas_ends import ALL_ENDS, OF_LIST, OF_POINT, SINES_EVEN, SINES_ODD, THE_LIST, of_list
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, WRITTEN, coprime_
 
 p, q, y, gcd, odd, d, back, time, st, gt, count, flag, hits, far, never, alb, gab = symbols("p q y gcd odd d back time alpha_i gamma_i count found hits far never alpha_near gamma_near")
 LOWEST = [standing("angle", 2 * q < p), standing("lowest terms", gcd(p, q) == 1)]
 BACK = function(back, [t], (al[t] == al0) & (ga[t] == ga0))
-EXISTS = standing("the orbit exists", defined(ga[p]))
-#: half of arctan sqrt(kappa^2 - 1), or of its supplement, is pi q/p
-BY_OMEGA = (GCD, let(lam, when(4 * q > p, cospi(p - 2 * q, p), -cospi(2 * q, p))), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
+EXISTS = standing("the orbit exists", defined(al[p]) & defined(ga[p]))
 KRONECKER = "Kronecker: multiples of an irrational part of a full turn are dense on the circle"
 
 # ---------------------------------------------------------------------- the theorem
-claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), over={p: integer(3, 7), q: integer(1, 3), u: scalar()}, where=BY_OMEGA,
-      given=[*LOWEST, EXISTS],
-      by=[steps("BLM91-X.1", "BLM91-X.2", facts=["roots of unity of order p are the numbers exp(2 pi i q/p), (q, p) = 1"], prose="|kappa| > 1 and omega = pi q/p give 1/kappa = cos(pi - 2 omega) = -cos(2 pi q/p), and X.5 is the statement"),
-          instances(3), *(example(p=p_, q=q_, u=2) for p_, q_ in ((3, 1), (4, 1), (5, 2), (6, 1), (7, 3)))],
-      note="omega = pi q/p < pi/4 is kappa < -1, where arctan sqrt(kappa^2 - 1) = 2 omega; omega > pi/4 is kappa > 1, where it is pi - 2 omega. u runs through points of the hyperbola.")
+claim("BLM91-T3.7.1", "rational angle: every orbit ends or has period p", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1), sizes=["q", "p"], over={al0: nonzero(), ga0: scalar(), lam: scalar()},
+      where=[*OF_ANGLES, *ORBIT, BACK],
+      given=[*LOWEST_PQ, given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), EXISTS,
+             given("the angle", ((lam < 0) >> (cospi(2 * q, p) == -lam)) & ((lam >= 0) >> (cospi(p - 2 * q, p) == lam)))],
+      by=[arithmetic(*OF_KAPPA, valued(), *OF_POINTS),
+          instances(12, q=1, p=(3, 4, 6), using={u: scalar()}, made_by={lam: -cospi(2 * q, p), al0: ALPHA_OF, ga0: GAMMA_OF}),
+          *(example(**{"q": 1, "p": p_, "alpha0": a_, "gamma0": g_, "lambda": l_}) for p_, a_, g_, l_ in ((3, "-5/3", "-7/3", "1/2"), (4, "-4/3", "-5/3", 0), (6, -1, -1, "-1/2"), (6, "-5/3", "-7/3", "1/2"))),
+          example(**{"q": 2, "p": 6, "alpha0": "-5/3", "gamma0": "-7/3", "lambda": "1/2"})],
+      note="For every q and p and every point of the hyperbola; (0, 1) and (0, -1) end at once. lambda = 1/kappa; arctan sqrt(kappa^2 - 1) has the cosine 1/|kappa|, and is 2 pi q/p for kappa < -1, pi - 2 pi q/p for kappa > 1. kappa infinite is q = 1, p = 4.")
 TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          function(gt, [i, t], when(t == 0, 1 / Ut[i - 1], -gt(i, t - 1) * st(i, t - 1) / (1 - gt(i, t - 1) ** 2))),
          let(odd, cospi(p, 1) == -1), let(d, when(odd, p, p - p / 2)), function(time, [i, t], defined(st(i, t - 1)) & ~defined(st(i, t))),
          function(count, [t], 2 * sum_of(i, 1, d - 1, when(time(i, t), 1, 0))))
 COUNTED = (GCD, let(lam, -cospi(2 * q, p)), *TIMES)
-expected, total = symbols("expected total")
+expected = sym("expected")
 RIGHT = forall(t, 1, d, count(t) == expected(t))
 ALL = 2 * sum_of(i, 1, d - 1, when(Ut[i - 1] == 0, 0, 1))
-CORRECT = (*COUNTED, function(expected, [t], when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0))), let(total, ALL))
+CORRECT = (*COUNTED, function(expected, [t], when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0))))
 WHY = "(0, 1) and (0, -1), the last of the escaping points, have |gamma| = 1 and end at step 1: four points end there, two at each of the steps 2, .., d - 2 (d = p for odd p, p/2 for even p), none at step d - 1; the total is as printed"
 ODD, EVEN = standing("p odd", odd), standing("p even", ~odd)
 LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1 (X.18); "
              "a point that ends has alpha = U_i/U_(i-1) for some i, and U_(d-1) = 0 closes the list")
 BY_ORDER = steps("BLM91-X.1", "BLM91-X.10", "BLM91-X.18", "BLM91-E5.1'", prose=LIST_ENDS)
-LISTED = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. The points with alpha = U_i/U_(i-1), gamma = +-1/U_(i-1), i < d, are all that end; (3.10) is run from each of them, on angles with "
+LISTED_AS = "The list as printed is that of the slope map (5.1), under which the slope U_i/U_(i-1) goes to infinity at step i, the slope 0 too; (3.10) divides by zero at (0, +-1) at once, and the paper says before Theorem 3.5 that such an orbit ends. They cannot be set apart here: the totals and the case kappa infinite count them. In the correction, for every point: "
 OTHER_MAP = "S78 holds, for nearly the same sentence, because its proof speaks of the slope map (5.1), under which (0, 1) and (0, -1) have the slope 0, which ends last; the theorem speaks of (3.10), which ends there at once."
+half = sym("half")
+ON_IT = [*LOWEST_PQ, *OF_POINT]
+HOW_MANY = "The list: slopes U_k/W_k, k = 1, .., d - 1, all different, of two points each: they end with step k (listed), but the last, (0, 1) and (0, -1), at once."
 claim("BLM91-T3.7.1odd", "escaping points for odd p", forall(t, 1, p - 1, count(t) == 2) & (ALL == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=[*LOWEST, ODD],
       by=[example(p=3, q=1), instances(p=range(3, 9, 2))],
-      repair=repair("boundary case", WHY, RIGHT & (total == 2 * (p - 1)), sizes=["p"], over={q: integer(1, 4)}, where=CORRECT, given=[*LOWEST, ODD],
-                    by=[BY_ORDER, instances(16, p=range(3, 10, 2)), example(p=3, q=1), example(p=5, q=2), example(p=7, q=3)]), note=LISTED + "odd p <= 9; each of them is proved for every p in X.18. " + OTHER_MAP)
+      repair=repair("boundary case", WHY, THE_LIST, sizes=["q", "p", "time"], **OF_LIST, where=[let(d, p), let(n, p - 2 * q), *ALL_ENDS], given=[*ON_IT, standing("p odd", exists(half, 1, p, p == 2 * half + 1))],
+                    by=[*of_list(SINES_ODD), instances(12, q=1, p=3, time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
+                        *(example(q=q_, p=p_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for q_, p_, m_, a_, g_ in ((1, 3, 1, 1, 1), (1, 3, 1, "-5/3", "-7/3"), (3, 9, 4, 1, 1)))]),
+      note=LISTED_AS + "d = p, 1/kappa = cos(pi (p - 2q)/p) = -cos(2 pi q/p). " + HOW_MANY + " " + OTHER_MAP)
 claim("BLM91-T3.7.1even", "escaping points for even p", forall(t, 1, d - 1, count(t) == 2) & (ALL == p - 2), sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=[*LOWEST, EVEN],
       by=[example(p=6, q=1), instances(p=range(4, 9, 2))],
-      repair=repair("boundary case", WHY, RIGHT & (total == p - 2), sizes=["p"], over={q: integer(1, 6)}, where=CORRECT, given=[*LOWEST, EVEN],
-                    by=[BY_ORDER, instances(20, p=range(4, 15, 2)), example(p=4, q=1), example(p=6, q=1), example(p=10, q=3)]), note=LISTED + "even p <= 14; each of them is proved for every p in X.18. p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
-claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end", (ga[1] == -al[1] * ga0) & (al[2] == al0) & (ga[2] == -ga0) & (al[4] == al0) & (ga[4] == ga0) & iff(never, flag), over={y: nonzero()},
-      where=[let(al0, (y - 1 / y) / 2), let(ga0, (y + 1 / y) / 2), *ORBIT, let(never, ga0**2 == 1), let(flag, al0 == 0)],
-      by=[steps("BLM91-S56", "BLM91-S57", prose="gamma_0^2 = 1 + alpha_0^2: the next point is not defined exactly for alpha_0 = 0, the points (0, 1) and (0, -1); -gamma_0 is not gamma_0, and alpha_1 = -1/alpha_0 is not alpha_0"),
-          instances(), example(y=2), example(y=-3)],
-      note="y = alpha + gamma runs over all nonzero numbers. The two points y = 1, -1 end in one step; all others have period 4.")
+      repair=repair("boundary case", WHY, THE_LIST, sizes=["q", "d", "time"], **OF_LIST, where=[let(p, 2 * d), let(n, d - q), *ALL_ENDS], given=ON_IT,
+                    by=[*of_list(SINES_EVEN), instances(12, q=1, d=(2, 3), time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
+                        *(example(q=q_, d=d_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for q_, d_, m_, a_, g_ in ((1, 3, 1, -1, 1), (1, 3, 1, "-5/3", "-5/3"), (4, 6, 4, 1, 1)))]),
+      note=LISTED_AS + "p = 2d, 1/kappa = cos(pi (d - q)/d) = -cos(2 pi q/p). " + HOW_MANY + " p = 4, kappa infinite, is right as printed. " + OTHER_MAP)
+#: the points at t = 1, .., 5 for kappa infinite, one after the other
+TURN_BACK = [shown_first(defined(al[t_]) & defined(ga[t_]) & place, [cleared(), *values_at(t_), *(values_at(0) if t_ == 1 else ()), *map(multiplied, (al0, al0**2, ga0, al0 * ga0))])
+             for t_, place in ((1, (al[1] * al0 == -1) & (ga[1] * al0 == ga0)), (2, (al[2] == al0) & (ga[2] == -ga0)), (3, (al[3] == al[1]) & (ga[3] == -ga[1])), (4, (al[4] == al0) & (ga[4] == ga0)), (5, (al[5] == al[1]) & (ga[5] == ga[1])))]
+UNLESS_ZERO = by_cases(al0 > 0, TURN_BACK, [by_cases(al0 < 0, TURN_BACK)])
+claim("BLM91-T3.7.1inf", "kappa infinite: period four, two points end",
+      iff(defined(al[1]), al0 != 0) & ((al0 != 0) >> (defined(al[4]) & defined(ga[4]) & forall(t, 1, 4, iff((al[t] == al0) & (ga[t] == ga0), t == 4)))) & iff(al0 == 0, (ga0 == 1) | (ga0 == -1)),
+      over={al0: scalar(), ga0: scalar()}, where=ORBIT, given=[given("kappa infinite", 1 + al0**2 - ga0**2 == 0)],
+      by=[arithmetic(UNLESS_ZERO, *values_at(0), existing(al, 2), existing(al, 1), by_cases(ga0**2 > 0), member=0), arithmetic(UNLESS_ZERO, by_cases(t == 4), by_cases(t == 3), by_cases(t == 2), multiplied(al0**2), multiplied(al0 * ga0), by_cases(ga0**2 > 0), member=1), arithmetic(by_cases(ga0 > 0), member=2),
+          instances(using={y: nonzero()}, made_by={al0: (y - 1 / y) / 2, ga0: (y + 1 / y) / 2}), example(alpha0=0, gamma0=1), example(alpha0=0, gamma0=-1)],
+      note="The points (0, 1) and (0, -1) end in one step; all others have period 4.")
 turn = sym("turn")
 POINT_OF = (let(lam, turn / 10), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
 DENSE = (*POINT_OF, *ORBIT, BACK, *PROJECTIVE, let(never, forall(t, 1, 12, ~back(t))), let(hits, sum_of(t, 1, 60, when(abs(Nt[t]) > 5 * abs(Mt[t]), 1, 0))))
@@ -104,10 +136,14 @@ claim("BLM91-C3.8.1", "periodic points are dense in the corridors", (d == p) & (
       by=[steps("BLM91-X.2", facts=["rational multiples of pi are dense, and the cosine is continuous"], prose="1/kappa is a continuous and nowhere locally constant function of the point, and on kappa = -sec(2 pi q/p) all points but finitely many values of alpha are periodic"),
           instances(8, **IN_CORRIDOR), example(alpha0=1, gamma0="1/2", k=1), example(alpha0=-1, gamma0=1, k=1)],
       note="Within 1/(1 + k) of the given point there is one of period p, found with alpha - gamma kept; (3.10) is run from it in the number field and is back first after p steps.")
+whole = sym("orbit_exists")
 ORDER = (let(lam, -cospi(2, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF), *ORBIT, BACK)
-claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", forall(t, 1, p, iff(back(t), t == p)) & (lam**2 < 1) & (al0 * (1 - u**2) == 2 * (lam + u)), over={p: integer(3, 9), u: scalar()}, where=ORDER,
-      given=[EXISTS], by=[steps("BLM91-X.2", prose="q = 1 serves for every p >= 3, and u runs through infinitely many points"), instances(16), example(p=3, u=2), example(p=4, u=2), example(p=6, u=3)],
-      note="1/kappa = -cos(2 pi/p); u is the slope of the line from (0, 1) to the point, so that different u give different points.")
+claim("BLM91-C3.8.2", "infinitely many points of every period p >= 3", whole & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)) & (lam**2 < 1), sizes=["p"],
+      over={al0: scalar(), ga0: scalar()}, where=[let(q, 1), let(lam, -cospi(2 * q, p)), *ORBIT, let(whole, defined(al[p]) & defined(ga[p]))],
+      given=[standing("p at least 3", p >= 3), given("which points", al0 > 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(*OF_ENDLESS), instances(12, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="1/kappa = -cos(2 pi/p), for every p >= 3, and all points of the hyperbola with alpha_0 > 1, infinitely many: gamma_0^2 = 1 + alpha_0^2 - 2 alpha_0/kappa is positive. None of them ends, and each has period p.")
 #: a q prime to p for which 1/kappa = cos(pi (p - 2q)/p) has the sign of k
 REALIZED = function(flag, [x, k], exists(q, 1, x - 1, coprime_(x, q) & (2 * q < x) & (cospi(x - 2 * q, x) * k > 0)))
 below, above = symbols("below above")

@@ -24,12 +24,16 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
+from proofs.blm91.consequences_angles import COPRIME as OF_ANGLES
+from proofs.blm91.consequences_angles import LOWEST as OF_LOWEST
+from proofs.blm91.lemmas_ends import ALL_ENDS, OF_LIST, OF_POINT, THE_LIST, W_NOT_ZERO, about_lines, not_late, of_list
+from proofs.blm91.lemmas_turns import LINES_BACK, OF_ENDLESS, OF_KAPPA, U_, W_, of_last
 from proofs.blm91.notation import *
 from proofs.blm91.section_5_lemma import COPRIME, coprime_
 
-A, A1, p, q, y, be, v, al1, av, mate = symbols("A A1 p q y b v_i alpha_i a_t mate")
-gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, nn, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i n_angle divides")
-last, ends, closes, i1 = symbols("last ends closes i1")
+A, A1, p, q, y, be, v, av, mate = symbols("A A1 p q y b v_i a_t mate")
+gcd, d, odd, back, whole, flag, alternative, found, pi, count, time, st, gt, many = symbols("gcd d odd back whole region given_by_p found pi count time alpha_i gamma_i divides")
+closes, i1 = symbols("closes i1")
 SLOPES = rec(be, t, x, 1 / (2 * lam - be[t]))
 A_LAMBDA = let(A, rows([[2 * lam, -1], [1, 0]]))
 ONE_LESS_A = let(A1, rows([[1 - 2 * lam, 1], [-1, 1]]))
@@ -41,15 +45,14 @@ FINITE = [standing("|kappa| > 1", abs(lam) < 1)]
 ENDS = (AS_FRACTION, A_LAMBDA, let(v, A**(-m) * rows([[0], [1]])), SLOPES, let(flag, leaves(m, be)))
 FRACTIONS = {top: integer(-12, 12), low: integer(1, 13)}
 IRRATIONAL = [standing("|kappa| > 1", abs(lam) < 1), standing("irrational angle", ~exists(k, -1, 1, 2 * lam == k)), standing("a step", m >= 1)]
-ALPHA_M = (A**(-m) * rows([[0], [1]]))[2, 1] / (A**(-m) * rows([[0], [1]]))[1, 1]
-BEFORE = (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]
 claim("BLM91-E5.6", "the slope that ends at a given step", iff(flag, x == v[1, 1]), sizes=["m"], over={**FRACTIONS, x: scalar()}, where=ENDS, given=IRRATIONAL,
       by=[example(m=1, numerator=1, denominator=3, x=1), instances(m=(1, 2))],
-      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x == al1), sizes=["m"], over={**FRACTIONS, x: scalar()},
-                    where=[*ENDS, let(al1, v[2, 1] / v[1, 1])], given=IRRATIONAL,
-                    by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'"),
-                        instances(20, m=(1, 2, 3, 4), made_by={x: ALPHA_M}), instances(20, m=(2, 3, 4), made_by={x: BEFORE}), instances(20, m=(1, 2, 3))]),
-      note="On fractions 1/kappa = lambda with terms up to 13; the angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
+      repair=repair("other", "a slope is v_2/v_1, as in (5.3); v_1 alone is 1 for i = 1, while 2/kappa is the slope that ends there", iff(flag, x * W_[n] == U_[n]) & (W_[n] != 0), sizes=["n"], over={lam: scalar(), x: scalar()},
+                    where=[*LINES_BACK, SLOPES, let(flag, leaves(n, be))], given=[standing("|kappa| > 1", lam**2 < 1), standing("a step", n >= 1), given("irrational angle", forall(s, 1, n, W_[s] != 0))],
+                    by=[arithmetic(at_index(s, n), *of_last(be, x, n)), instances(24, n=(1, 2, 3, 4), using={u: scalar()}, made_by={lam: SHARE, x: U_[n] / W_[n]}), instances(20, n=(1, 2, 3)),
+                        instances(10, n=(2, 3, 4), using={u: scalar()}, made_by={lam: SHARE, x: U_[n - 1] / W_[n - 1]}), example(**{"n": 2, "lambda": 0, "x": 0}), example(**{"n": 3, "lambda": 0, "x": 0})]),
+      note="In the correction (W_i, U_i)' is A^(-i) (0, 1)', as A^(-1) takes (v_1, v_2)' to (v_2, 2 lambda v_2 - v_1)', and of an irrational angle no more is used than that the vectors up to the n-th have slopes. "
+           "In the print's formula 1/kappa = lambda is a fraction with terms up to 13; its angle is irrational unless lambda is 0, 1/2, -1/2. (5.3), the same statement for 0 < kappa < 1, has v_2/v_1; if v_2 was lost in copying only, and not in print, the statement is right.")
 claim("BLM91-S77", "the escaping slopes are countably many, all different",
       forall(i, 1, m, forall(j, 1, m, iff(Ut[i] * Ut[j - 1] == Ut[j] * Ut[i - 1], i == j))), sizes=["m"], over=FRACTIONS, where=[AS_FRACTION, CHEBYSHEV],
       given=[standing("|kappa| > 1", abs(lam) < 1), given("irrational angle", ~exists(k, -1, 1, 2 * lam == k))],
@@ -57,13 +60,13 @@ claim("BLM91-S77", "the escaping slopes are countably many, all different",
                 prose="U_i/U_(i-1) is the slope of the line that A^i takes to infinity: one line turned by -i theta, i = 1, 2, .. , in a suitable basis; each slope belongs to two points of the hyperbola"),
           instances(20, m=(2, 3, 5, 8)), example(m=5, numerator=1, denominator=2)],
       note="On fractions 1/kappa with terms up to 13. alpha^(i) = U_i/U_(i-1); dense by Kronecker's theorem.")
-claim("BLM91-S78", "escape times for a rational angle",
-      forall(i, 1, last, ends(i)) & forall(i, 1, d, iff(closes(i), flag(i))), sizes=["d"], over={nn: integer(1, 11)},
-      where=[GCD, let(lam, cospi(nn, d)), CHEBYSHEV, function(be, [i, t], when(t == 0, Ut[i] / Ut[i - 1], 1 / (2 * lam - be(i, t - 1)))), function(flag, [i], i == d),
-             let(last, d - 1), function(ends, [i], defined(be(i, i - 1)) & ~defined(be(i, i))), function(closes, [i], Ut[i - 1] == 0)],
-      given=[standing("angle", nn < d), standing("lowest terms", gcd(d, nn) == 1)], by=[steps("BLM91-E5.1'", "BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a slope ends at step i when it is U_i/U_(i-1), and U_(i-1) = 0 says w^(2i) = 1, first for i = d"), instances(20, d=range(2, 13)), example(d=5, n_angle=2), example(d=7, n_angle=3)],
-      note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks: for every i = 1, .., d - 1 the slope U_i/U_(i-1) ends at step i, and no slope ends at another step, because "
-           "U_(d-1) = 0 closes the list. T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
+slope = sym("slope")
+claim("BLM91-S78", "escape times for a rational angle", ((time < d) >> (iff(flag, slope * W_[time] == U_[time]) & (W_[time] != 0))) & ((time >= d) >> ~flag), sizes=["n", "d", "time"], over={slope: scalar()},
+      where=[*OF_ANGLES, let(lam, cospi(n, d)), *LINES_BACK, rec(be, t, slope, 1 / (2 * lam - be[t])), let(flag, leaves(time, be))], given=[*OF_LOWEST, standing("a step", time >= 1)],
+      by=[arithmetic(*about_lines(), W_NOT_ZERO, by_cases(time < d, [at_index(s, time), *of_last(be, slope, time)]), member=0), arithmetic(*not_late(be, slope, time), member=1),
+          instances(24, n=range(1, 6), d=range(2, 8), time=range(1, 9), made_by={slope: U_[time] / W_[time]}), instances(24, n=range(1, 4), d=range(2, 6), time=range(1, 6))],
+      note="Read on the slope map (5.1), of which the proof of Theorem 4.1 speaks, from any slope: with theta = pi n/d, for each time 1, .., d - 1 there is one slope that ends with this step, that of A^(-time) (0, 1)' = (U_before, U)', and none ends at another time. "
+           "T3.7.1odd and T3.7.1even, nearly the same sentence about (3.10), fail: (3.10) divides by zero at (0, 1) and (0, -1) at once, where the slope, 0, ends last.")
 bal, bga = symbols("alpha_mirror gamma_mirror")
 #: alpha and its mirror image at every j; the curve at every i; alpha by (5.1) at every k
 MIRRORED = by_induction(j, 0, ((defined(al[j]) | defined(ga[j])) & (defined(bal[j]) | defined(bga[j]))) >> ((al[j] == bal[j]) & (ga[j] == -bga[j])),
@@ -118,16 +121,22 @@ claim("BLM91-S83", "the hyperbola and the a-axis", iff(flag, y * (x - lam) == la
       note="x = a, y = b; the point is ((a + b)/2, (b - a)/2). Each point of the hyperbola has an a of its own, and every a but 1/kappa is that of a point; a = 1/kappa is the asymptote, where b is infinite.")
 
 # ---------------------------------------------------------------------- periods; omega = pi q/p, theta = pi (p - 2q)/p
-ANGLES = {q: integer(1, 4)}
-ROTATION = (GCD, let(lam, cospi(p - 2 * q, p)), let(al0, ALPHA_OF), let(ga0, GAMMA_OF))
-EXISTS = standing("the orbit exists", defined(ga[p]))
-pair = sym("both")
+#: when alpha is back at m, and gamma up to the sign e, the orbit goes on as from the start, up to that sign; i1 is the time since
+SHIFTED = {e_: by_induction(i1, 0, (defined(al[m + i1]) & defined(ga[m + i1])) >> ((al[m + i1] == al[i1]) & (ga[m + i1] == e_ * ga[i1])), base=[unfolded(x_, 0) for x_ in (al, ga)],
+                            step=[cleared(), *values_at(m + i1 + 1), *(unfolded(x_, i1 + 1) for x_ in (al, ga))]) for e_ in (1, -1)}
+flat, pair, same, turned = symbols("alpha_back both_back a_back gamma_turned")
 claim("BLM91-S84", "periods of alpha, of a and of the point",
-      forall(t, 1, p, (ga[t] ** 2 - ga0**2 == (al[t] - al0) * (al[t] + al0 - 2 * lam)) & iff(al[t] - ga[t] == al0 - ga0, pair(t))), over={p: integer(3, 8), **ANGLES, u: scalar()},
-      where=[*ROTATION, *ORBIT, function(pair, [t], (al[t] == al0) & (ga[t] == ga0))], given=[*LOWEST, EXISTS],
-      by=[steps("BLM91-E3.13", "BLM91-F8", prose="the orbit stays on the hyperbola, where alpha tells gamma^2 as in the first equation, so that gamma or -gamma is back with alpha; a tells b, hence alpha and gamma"),
-          instances(12), *(example(p=p_, q=q_, u=u_) for p_, q_, u_ in ((3, 1, 2), (4, 1, 2), (5, 2, 2), (6, 1, "1/3"), (8, 3, 3)))],
-      note="If alpha returns, gamma does so up to sign, hence after d or 2d steps; a returns with the point. omega = pi q/p, and u runs through the points of the hyperbola.")
+      (flat(m) >> (pair(m) | turned(m))) & (flat(m) >> pair(2 * m)) & iff(same(m), pair(m)), sizes=["m"], over={lam: scalar(), al0: scalar(), ga0: scalar()},
+      where=[*ORBIT, function(flat, [t], al[t] == al0), function(pair, [t], flat(t) & (ga[t] == ga0)), function(turned, [t], ga[t] == -ga0), function(same, [t], al[t] - ga[t] == al0 - ga0)],
+      given=[given("|kappa| > 1", lam**2 < 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0), standing("the orbit exists", defined(al[2 * m]) & defined(ga[2 * m]))],
+      by=[arithmetic(valued(), CURVE, at_index(i, m), by_cases(ga[m] > ga0), by_cases(ga0 > ga[m]), by_cases(ga[m] + ga0 > 0), by_cases(ga[m] + ga0 < 0), member=0),
+          arithmetic(valued(), CURVE, at_index(i, m), unfolded(al, 0), unfolded(ga, 0), by_cases(al[m] == al0, [by_cases(ga[m] == ga0, [SHIFTED[1]], [by_cases(ga[m] == -ga0, [SHIFTED[-1]])]), at_index(i1, m)]),
+                     member=1),
+          arithmetic(valued(), CURVE, at_index(i, m), by_cases(al[m] > al0), by_cases(al0 > al[m]), by_cases(al0 - ga0 == lam), member=2),
+          instances(20, m=(1, 2, 3), using={u: scalar(), y: scalar()}, made_by={lam: SHARE, al0: 2 * (lam + y) / (1 - y**2), ga0: 1 + y * al0}),
+          *(example(**{"m": m_, "lambda": l_, "alpha0": a_, "gamma0": g_}) for m_, l_, a_, g_ in (
+              (3, "1/2", "-5/3", "-7/3"), (2, 0, "-4/3", "-5/3"), (4, 0, "-4/3", "-5/3"), (3, "-1/2", "-5/3", "-5/3"), (6, "-1/2", -1, -1), (3, "-1/2", -1, -1)))],
+      note="At any time m: if alpha is back, gamma is back up to sign and the point is back at 2m at the latest; a is back with the point. So a point whose alpha has period d has period d or 2d, and that is the period of a.")
 claim("BLM91-S85", "A_1 = I - A", (A1 == Identity(2) - A) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()}, where=[A_LAMBDA, ONE_LESS_A], by=[identity(), instances()],
       note="s is an eigenvalue of A_1 when 1 - s is one of A: mirrored in the imaginary axis and moved one step to the right.")
 claim("BLM91-S86", "the angles theta and omega", charpoly(A1) == (Z - 2 * st * st) ** 2 + (2 * st * gt) ** 2, over={y: scalar()},
@@ -140,9 +149,13 @@ claim("BLM91-S87", "theta from omega, and the period of alpha",
       where=[GCD, *D_OF, let(lam, cospi(p - 2 * q, p)), CHEBYSHEV, let(count, when(odd, p, p - 1)), function(closes, [t], Ut[t - 1] == 0)], given=LOWEST,
       by=[steps("BLM91-X.13", facts=["exp(2 pi i n/d), (n, d) = 1, is a root of unity of order d"], prose="a common divisor of p and p - 2q divides 2q, hence 2; U_(t-1) = 0 says that t theta is a multiple of pi"), instances(20, p=range(3, 21)), example(p=9, q=2), example(p=10, q=3), example(p=12, q=5)],
       note="theta = pi (p - 2q)/p; a slope returns after t steps when U_(t-1) = sin(t theta)/sin(theta) is 0, first for t = p (p odd) or p/2 (p even).")
-claim("BLM91-S88", "every period p >= 3 occurs", (lam < 1) & (lam > -1) & forall(t, 1, p, iff((sg[t] * Mt[t] == 1) & (sg[t] * Nt[t] == al0), t == p)), sizes=["p"],
-      where=[let(q, 1), let(u, 2), *ROTATION, *PROJECTIVE], by=[steps("BLM91-X.1", "BLM91-X.2", facts=["exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p", "the cosine maps (0, pi) onto (-1, 1)"], prose="q = 1 serves for every p; the orbit is back exactly when w^t = 1"), instances(12, p=range(3, 13)), example(p=3), example(p=4), example(p=6), example(p=7)],
-      note="omega = pi/p gives period p, with the closed form (X.1) of the iterates, from one point of each hyperbola. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
+claim("BLM91-S88", "every period p >= 3 occurs", whole & forall(t, 1, p, iff((al[t] == al0) & (ga[t] == ga0), t == p)) & (lam < 1) & (lam > -1), sizes=["p"], over={al0: scalar(), ga0: scalar()},
+      where=[let(q, 1), let(lam, cospi(p - 2 * q, p)), *ORBIT, let(whole, defined(al[p]) & defined(ga[p]))],
+      given=[standing("p at least 3", p >= 3), given("which points", al0 > 1), given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * lam * al0)],
+      by=[arithmetic(*OF_KAPPA, *OF_ENDLESS),
+          instances(12, p=(3, 4, 6), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="omega = pi/p gives period p, from the points of its hyperbola with alpha_0 > 1, none of which ends. Any omega in (0, pi/2) has theta = pi - 2 omega in (0, pi), hence a kappa = 1/cos(theta), |kappa| > 1.")
 claim("BLM91-S89", "periods 3 and 6 fix the sign of kappa", iff(flag, found) & (2 * abs(lam) == 1), over={p: integer(3, 6), q: integer(1, 2)},
       where=[GCD, let(lam, cospi(p - 2 * q, p)), let(flag, p == 3), let(found, lam > 0)], given=[*LOWEST, standing("period 3 or 6", (p == 3) | (p == 6))],
       by=[evaluation(), restated("exp(2 pi i q/p), (q, p) = 1, is a root of unity of order p, so that (X.5) gives the periods")],
@@ -154,15 +167,14 @@ TIMES = (CHEBYSHEV, function(st, [i, t], when(t == 0, Ut[i] / Ut[i - 1], st(i, t
          function(count, [t], 2 * sum_of(i, 1, d - 1, when(time(i, t), 1, 0))))
 COUNTED = (GCD, D_OF[0], let(lam, cospi(p - 2 * q, p)), *TIMES)
 TWO_EACH = forall(t, 1, d - 1, count(t) == 2)
-CORRECT = forall(t, 1, d, count(t) == when(t == 1, when(d == 2, 2, 4), when(t < d - 1, 2, 0)))
 WHY = ("alpha^(d-1) is 0, and the points (0, 1), (0, -1) of every hyperbola have |gamma| = 1, so that they end at step 1 and not at step d - 1; for d > 2 four points end at step 1, two at "
        "each of the steps 2, .., d - 2, and none later")
-LIST_ENDS = ("from the i-th point gamma_t is 1/U_(i-t-1) up to sign, and U_j, j < d, is 0 for j = d - 1 alone and 1 or -1 for j = 0 and j = d - 2 alone (X.10): the orbit ends after i steps, but at step 1 for i = d - 1")
 claim("BLM91-S90", "points that end, two each", TWO_EACH & (2 * sum_of(i, 1, d - 1, 1) == 2 * (d - 1)), sizes=["p"], over={q: integer(1, 4)}, where=COUNTED, given=LOWEST,
       by=[example(p=3, q=1), instances(p=range(3, 9))],
-      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", CORRECT, sizes=["p"], over={q: integer(1, 5)}, where=COUNTED, given=LOWEST,
-                    by=[steps("BLM91-X.10", "BLM91-X.18", prose=LIST_ENDS), instances(16, p=range(3, 12)), example(p=3, q=1), example(p=4, q=1), example(p=7, q=2), example(p=10, q=3)]),
-      note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. 'p = 2k when p is even' is read as d = p/2.")
+      repair=repair("boundary case", WHY + "; and d = p/2 when p is even", THE_LIST, sizes=["n", "d", "time"], **OF_LIST, where=ALL_ENDS, given=[*OF_LOWEST, *OF_POINT],
+                    by=[*of_list(), instances(12, n=(1, 2), d=(2, 3), time=(1, 2, 3), using={u: scalar()}, made_by={al0: ALPHA_OF, ga0: GAMMA_OF}),
+                        *(example(n=n_, d=d_, time=m_, alpha0=a_, gamma0=g_, gamma_start=1) for n_, d_, m_, a_, g_ in ((1, 3, 1, 1, 1), (2, 3, 1, -1, 1), (1, 3, 1, "-5/3", "-7/3"), (2, 6, 4, 1, 1)))]),
+      note="The points are (U_i, +-1)/U_(i-1), i = 1, .., d - 1, and (3.10) is run from each until it ends. In the correction, for every fraction n/d: the slopes U_k/W_k, k = 1, .., d - 1, all different, of two points each, end with step k (listed), but the last, 0, at once. 'p = 2k when p is even' is read as d = p/2.")
 
 # ---------------------------------------------------------------------- which periods for which sign of kappa
 #: period p occurs for kappa > 1, or for kappa < -1: 1/kappa = cos(pi (p - 2q)/p) for a q prime to p

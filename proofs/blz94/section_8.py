@@ -8,7 +8,23 @@ the fractional linear map alpha -> kappa/(2 - kappa alpha). If lambda + 1/lambda
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, identity, induction, instances, part, restated, steps
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    by_cases,
+    cleared,
+    example,
+    existing,
+    identity,
+    induction,
+    instances,
+    multiplied,
+    part,
+    restated,
+    steps,
+    unfolded,
+    valued,
+)
 from exactkf.language import (
     Z,
     always,
@@ -35,6 +51,7 @@ from exactkf.language import (
     pos_on_circle,
     rational,
     rec,
+    recip,
     rows,
     scalar,
     schur,
@@ -45,6 +62,10 @@ from exactkf.language import (
     vector,
     when,
 )
+from proofs.blm91.consequences_angles import COPRIME
+from proofs.blm91.lemmas_turns import LOWEST_PQ, OF_ENDLESS, OF_KAPPA, OF_POINTS
+from proofs.blm91.notation import ORBIT as FROM_START
+from proofs.blm91.notation import al0, ga0
 from proofs.blz94.notation import (
     HALF,
     ORBIT,
@@ -69,7 +90,7 @@ from proofs.blz94.notation import (
     u,
 )
 
-p, q, v, w, x, y, kappa, lam, c, d, e, f, S, X = symbols("p q v w x y kappa lambda c d e f S X")
+p, q, v, w, x, y, z, kappa, lam, c, d, e, f, S, X = symbols("p q v w x y z kappa lambda c d e f S X")
 k1, k2, al, ga = symbols("kappa1 kappa2 alpha_bar gamma_bar")
 s, goal, near = symbols("s goal near")
 
@@ -79,9 +100,8 @@ POINT = {al: scalar(), ga: scalar()}
 #: D of order one
 D_ONE = (let(a, Z + al - ga), let(b, Z + al + ga), let(D, symmetric_part(a, b)))
 DEFINITE = nonneg_on_circle(D) | nonneg_on_circle(-D)
-#: a point of the curve with 1/kappa = e, by a = alpha - gamma
+#: alpha + gamma of the point of the curve with 1/kappa = e, by x = alpha - gamma
 CURVE_B = (e * x - 1) / (x - e)
-ON_CURVE = {al: HALF * (x + CURVE_B), ga: HALF * (CURVE_B - x)}
 
 # ---------------------------------------------------------------------- order one
 claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
@@ -91,8 +111,7 @@ claim("BLZ94-E8.1", "(8.1)-(8.3) are (4.4) and (3.12) for n = 1",
 
 claim("BLZ94-F8.1a", "the open diamond is the positive real region", iff(abs(al) + abs(ga) < 1, schur(a) & pos_on_circle(D)),
       over=POINT, where=D_ONE,
-      by=[steps(prose="D = 1 + alpha^2 - gamma^2 + 2 alpha cos(theta) is positive for all theta if and only if |gamma| < |1 - |alpha||. If |alpha| < 1 "
-                      "this is the diamond, where |alpha - gamma| < 1; if |alpha| > 1 it makes |alpha - gamma| > 1."),
+      by=[arithmetic(by_cases(abs(al) < 1), by_cases(abs(al - ga) < 1)),
           instances(40), instances(20, using={x: scalar()}, made_by={al: x / 4, ga: (1 - x / 4) * HALF}),
           example({al: "1/2", ga: "1/2"}), example({al: 3, ga: 1})])
 
@@ -101,8 +120,7 @@ claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) t
       & iff(abs(ga) < abs(al) - 1, pos_on_circle(D) & (inside_roots(f) == 1))
       & iff(abs(ga) > 1 + abs(al), pos_on_circle(-D)) & (pos_on_circle(-D) >> (inside_roots(f) == 1)), over=POINT,
       where=[*D_ONE, let(f, 1 + (al - ga) * Z)],
-      by=[steps(prose="The extreme values of D on the circle are (1 + |alpha|)^2 - gamma^2 and (1 - |alpha|)^2 - gamma^2. v(1/z) has the pole "
-                      "-1/(alpha - gamma)."),
+      by=[*(arithmetic(member=k_) for k_ in range(3)), arithmetic(by_cases(abs(ga) > 1 + abs(al)), by_cases(abs(al - ga) > 1), member=3),
           instances(40), example({al: 3, ga: 2}), example({al: 3, ga: 1}), example({al: -3, ga: 1}), example({al: 1, ga: 2}), example({al: 1, ga: 3}),
           example({al: -1, ga: -3}), example({al: "1/2", ga: "1/2"}), example({al: 2, ga: 2}), example({al: -2, ga: 2}), example({al: 0, ga: 2}),
           example({al: "5/2", ga: 1})],
@@ -110,7 +128,7 @@ claim("BLZ94-F8.1b", "D is sign definite exactly in the shaded regions; v(1/z) t
            "(D < 0) and its pole lies inside the circle.")
 
 claim("BLZ94-F8.1c", "escape in one step happens on gamma = 1 and gamma = -1", iff(defined(alpha[1]), (ga != 1) & (ga != -1)), over=POINT,
-      where=ONE, by=[steps("BLZ94-E8.1", prose="A step divides by 1 - gamma^2 and by nothing else."), example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
+      where=ONE, by=[arithmetic(existing(alpha, 1), existing(alpha, 0), existing(gamma, 0), unfolded(gamma, 0)), example({al: "3/2", ga: "1/2"}), example({al: 2, ga: 1}), example({al: 2, ga: -1}), example({al: 0, ga: 1}), example({al: 2, ga: 2}), example({al: 1, ga: "1/2"}), instances(20)])
 
 #: the orbit of (0, ga)
 _AXIS = (rec(v, t, 0, v[t] / (1 - w[t] ** 2)), rec(w, t, ga, -w[t] * v[t] / (1 - w[t] ** 2)))
@@ -124,13 +142,15 @@ claim("BLZ94-E8.4", "the invariant curve of order one; the axis alpha = 0",
            "too. (v, w) is the orbit from (0, gamma), at the origin after one step.")
 
 claim("BLZ94-F8.2a", "the curves with kappa^2 < 1 and kappa^2 = 1",
-      ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2)),
+      ((kappa**2 < 1) >> DEFINITE) & ((kappa == 1) >> ((al - 1) ** 2 == ga**2)) & ((kappa == -1) >> ((al + 1) ** 2 == ga**2))
+      & (((kappa == 1) | (kappa == -1)) >> (DEFINITE & ~(pos_on_circle(D) | pos_on_circle(-D)))),
       over={**POINT, kappa: nonzero()}, where=D_ONE, given=[given("(8.4)", 1 + al**2 - ga**2 == 2 / kappa * al)],
-      by=[steps(prose="On the circle D = 2 alpha (1/kappa + cos(theta)), and |1/kappa| > 1. For kappa = 1, -1, (8.4) is a difference of squares."),
+      by=[*(arithmetic(valued(), valued("(8.4)"), cleared(), by_cases(al > 0), by_cases(abs(kappa) < 1), by_cases(kappa == 1), member=k_) for k_ in range(4)),
           instances(30, using={x: scalar()}, made_by={al: HALF * (x + (x / kappa - 1) / (x - 1 / kappa)), ga: HALF * ((x / kappa - 1) / (x - 1 / kappa) - x)}),
           example({al: 3, ga: 2, kappa: 1}), example({al: 3, ga: 4, kappa: -1}), example({al: 3, ga: -4, kappa: -1}), example({al: 3, ga: -2, kappa: 1}),
           example({al: 1, ga: 1, kappa: 2}), example({al: 1, ga: 2, kappa: 1}), example({al: 1, ga: 3, kappa: -1}), example({al: 0, ga: 1, kappa: -1}),
-          example({al: 2, ga: 2, kappa: "1/2"})])
+          example({al: 2, ga: 2, kappa: "1/2"}), example({al: 4, ga: 1, kappa: "1/2"}), example({al: -4, ga: 1, kappa: "-1/2"})],
+      note="On the boundary of the region D is definite, and not strictly so.")
 
 _RHO = 1 - gamma[t] ** 2
 claim("BLZ94-F8.2b", "every point of the shaded regions converges to the point of its curve with |alpha| <= 1",
@@ -154,14 +174,22 @@ claim("BLZ94-X.11", "n = 1: the minors that vanish where the invariant curve is 
       note="Not printed. The curve, the level set of D up to a factor, is smooth where D and its derivatives with respect to the coefficients of a and b, one a row, span the plane of "
            "all D. The minors vanish together exactly for gamma = 0, alpha = 1 or -1.")
 
-claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots only at (1, 0) and (-1, 0)",
-      iff((substitute(a, x) == 0) & (substitute(b, x) == 0) & (substitute(a, w) == 0), (ga == 0) & (al == -x) & (x == w)),
-      over={**POINT, x: nonzero()}, where=[*D_ONE, let(w, 1 / x)],
-      by=[steps("BLZ94-X.11", prose="a(x) = b(x) = 0 gives gamma = 0 and alpha = -x; a polynomial of degree one has one root, so x = 1/x."),
+#: D and its derivatives with respect to the coefficients of a and b, by their coefficients at 1 and at z + 1/z; they do not span the plane
+_SPANNED = [(1 + al**2 - ga**2, al), (al + ga, HALF), (al - ga, HALF)]
+_SINGULAR = let(c, (ga == 0) & (_SPANNED[0][0] * HALF == al * (al + ga)) & (_SPANNED[0][0] * HALF == al * (al - ga)))
+_AT_ONE = (ga == 0) & ((al == 1) | (al == -1))
+claim("BLZ94-S59", "n = 1: a common pair of reciprocal roots, and a singular point, only at (1, 0) and (-1, 0)",
+      iff((f(x) == 0) & (e(x) == 0) & (f(w) == 0) & (e(w) == 0), (ga == 0) & (al == -x) & ((x == 1) | (x == -1))) & iff(c, _AT_ONE)
+      & (D == _SPANNED[0][0] + _SPANNED[0][1] * (Z + recip(Z))) & (HALF * (b + recip(b)) == _SPANNED[1][0] + HALF * (Z + recip(Z)))
+      & (HALF * (a + recip(a)) == _SPANNED[2][0] + HALF * (Z + recip(Z))),
+      over={**POINT, x: nonzero()}, where=[*D_ONE, function(f, [z], z + al - ga), function(e, [z], z + al + ga), let(w, 1 / x), _SINGULAR],
+      by=[arithmetic(angles("quotient", 1, x), multiplied(x), by_cases(x > 1), by_cases(x < -1), member=0),
+          arithmetic(by_cases(ga == 0), by_cases(al > 1), by_cases(al < -1), member=1), *(arithmetic(member=k_) for k_ in (2, 3, 4)),
           example({al: 1, ga: 0, x: -1}), example({al: -1, ga: 0, x: 1}), example({al: 1, ga: 1, x: 1}), example({al: 0, ga: 1, x: 1}),
           example({al: 0, ga: 1, x: -1}), example({al: -2, ga: 0, x: 2}), example({al: -2, ga: 0, x: "1/2"}), example({al: 2, ga: 0, x: 1}),
           example({al: 1, ga: 0, x: 1}), example({al: 1, ga: 2, x: 1}), example({al: 1, ga: -2, x: 1}), example({al: 2, ga: 0, x: 2}), instances(20)],
-      note="That the curve is singular there and nowhere else is BLZ94-X.11. The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
+      note="f and e are a(z) and b(z). Singular (c): D and its derivatives, as vectors with two entries each, have all minors zero (BLZ94-X.11). "
+           "The text refers to a Theorem 5.27; there is none, Theorem 5.11 with (5.27) is meant.")
 
 #: S of order one, (6.14)
 _S_ONE = (let(c, -al), let(S, rows([[1 / c, -1 / c], [ga**2 / c, c - ga**2 / c]])))
@@ -211,19 +239,23 @@ claim("BLZ94-X.9", "alpha - gamma moves by a fractional linear map, whose powers
 #: 1/kappa = -cos(2 pi q/p), q and p coprime: then the z^k - 1 have only z - 1 in common
 _COS = -cospi(2 * q, p)
 _PRIME = standing("q and p coprime, q < p/2", coprime(sum_of(k, 0, p - 1, Z**k), sum_of(k, 0, q - 1, Z**k)) & (2 * q < p))
-_CURVE = (let(e, _COS), let(al, HALF * (x + CURVE_B)), let(ga, HALF * (CURVE_B - x)), *ONE)
-#: w is the first step at which the orbit is back; alpha - gamma names the point
-_RETURN = (function(f, [k], when(alpha[k] - gamma[k] == x, k, f(k + 1))), let(w, f(1)))
-_PERIOD = w == p
-_ROTATION = steps("BLZ94-E8.4", "BLZ94-X.9", facts=["sin(t pi q/p) = 0 for coprime q, p if and only if p divides t"],
-                  prose="By X.9 the orbit is back at time t exactly if sin(t phi) = 0, with phi = pi q/p.")
-claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _PERIOD, sizes=["p", "q"], over={x: scalar()}, where=[*_CURVE, *_RETURN],
-      given=[_PRIME], by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9), q=(1, 2, 3, 4))],
-      note="Both conditions of the text are 1/kappa = -cos(2 pi q/p), with 2 pi q/p in (0, pi/2) for kappa < -1 and in (pi/2, pi) for kappa > 1. x = alpha - gamma names any point "
-           "of the curve.")
+_RETURNS = forall(t, 1, p, iff((alpha[t] == al0) & (gamma[t] == ga0), t == p))
+_ON = given("(8.4)", 1 + al0**2 - ga0**2 == 2 * lam * al0)
+_LINES = dict(using={x: scalar()}, made_by={al0: 2 * (lam + x) / (1 - x**2), ga0: 1 + x * 2 * (lam + x) / (1 - x**2)})
+claim("BLZ94-X8.A1", "on the curves with angle q pi/p all orbits that do not escape have period p", _RETURNS & (lam**2 < 1), sizes=["q", "p"],
+      over={al0: nonzero(), ga0: scalar(), lam: scalar()}, where=[*COPRIME, *FROM_START],
+      given=[*LOWEST_PQ, _ON, standing("the orbit exists", defined(alpha[p]) & defined(gamma[p])),
+             given("the angle", ((lam < 0) >> (cospi(2 * q, p) == -lam)) & ((lam >= 0) >> (cospi(p - 2 * q, p) == lam)))],
+      by=[arithmetic(*OF_KAPPA, valued(), *OF_POINTS), instances(12, q=1, p=(3, 4, 6), using=_LINES["using"], made_by={lam: _COS, **_LINES["made_by"]}),
+          *(example(dict(zip((q, p, al0, ga0, lam), one, strict=True))) for one in (
+              (1, 3, "-5/3", "-7/3", "1/2"), (1, 4, "-4/3", "-5/3", 0), (1, 6, -1, -1, "-1/2"), (1, 6, "-5/3", "-7/3", "1/2"), (2, 6, "-5/3", "-7/3", "1/2")))],
+      note="For every q and p and every point of the curve; lambda = 1/kappa. arctan sqrt(kappa^2 - 1) has the cosine 1/|kappa|, and is 2 pi q/p for kappa < -1, pi - 2 pi q/p for kappa > 1.")
 
-claim("BLZ94-X8.A3", "every period from three on occurs", _PERIOD, sizes=["p"], over={x: scalar()}, where=[let(q, 1), *_CURVE, *_RETURN], given=[standing("p > 2", p > 2)],
-      by=[_ROTATION, instances(24, p=(3, 4, 5, 6, 7, 8, 9, 10))], note="q = 1, for any p from three on. Period four needs 1/kappa = 0, the curve d_0 = 0 that (8.4) includes as kappa infinite; no finite kappa has it.")
+claim("BLZ94-X8.A3", "every period from three on occurs", d & _RETURNS, sizes=["p"], over={al0: scalar(), ga0: scalar()},
+      where=[let(q, 1), let(lam, _COS), *FROM_START, let(d, defined(alpha[p]) & defined(gamma[p]))], given=[standing("p > 2", p > 2), given("which points", al0 > 1), _ON],
+      by=[arithmetic(*OF_ENDLESS), instances(12, p=(3, 4, 6), **_LINES), example(p=3, alpha0="15/8", gamma0="13/8"), example(p=4, alpha0="4/3", gamma0="5/3"),
+          example(p=6, alpha0="8/7", gamma0="13/7"), example(p=3, alpha0=1, gamma0=1)],
+      note="q = 1, for any p from three on: the points with alpha_0 > 1 have orbits that exist (d), of period p. Period four needs 1/kappa = 0, the curve d_0 = 0 that (8.4) includes as kappa infinite; no finite kappa has it.")
 
 claim("BLZ94-X8.A2", "the number of points that escape", 2 * f(1) == when(rational(-1) ** p == -1, 2 * (p - 1), p - 2), sizes=["p", "q"],
       where=[let(e, _COS), function(y, [k], when(k == 1, 2 * e, when(y(k - 1) == 0, 0, 2 * e - 1 / y(k - 1)))),
