@@ -97,7 +97,7 @@ def decide_many(starts: Iterable[Start] | str | Path, jobs: int = 1, *, time_lim
 
 
 def outcomes(starts: Sequence[Start], *, jobs: int = 1, time_limit: float | None = None, asked: tuple[str, ...] = (),
-             idle: Callable[[], None] | None = None) -> Iterator[Outcome]:
+             idle: Callable[[], None] | None = None) -> Generator[Outcome, None, None]:
     """Yield for each start, in order, its answer or the error that refuses it.
 
     Parameters

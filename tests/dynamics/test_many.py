@@ -174,7 +174,7 @@ def test_the_command_answers_each_filter_in_a_line(tmp_path):
     records = [json.loads(line) for line in (tmp_path / "o.jsonl").read_text().splitlines()]
     expected = analyze(alpha=[3], gamma=["1/2"]).to_json()
     del expected["certificate"], expected["structure"]
-    assert records[0] == {"filter": f"{files[0]}:2", **expected} and set(records[1]) == {"filter", "error"}
+    assert records[0] == {"filter": f"{files[0]}:2", **expected, "key": records[0]["key"]} and set(records[1]) == {"filter", "error", "key"}
     assert sorted(x.name for x in (tmp_path / "certs").iterdir()) == ["1.json", "3.json", "4.json"]
     for x in (tmp_path / "certs").iterdir():
         replay(json.loads(x.read_text()))
@@ -202,6 +202,7 @@ def test_what_is_decided_before_ctrl_c_is_kept(tmp_path):
     first = call.stdout.readline()
     os.killpg(call.pid, signal.SIGINT)
     out, err = call.communicate(timeout=20)
-    assert (call.returncode, first, out, err) == (130, f"{tmp_path / 'f.json'}[0]: order 1: the orbit converges\n", "", "exactkf: stopped\n")
+    said = f"exactkf: stopped; 1 of 2 answers are in {str(tmp_path / 'o.jsonl')!r}: the same command goes on from there\n"
+    assert (call.returncode, first, out, err) == (130, f"{tmp_path / 'f.json'}[0]: order 1: the orbit converges\n", "", said)
     (kept,) = (tmp_path / "o.jsonl").read_text().splitlines()
     assert json.loads(kept)["behaviour"] == "converges"
