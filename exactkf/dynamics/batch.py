@@ -57,23 +57,23 @@ class _Batch:
         self.filters, self.jobs, self.time_limit, self.kept, self.certificates = filters, jobs, time_limit, kept, certificates
         self.records = {k: {**record, "filter": label} for k, (label, _) in enumerate(filters)
                         if (record := kept.found([self._key(k), self._key(k, is_open=True)]))}
-        self.reused = set(self.records)
+        self.reused = len(self.records)
+        self._ready = {k: outcome_of(record) for k, record in self.records.items()}  # and not yet said
+        self._said, self._seen, self._status = 0, Counter[str](), 0
 
     def carry_out(self, again: str) -> int:
         """Decide what is not known, print and write all; `again` says which call goes on if this one is stopped."""
-        pending = [data for k, (_, data) in enumerate(self.filters) if k not in self.reused]
+        pending = [k for k in range(len(self.filters)) if k not in self.records]
         asked = ("facts", "limit", "rate", "slow") * (self.kept.path is not None) + ("certificate",) * (self.certificates is not None)
-        seen, status = Counter[str](), 0
         if pending:
             self.kept.begin(self.records.values())
         try:
-            with (Meter("analyze", len(self.filters)) as meter,
-                  closing(outcomes(pending, jobs=self.jobs, time_limit=self.time_limit, asked=asked, idle=meter.tick)) as found):
-                for k, (label, _) in enumerate(self.filters):
-                    outcome = outcome_of(self.records[k]) if k in self.reused else self._take(k, next(found))
-                    seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
-                    status = max(status, _said(label, outcome))  # said last: what is printed is kept, whenever Ctrl-C comes
-                    meter.step(label)
+            with Meter("analyze", len(self.filters)) as meter, closing(outcomes([self.filters[k][1] for k in pending], jobs=self.jobs,
+                                                                                time_limit=self.time_limit, asked=asked, idle=meter.tick)) as found:
+                self._say(meter)
+                for place, outcome in found:
+                    self._take(pending[place], outcome)
+                    self._say(meter)
         except KeyboardInterrupt:  # what is decided by then is kept
             self._end()
             if self.kept.path is None:
@@ -83,13 +83,22 @@ class _Batch:
             return INTERRUPTED
         self._end()
         if self.reused:
-            click.echo(f"{len(self.reused)} of {len(self.filters)} answers were in {str(self.kept.path)!r}; --fresh decides them again", err=True)
-        counted = "; ".join(f"{x} {seen[x]}" for x in (*BEHAVIOURS, "refused") if seen[x])
+            click.echo(f"{self.reused} of {len(self.filters)} answers were in {str(self.kept.path)!r}; --fresh decides them again", err=True)
+        counted = "; ".join(f"{x} {self._seen[x]}" for x in (*BEHAVIOURS, "refused") if self._seen[x])
         click.echo(f"{len(self.filters)} filter{'s' * (len(self.filters) != 1)}: {counted}", err=True)
-        return status
+        return self._status
 
-    def _take(self, k: int, outcome: Outcome) -> Outcome:
-        """Keep what was found."""
+    def _say(self, meter: Meter) -> None:
+        """Print the answers whose turn it is. All is kept before: what is printed is in the file, whenever Ctrl-C comes."""
+        while self._said in self._ready:
+            label, outcome = self.filters[self._said][0], self._ready.pop(self._said)
+            self._said += 1
+            self._seen[outcome.behaviour if isinstance(outcome, Answer) else "refused"] += 1
+            self._status = max(self._status, _said(label, outcome))
+            meter.step(label)
+
+    def _take(self, k: int, outcome: Outcome) -> None:
+        """Keep what was found, in whatever order it comes."""
         if self.certificates is not None:
             path = self._certificate(k)
             with reaching("--certificate", path):
@@ -100,7 +109,7 @@ class _Batch:
         if self.kept.path is not None:
             is_open = isinstance(outcome, Answer) and bool(outcome.reason)
             self.records[k] = self.kept.add(self._key(k, is_open=is_open), record_of(self.filters[k][0], outcome))
-        return outcome
+        self._ready[k] = outcome
 
     def _end(self) -> None:
         self.kept.end([self.records[k] for k in sorted(self.records)])

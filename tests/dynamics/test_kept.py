@@ -26,9 +26,9 @@ def call(tmp_path, monkeypatch):
         decided = []
 
         def outcomes(pending, **options):
-            for data, outcome in zip(pending, itertools.islice(decide(pending, jobs=1, asked=options["asked"]), stop), strict=False):
-                decided.append(data)
-                yield how.get("found", outcome)
+            for place, outcome in reversed(list(itertools.islice(decide(pending, jobs=1, asked=options["asked"]), stop))):  # not in their order
+                decided.append(place)
+                yield place, how.get("found", outcome)
             if stop is not None:
                 raise KeyboardInterrupt
 
