@@ -86,8 +86,12 @@ def test_a_state_space_object_is_analyzed():
 
 
 def test_a_state_space_of_the_control_package_is_analyzed():
-    """The same for `control.StateSpace`."""
-    decided_alike(pytest.importorskip("control").StateSpace(*MATRICES, True))
+    """The same for `control.StateSpace`, unless its time is continuous."""
+    control = pytest.importorskip("control")
+    decided_alike(control.StateSpace(*MATRICES, True))
+    decided_alike(control.StateSpace(*MATRICES, None))
+    with pytest.raises(BadInput, match="argument 'system' is of continuous time"):
+        analyze(control.StateSpace(*MATRICES), floats="exact")
 
 
 def test_irrational_entries_share_a_field():
@@ -141,7 +145,8 @@ def test_files_keep_decimals_exact(tmp_path):
     ("f.toml", "beta = 1", "unknown key 'beta'"), ("f.toml", "alpha = [1]\ngamm = [2]", "unknown key 'gamm': '"),
     ("f.json", '{"gamm": [1]}', "did you mean 'gamma'?"), ("f.csv", "alpha,gamm\n1,2\n", "did you mean 'gamma'?"),
     ("f.csv", "alpha_1,gama_0\n1,2\n", "did you mean 'gamma'?"), ("f.toml", "alpha = [1]", "argument 'gamma' is missing"),
-    ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
+    ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", f'{{"a": [{"7" * 4301}], "g": [0]}}', "put it in quotes"),
+    ("f.toml", f'a = [{"7" * 4301}]', "an integer of more than 4300 digits"), ("f.json", "[" * 100000, "is not JSON"),
     ("f.json", '{"alpha": [1], "gamma": [2], "alpha": [3]}', "the key 'alpha' comes twice"), ("f.toml", "a = [1]\na = [2]\ng = [0]", "is not TOML"),
 ])
 def test_bad_files_are_one_line(tmp_path, name, text, says):
