@@ -83,7 +83,8 @@ def test_sympy_numbers():
     tenth = [number(sympy.Float("0.1", digits), floats=rule) for digits in (15, 40) for rule in ("decimal", 100)]
     assert tenth == [fmpq(1, 10)] * 4 and number(sympy.Float(0.1), floats="exact") == number(0.1, floats="exact")
     for value, says in ((sympy.Float(0.25), "is a float"), (sympy.sqrt(2) * sympy.Float(0.5), "has a sympy float in it"),
-                        (sympy.pi, "no number of the grammar"), (sympy.root(-2, 3), "root of a negative"), (sympy.oo, "no number of the grammar"), (sympy.sqrt(-2), "no number of the grammar")):
+                        (sympy.pi, "no number of the grammar"),
+                        (sympy.root(-2, 3), "root of a negative"), (sympy.oo, "no number of the grammar"), (sympy.sqrt(-2), "no number of the grammar")):
         with pytest.raises(BadInput, match=says):
             number(value)
 
