@@ -202,6 +202,7 @@ def test_the_hyperbola_is_drawn_up_to_its_vertices():
 
 @pytest.mark.parametrize(("alpha", "gamma", "label"), [
     ("1/2", "sqrt(5)/2", r"\\kappa = \\infty"), ("2/3 + sqrt(1/3)", "1/3 - sqrt(1/3)", r"\\kappa = 1\$"), ("0", "3/2", r"\\kappa = 0"),
+    ("3", "1/2", r"\\kappa = 8/13\$"),
     ("10^6", "999999.5", r"\\kappa = 1.9999985")])
 def test_the_label_of_the_hyperbola_is_that_of_the_exact_kappa(alpha, gamma, label):
     """Coordinates that are rounded first would turn infinity into 10^15 and one into what is next to it."""
