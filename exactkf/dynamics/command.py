@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -56,7 +57,8 @@ def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None
     for name, text in found.texts().items():
         if name in files:
             with reaching(f"--{name}", files[name]):
-                write_text(files[name], text)
+                one_line = name == "json" and files[name].suffix.lower() == ".jsonl"
+                write_text(files[name], dump_json(json.loads(text), indent=None) if one_line else text)
     missing = [path for name, path in files.items() if name not in found.texts()] + [path for _, path in drawings if path not in found.drawn]
     for path in missing:
         click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)

@@ -160,7 +160,7 @@ def _column(name: str, path: Path) -> tuple[str, int | None]:
     found = re.fullmatch(r"([a-z]+)_?(\d+)", name)
     key, place = (found[1], int(found[2])) if found else (name, None)
     if key not in (_VECTORS if found else _VECTORS | {"order", "pi0", "name"}):
-        near = meant(key)
+        near = "separate columns by commas" if ";" in name or "\t" in name else meant(key)
         raise bad("FILE", f"has the unknown column {name!r}", str(path), near if near else "name columns alpha, gamma, a, g, b, covariances, order, pi0, name, "
                   "or the entries of vectors alpha_1, alpha_2, ...")
     return key, place

@@ -141,7 +141,7 @@ class _Reader:
 
     def __init__(self, text: str, name: str) -> None:
         self.text, self.name = text, name
-        self.source = text.strip().replace("^", "**")
+        self.source = text.strip().replace("^", "**").replace("\N{MINUS SIGN}", "-")
 
     def read(self) -> Number:
         if len(self.text) > _LONGEST:

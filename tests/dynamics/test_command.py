@@ -54,7 +54,9 @@ def test_headlines(args, head):
 def test_a_file_says_the_same_as_options(tmp_path):
     """A TOML file with the same numbers gives the same answer."""
     (tmp_path / "f.toml").write_text('alpha = [3]\ngamma = ["1/2"]\n')
-    assert run(tmp_path / "f.toml").stdout == run("--alpha", 3, "--gamma", 0.5).stdout
+    whole, line = tmp_path / "a.json", tmp_path / "a.jsonl"
+    assert run(tmp_path / "f.toml", "--json", whole).stdout == run("--alpha", 3, "--gamma", 0.5, "--json", line).stdout
+    assert json.loads(whole.read_text()) == json.loads(line.read_text()) and line.read_text().count("\n") == 1
 
 
 @pytest.mark.parametrize("args, says", [

@@ -146,7 +146,8 @@ def test_files_of_many_filters(tmp_path, name):
     ("f.jsonl", '{"alpha": [1]}\n{', "f.jsonl:2"), ("f.jsonl", '{"alpha": [1]}\n[1]', "no table of keys"), ("f.jsonl", "\n", "holds no filter"),
     ("f.csv", "", "holds no filter"), ("f.csv", "alpha,beta\n1,2\n", "unknown column 'beta'"), ("f.csv", "a,g\n1,2,3\n", "has 3 cells where there are 2"),
     ("f.csv", "a_1,a_3,g_1,g_2\n", "does not number the columns of a"), ("f.csv", "a_1,a_1\n", "names a column twice"),
-    ("f.csv", "a,a_1\n", "does not number"), ("f.csv", 'a,g\n"1,,2",3\n', "a of "), ("f.csv", 'a,g\n"1', "is not CSV"),
+    ("f.csv", "a;g\n1;2\n", "separate columns by commas"), ("f.csv", "a,a_1\n", "does not number"), ("f.csv", 'a,g\n"1,,2",3\n', "a of "),
+    ("f.csv", 'a,g\n"1', "is not CSV"),
     ("f.csv", "a_1,a_2,g_1,g_2\n,1,1,1\n", "has an empty entry of a"),
     ("f.toml", "a = [1]\n[[filter]]\na = [1]", "outside its filters"), ("f.json", '[{"a": [1], "g": [0]}, {"beta": 1}]', "unknown key 'beta'"),
 ])
