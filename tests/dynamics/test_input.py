@@ -2,17 +2,20 @@
 """The ways in which a filter is given, and what is refused."""
 
 import json
+from fractions import Fraction
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import fmpq, fmpz
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.filter import Filter
+from exactkf.kernel.numbers import fraction
+from exactkf.kernel.replay import replay
 
 small = st.fractions(min_value=-4, max_value=4, max_denominator=6)
 
@@ -168,3 +171,23 @@ def test_analyze_refuses_mixtures():
         analyze({"a": [1], "g": [0]}, a=[1])
     with pytest.raises(BadInput, match="'pi0' comes with a filter of order 2"):
         analyze(a=["1/2", 0], g=[0, "1/3"], pi0="1/2")
+
+
+def test_numbers_of_thousands_of_digits_are_decided_and_replayed():
+    """No step stops at the digits that Python reads at once."""
+    answer = analyze(alpha=["1e1100"], gamma=["1/2"])
+    replay(answer.certificate)
+    assert answer.behaviour == "converges" and "limit of alpha" in str(answer) and "Not found" not in str(answer)
+
+
+def test_a_limit_of_thousands_of_digits_is_enclosed():
+    """That of exact floats of order four has its degree times their digits."""
+    answer = analyze(a=[0.1 + 0.7 * k / 9 for k in range(4)], g=[0.3 / (k + 3) for k in range(4)], floats="exact")
+    assert answer.behaviour == "converges" and [set(x) for x in answer.limit["alpha"]] == [{"interval"}] * 4
+
+
+def test_integers_of_certificates_have_any_length():
+    """They are read in pieces, to the same value."""
+    for text in ("7" * 700, "-" + "1234567890" * 500, "+" + "9" * 1201, "-" + "0" * 2000 + "3", "0" * 5000):
+        expected = Fraction(int(fmpz(text.lstrip("+"))))
+        assert fraction(text) == expected and fraction(f"{text}/{'3' * 4400}") == expected / int(fmpz("3" * 4400))
