@@ -182,7 +182,8 @@ def test_numbers_of_thousands_of_digits_are_decided_and_replayed():
 
 def test_a_limit_of_thousands_of_digits_is_enclosed():
     """That of exact floats of order four has its degree times their digits."""
-    answer = analyze(a=[0.1 + 0.7 * k / 9 for k in range(4)], g=[0.3 / (k + 3) for k in range(4)], floats="exact")
+    F = [[0.3 / (1 + i + 2 * j) for j in range(4)] for i in range(4)]
+    answer = analyze(F=F, g=[0.1 / (k + 3) for k in range(4)], h=[0.7 / (k + 1) for k in range(4)], floats="exact")
     assert answer.behaviour == "converges" and [set(x) for x in answer.limit["alpha"]] == [{"interval"}] * 4
 
 
