@@ -23,7 +23,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from exactkf._errors import ExactkfError
-from exactkf.signals import terminal_signals
+from exactkf.signals import ctrl_c_later, sigterm_as_ctrl_c
 
 __all__ = ["Ended", "OutOfTime", "bounded", "how_it_ended"]
 
@@ -68,11 +68,11 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
     context = multiprocessing.get_context("spawn")
     ours, theirs = context.Pipe(duplex=False)
     process = context.Process(target=_run, args=(function, request, theirs, seconds), daemon=True)
-    with terminal_signals(ignored=True):
-        process.start()
-    theirs.close()
     try:
-        with terminal_signals(ignored=False):
+        with ctrl_c_later():
+            process.start()
+        theirs.close()
+        with sigterm_as_ctrl_c():
             while True:
                 left = until - time.monotonic()
                 if left <= 0:
@@ -93,8 +93,9 @@ def bounded(function: Callable[[Any, Callable[[Any], None]], None], request: Any
         process.join()
         raise Ended(how_it_ended(process.exitcode)) from None
     finally:
-        process.kill()
-        process.join()
+        if process.pid is not None:  # it began
+            process.kill()
+            process.join()
         ours.close()
 
 

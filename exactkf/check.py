@@ -63,14 +63,14 @@ def read_certificate(file: Path) -> Any:
         with open(file, "rb") as stream:
             data = stream.read(_MOST_BYTES + 1)  # a device such as /dev/zero has no end
         if len(data) > _MOST_BYTES:
-            raise BadInput(f"is longer than {_MOST_BYTES >> 20} MB; pass a file that 'exactkf verify --certificates' wrote")
+            raise BadInput(f"is longer than {_MOST_BYTES >> 20} MB; pass a certificate that 'exactkf verify', 'lemma' or 'analyze' wrote")
         return parsed(data.decode("utf-8"))
     except BadInput:
         raise
     except OSError as error:
         raise BadInput(f"cannot be read ({error.strerror or error}); pass a file that you may read") from error
     except (ValueError, RecursionError) as error:
-        raise BadInput(f"is not JSON ({error}); pass a file that 'exactkf verify --certificates' wrote") from error
+        raise BadInput(f"is not JSON ({error}); pass a certificate that 'exactkf verify', 'lemma' or 'analyze' wrote") from error
 
 
 def _files(paths: Iterable[Path]) -> list[Path]:

@@ -273,7 +273,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--pi0", help="Order one: decide the Riccati equation started there.")
 @click.option("--after", type=_Steps(), metavar="T", help="Also the state after T steps, such as 10^12, without stepping.")
 @click.option("--digits", type=click.IntRange(min=1, max=100000), default=20, show_default=True, help="Decimal digits of numbers shown.")
-@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON.")
+@click.option("--json", "json_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the answer as JSON; many filters: go on from what is there.")
 @click.option("--certificate", type=click.Path(path_type=Path), metavar="FILE",
               help="Write the certificate, for 'exactkf check'; many filters: a folder.")
 @click.option("--latex", "latex_file", type=click.Path(path_type=Path), metavar="FILE", help="Write the derivation as LaTeX.")
@@ -283,6 +283,7 @@ def report(setup: Setup, words: Sequence[str], output: Path, kept: bool, **how: 
 @click.option("--time-limit", type=_Seconds(), default=60, show_default=True, metavar="S",
               help="Seconds for a filter; what is not found by then is said to be open.")
 @click.option("--jobs", "-j", type=click.IntRange(min=1), help="Many filters: worker processes [default: one per processor].")
+@click.option("--fresh", is_flag=True, help="Many filters: decide all again, whatever the file of --json has.")
 def analyze(files: Sequence[Path], **how: Any) -> int:
     """Decide what the gain of a filter does: converge, escape, repeat or wander.
 
@@ -290,7 +291,9 @@ def analyze(files: Sequence[Path], **how: Any) -> int:
     sqrt(2), cos(2*pi/7), root(x^3 - 2, 1, 2) and what + - * / ^ make of them.
 
     Many filters come in several files, or in one: .jsonl with an object a line, .csv with columns such as alpha_1, alpha_2, gamma_0,
-    gamma_1, a list in .json, or [[filter]] in .toml. Each is answered in a line; --json FILE.jsonl writes an object a line.
+    gamma_1, a list in .json, or [[filter]] in .toml. Each is answered in a line; --json FILE.jsonl writes an object a line, as soon as it is
+    known. A stopped call goes on when it is made again: answers about the same data that FILE has are taken from there, those left open only
+    with the same --time-limit.
 
     Exit status: 0 if every orbit is decided and all that was asked for is found, 1 if not, 2 if the call is wrong or a filter is refused.
     """

@@ -22,7 +22,7 @@ from typing import Any, Generic, TypeVar
 
 from pebble import ProcessPool
 
-from exactkf.signals import terminal_signals
+from exactkf.signals import ctrl_c_later, sigterm_as_ctrl_c
 
 __all__ = ["PoolBroken", "Tasks"]
 
@@ -85,9 +85,9 @@ class Tasks(Generic[T]):
         pool = ProcessPool(max_workers=jobs, context=multiprocessing.get_context("fork" if self.forks else "spawn"),
                            initializer=self.prepare, initargs=self.prepared)
         try:
-            with terminal_signals(ignored=True):
+            with ctrl_c_later():
                 _ = pool.active  # asking starts it
-            with terminal_signals(ignored=False):
+            with sigterm_as_ctrl_c():
                 while pool.active and (waiting or running):
                     self._fill(pool, waiting, running, jobs, finished)
                     try:

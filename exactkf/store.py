@@ -23,16 +23,15 @@ import hashlib
 import json
 import os
 from collections.abc import Iterator, Mapping
-from functools import cache
 from pathlib import Path
 from typing import Any
 
-import exactkf
 from exactkf.claims import Claim
+from exactkf.digest import code_digest
 from exactkf.evidence import Evidence
 from exactkf.files import check_folder, dump_json, reaching, write_text
 
-__all__ = ["Store", "claim_key", "code_digest", "state_folder"]
+__all__ = ["Store", "claim_key", "state_folder"]
 
 # the parts of the package that can change a result, and those in them that cannot
 _ENGINE = ("_errors.py", "_wording.py", "claims.py", "engine.py", "evidence.py", "exact", "finders", "kernel", "language", "theory")
@@ -46,21 +45,9 @@ def state_folder(option: str | os.PathLike | None = None) -> Path:
     return Path(option or os.environ.get("EXACTKF_STATE") or ".exactkf")
 
 
-@cache
-def code_digest() -> str:
-    """SHA-256 of the version and the source of everything that can change a result."""
-    root = Path(exactkf.__file__).parent
-    total = hashlib.sha256(exactkf.__version__.encode())
-    for part in _ENGINE:
-        for file in [root / part] if part.endswith(".py") else sorted((root / part).rglob("*.py")):
-            if file.is_file() and file.name not in _PRINTING:
-                total.update(f"{file.relative_to(root).as_posix()}\0".encode() + file.read_bytes())
-    return total.hexdigest()
-
-
 def claim_key(claim: Claim, claims: Mapping[str, Claim], seed: int = 0) -> str:
     """Digest of everything that the result of a claim depends on."""
-    data = [code_digest(), seed, _described(claim), [_described(c) for c in _leans_on(claim, claims, {claim.id})]]
+    data = [code_digest(_ENGINE, _PRINTING), seed, _described(claim), [_described(c) for c in _leans_on(claim, claims, {claim.id})]]
     return hashlib.sha256(json.dumps(data, sort_keys=True, default=str).encode()).hexdigest()
 
 

@@ -11,7 +11,7 @@ Notation
 An exact number in JSON is a string ``"p/q"``, or, if it is irrational, an object
 ``{"minpoly": [c_0, ..., c_d], "interval": [lo, hi]}``: the only root of the polynomial
 (coefficients from :math:`x^0` up) in the open interval.  The limit of an orbit of order two or more with irrational data,
-or whose coordinates would have a degree above 32, is in intervals, ``{"interval": [lo, hi]}``, and so are other numbers of large degree.
+or whose coordinates would have a degree above 32 or thousands of digits, is in intervals, ``{"interval": [lo, hi]}``, and so are other numbers of large degree.
 
 The certificate vouches for every field but the sentences of the derivation, which `Answer.beside` names, and for the state far ahead
 if `exactkf.dynamics.certified.certify_ahead` puts it in.  Of rate and slowness in orders above one it shows how they come from `D`; that the orbit
@@ -25,7 +25,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from exactkf._errors import BadInput
+from exactkf._errors import BadInput, Unsupported
 
 __all__ = ["BEHAVIOURS", "Answer", "Fact"]
 
@@ -198,7 +198,13 @@ class Answer:
         """What ``exactkf analyze`` prints."""
         from exactkf.dynamics.shown import decision_lines, number_lines, structure_lines
 
-        return "\n".join([*decision_lines(self), *number_lines(self, DIGITS), *structure_lines(self, DIGITS)])
+        lines, missing = decision_lines(self), []
+        for name, make in (("limit", number_lines), ("structure", structure_lines)):
+            try:
+                lines += make(self, DIGITS)
+            except Unsupported as error:
+                missing.append(f"  Not found: {name}: {error}.")
+        return "\n".join([*lines, *missing])
 
     def _repr_markdown_(self) -> str:
         """Headline, derivation and numbers, as a notebook shows them."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -25,8 +26,12 @@ _PICTURES = ("plane", "gamma", "alpha", "spectrum")
 
 
 def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None, digits: int, json_file: Path | None, certificate: Path | None,
-                    latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, jobs: int | None, **vectors: str | None) -> int:
+                    latex_file: Path | None, pictures: Sequence[str], steps: int, time_limit: float, jobs: int | None, fresh: bool,
+                    **vectors: str | None) -> int:
     """Decide, print, write; exit status 0, or 1 if something is undecided or not all that is asked for was found; `batch_command` if there are many."""
+    for name, path in (("--json", json_file), ("--certificate", certificate), ("--latex", latex_file)):
+        if path is not None and path.is_file() and any(file.is_file() and file.samefile(path) for file in given):
+            raise bad(name, "is the FILE of filters itself, which would be lost", str(path), "name another")
     filters = _filters(given, vectors)
     if pi0 is not None:
         for _, data in filters:
@@ -38,7 +43,8 @@ def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None
         for name, value in (("--after", after), ("--latex", latex_file), ("--picture", pictures or None)):
             if value is not None:
                 raise BadInput(f"argument {name} goes with one filter, and there are {len(filters)}; leave it out, or name a file with one")
-        return batch_command(filters, jobs=jobs or default_jobs(), time_limit=time_limit, json_file=json_file, certificate=certificate)
+        return batch_command(filters, jobs=jobs or default_jobs(), time_limit=time_limit, json_file=json_file, certificate=certificate,
+                             fresh=fresh)
     targets = {"json": json_file, "certificate": certificate, "latex": latex_file}
     files = {name: check_target(path, f"--{name}") for name, path in targets.items() if path is not None}
     drawings = tuple(_picture(text) for text in pictures)
@@ -51,7 +57,8 @@ def analyze_command(given: Sequence[Path], *, pi0: str | None, after: int | None
     for name, text in found.texts().items():
         if name in files:
             with reaching(f"--{name}", files[name]):
-                write_text(files[name], text)
+                one_line = name == "json" and files[name].suffix.lower() == ".jsonl"
+                write_text(files[name], dump_json(json.loads(text), indent=None) if one_line else text)
     missing = [path for name, path in files.items() if name not in found.texts()] + [path for _, path in drawings if path not in found.drawn]
     for path in missing:
         click.echo(f"exactkf: {path}: not written, {found.why or 'see above'}", err=True)

@@ -36,7 +36,8 @@ from flint import fmpq, fmpq_mat, fmpq_poly, fmpz_poly, nmod_mat
 from exactkf.dynamics.wandering import common_period, no_escape_modulo, primes
 from exactkf.exact.balls import precision
 from exactkf.exact.polynomials import count_roots
-from exactkf.kernel.numbers import Undefined
+from exactkf.exact.rationals import to_fraction
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.orbit_dominated import Powers, last_escape, last_zero, last_zero_by_size, power_sums
 from exactkf.kernel.orbit_polynomial import determinants
 
@@ -124,7 +125,7 @@ def _radii(classes: list[_Parts]) -> tuple[Fraction, Fraction]:
     polynomials = {tuple(map(str, M)): fmpq_poly(M).numer() for parts in classes for M, _ in parts}
     with precision(128):
         roots: Any = [z for f in polynomials.values() for z in f.complex_roots()]  # pairs of a ball and a multiplicity
-        sizes = sorted(Fraction(str(z.abs_lower().mid().fmpq())) for z, _ in roots)
+        sizes = sorted(to_fraction(z.abs_lower().mid().fmpq()) for z, _ in roots)
     gap = sizes[1] - sizes[0] if len(sizes) > 1 else Fraction(0)
     if gap * 1000 < sizes[0]:
         raise Undefined("the smallest zero is not alone")
@@ -141,7 +142,7 @@ def _first_dominates(parts: _Parts, at: dict[str, Any]) -> _Parts:
             if "prime" in at:
                 last_zero(read, at["prime"])
             else:
-                last_zero_by_size(read, *map(Fraction, at["radii"]))
+                last_zero_by_size(read, *map(fraction, at["radii"]))
         except Undefined:
             continue
         return order

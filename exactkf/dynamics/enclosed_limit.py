@@ -35,7 +35,7 @@ from exactkf.exact.numberfield import RealNumber
 from exactkf.exact.polynomials import count_roots
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.intervals import around, product
-from exactkf.kernel.numbers import Undefined
+from exactkf.kernel.numbers import Undefined, fraction
 from exactkf.kernel.roots import chebyshev, count_circle, divmod_poly, squarefree, times_poly
 from exactkf.kernel.spectral import enclosed_factor
 
@@ -96,7 +96,7 @@ class EnclosedLimit:
     def limit(self) -> dict[str, Any]:
         """The limit as an answer has it, to 50 digits or more."""
         intervals, bits = self.shown[:2]
-        return {"alpha": [{"interval": [str(Fraction(lo, 1 << bits)), str(Fraction(hi, 1 << bits))]} for lo, hi in intervals], "gamma": "0"}
+        return {"alpha": [{"interval": [str(fmpq(lo, 1 << bits)), str(fmpq(hi, 1 << bits))]} for lo, hi in intervals], "gamma": "0"}
 
     @property
     def evidence(self) -> dict[str, Any]:
@@ -159,5 +159,5 @@ def for_checker(polynomials: list[list[Any]]) -> list[list[Any]]:
     if found is None:
         return [[Fraction(int(fmpq(x).p), int(fmpq(x).q)) for x in p] for p in polynomials]
     modulus, lo, hi = field_json(found)  # type: ignore[misc]
-    field = AlgebraicField([Fraction(c) for c in modulus], Fraction(lo), Fraction(hi))
+    field = AlgebraicField([fraction(c) for c in modulus], fraction(lo), fraction(hi))
     return [[field.element([Fraction(int(c.p), int(c.q)) for c in x.poly.coeffs()]) for x in p] for p in polynomials]

@@ -92,7 +92,7 @@ __all__ = ["LimitDigits", "ball_between", "decide", "limit_digits", "rate_digits
 MAX_STEPS = 2000
 _MOST_STEPS = 10**7
 _FEW = 60
-_MOST_CHOICES = 32  # degree up to which a limit is written as roots, not enclosed
+_MOST_CHOICES, _MOST_BITS = 32, 4096  # degree, and its product with the bits of D, up to which a limit is written as roots, not enclosed
 _LARGE, _BILLION = ((1 << 61) - 1, (1 << 89) - 1), 10**9
 
 _SIGNS = {"+": "positive", "0+": "nonnegative, with zeros", "-": "negative", "-0": "nonpositive, with zeros", "+-": "of both signs"}
@@ -130,7 +130,7 @@ def decide(a: Sequence[Scalar], g: Sequence[Scalar], *, max_steps: int = MAX_STE
     -------
     Answer
         With a certificate of kind ``orbit``.  "undecided" carries the reason.  For algebraic data, and where it would have
-        a degree above 32, the limit is enclosed in intervals of 50 digits (`limit_digits` gives more).
+        a degree above 32 or thousands of digits, the limit is enclosed in intervals of 50 digits (`limit_digits` gives more).
 
     Raises
     ------
@@ -263,9 +263,15 @@ def _found(answer: Answer) -> _Limit | EnclosedLimit:
     if "_found" not in answer.__dict__:
         a, g, _ = answer.__dict__["_start"]
         case = _case(a, g)
-        exact = len(case.D) == 1 or case.rational and number_of_choices(case.D) <= _MOST_CHOICES
+        exact = len(case.D) == 1 or case.rational and _is_written(case.D)
         answer.__dict__["_found"] = _Limit(case) if exact else EnclosedLimit.of(case.D, case.reduced.removed)
     return answer.__dict__["_found"]
+
+
+def _is_written(D: Sequence[Any]) -> bool:
+    """Whether the limit is written as roots: these have about as many digits as their degree times those of `D`."""
+    degree = number_of_choices(D)
+    return degree <= _MOST_CHOICES and degree * fmpq_poly(list(D)).numer().height_bits() <= _MOST_BITS
 
 
 def _question(a: Sequence[Any], g: Sequence[Any]) -> dict[str, Any]:
@@ -611,7 +617,8 @@ def limit_digits(answer: Answer, digits: int) -> LimitDigits:
         case = _case(*state_of(answer))
         found, bits, *_ = EnclosedLimit.of(case.D, case.reduced.removed).enclosed(digits)
         return LimitDigits(tuple(ball_between(lo, hi, bits) for lo, hi in found))
-    numbers = [RealField([0, 1], (0, 0))(fmpq(*map(int, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen() for x in values]
+    numbers = [RealField([0, 1], (0, 0))(fmpq(*map(fmpz, x.split("/")))) if isinstance(x, str) else RealField(x["minpoly"], x["interval"]).gen()
+               for x in values]
     return LimitDigits(tuple(x.enclose(digits) for x in numbers))
 
 
@@ -657,5 +664,5 @@ def state_of(answer: Answer) -> tuple[Sequence[Any], Sequence[Any]]:
 
 def _element(x: Any, field: RealField | None) -> Any:
     if field is None:
-        return fmpq(*map(int, x.split("/")))
-    return field([fmpq(*map(int, c.split("/"))) for c in (x if isinstance(x, list) else [x])])
+        return fmpq(*map(fmpz, x.split("/")))
+    return field([fmpq(*map(fmpz, c.split("/"))) for c in (x if isinstance(x, list) else [x])])

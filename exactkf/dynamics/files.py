@@ -28,6 +28,7 @@ import csv
 import io
 import json
 import re
+import sys
 import tomllib
 from difflib import get_close_matches
 from pathlib import Path
@@ -113,6 +114,8 @@ def _parsed(text: str, place: Any, kind: str) -> Any:
     try:
         return tomllib.loads(text, parse_float=str) if kind == "TOML" else json.loads(text, parse_float=str, parse_constant=str, object_pairs_hook=_once)
     except (ValueError, RecursionError) as error:
+        if "integer string conversion" in str(error):
+            raise bad("FILE", f"has an integer of more than {sys.get_int_max_str_digits()} digits", str(place), "put it in quotes") from None
         raise bad("FILE", f"is not {kind} ({' '.join(str(error).split())})", str(place), "mend it") from None
 
 
@@ -157,7 +160,7 @@ def _column(name: str, path: Path) -> tuple[str, int | None]:
     found = re.fullmatch(r"([a-z]+)_?(\d+)", name)
     key, place = (found[1], int(found[2])) if found else (name, None)
     if key not in (_VECTORS if found else _VECTORS | {"order", "pi0", "name"}):
-        near = meant(key)
+        near = "separate columns by commas" if ";" in name or "\t" in name else meant(key)
         raise bad("FILE", f"has the unknown column {name!r}", str(path), near if near else "name columns alpha, gamma, a, g, b, covariances, order, pi0, name, "
                   "or the entries of vectors alpha_1, alpha_2, ...")
     return key, place

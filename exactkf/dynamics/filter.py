@@ -245,11 +245,13 @@ class Filter:
         Raises
         ------
         BadInput
-            If there is more than one input or output, D = 0, or an entry is a float without a rule.
+            If there is more than one input or output, D = 0, an entry is a float without a rule, or the time is continuous (dt = 0).
         """
         A, B, C, D = (getattr(system, name, None) for name in "ABCD")
         if any(x is None for x in (A, B, C, D)):
             raise bad("system", "has no matrices A, B, C, D", system, "pass a state space object")
+        if isinstance(dt := getattr(system, "dt", None), (int, float)) and dt == 0:
+            raise bad("system", "is of continuous time (dt = 0)", system, "pass one of discrete time, StateSpace(A, B, C, D, True)")
         B, C, D = _vector("B", B), _vector("C", C), _vector("D", D)
         if len(D) != 1 or len(B) != len(C):
             raise bad("D", "belongs to several inputs or outputs", D, "pass a system with one of each")

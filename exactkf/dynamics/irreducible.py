@@ -23,6 +23,7 @@ from flint import arb, fmpz, fmpz_poly, nmod_poly
 from exactkf.dynamics.wandering import primes
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import CyclotomicRealField, RealField
+from exactkf.exact.rationals import to_fraction
 from exactkf.kernel.irreducible import are_within, leaves
 
 __all__ = ["irreducible_at"]
@@ -90,7 +91,7 @@ def _radius(F: list[int]) -> Fraction | None:
         size, roots = arb(0), fmpz_poly(F).complex_roots()
         for z, _ in cast(Any, roots):
             size = size.max(abs(z))
-        near = Fraction(str(size.upper().fmpq()))
+        near = to_fraction(size.upper().fmpq())
     for percent in (101, 103, 106, 110, 120, 140, 200):
         R = (near * percent / 100).limit_denominator(100)
         if are_within(F, R):

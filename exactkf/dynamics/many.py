@@ -4,7 +4,7 @@ r"""Many filters decided, in several processes.
 Main definitions
 ----------------
 ``decide_many``  the answers, in the order of the starts
-``outcomes``     the same one by one, each an answer or why it was refused
+``outcomes``     the same one by one as they come, each an answer or why it was refused
 
 Choice of algorithm
 -------------------
@@ -89,7 +89,7 @@ def decide_many(starts: Iterable[Start] | str | Path, jobs: int = 1, *, time_lim
     listed = [_checked(k, start) for k, start in enumerate(starts)]
     answers = []
     with _no_garbage():
-        for k, outcome in enumerate(outcomes(listed, jobs=jobs, time_limit=time_limit)):
+        for k, outcome in enumerate(_in_order(outcomes(listed, jobs=jobs, time_limit=time_limit))):
             if not isinstance(outcome, Answer):
                 raise type(outcome)(f"starts[{k}]: {outcome}")
             answers.append(outcome)
@@ -97,8 +97,8 @@ def decide_many(starts: Iterable[Start] | str | Path, jobs: int = 1, *, time_lim
 
 
 def outcomes(starts: Sequence[Start], *, jobs: int = 1, time_limit: float | None = None, asked: tuple[str, ...] = (),
-             idle: Callable[[], None] | None = None) -> Iterator[Outcome]:
-    """Yield for each start, in order, its answer or the error that refuses it.
+             idle: Callable[[], None] | None = None) -> Generator[tuple[int, Outcome], None, None]:
+    """Yield, as they come, the places of the starts and their answers or the errors that refuse them.
 
     Parameters
     ----------
@@ -111,12 +111,16 @@ def outcomes(starts: Sequence[Start], *, jobs: int = 1, time_limit: float | None
         Called when nothing has come for half a second.
     """
     if jobs == 1 and time_limit is None:
-        yield from (_outcome(start, asked) for start in starts)
-        return
+        yield from ((k, _outcome(start, asked)) for k, start in enumerate(starts))
+    elif starts:
+        yield from _shared(starts, min(jobs, len(starts)), time_limit, asked, idle)
+
+
+def _in_order(pairs: Iterable[tuple[int, Outcome]]) -> Iterator[Outcome]:
     found: dict[int, Outcome] = {}
     k = 0
-    for number_of, outcome in _shared(starts, min(jobs, max(len(starts), 1)), time_limit, asked, idle):
-        found[number_of] = outcome
+    for place, outcome in pairs:
+        found[place] = outcome
         while k in found:
             yield found.pop(k)
             k += 1
@@ -196,7 +200,7 @@ class _Piece(NamedTuple):
 
 def _shared(starts: Sequence[Start], jobs: int, time_limit: float | None, asked: tuple[str, ...],
             idle: Callable[[], None] | None) -> Generator[tuple[int, Outcome], None, None]:
-    """Outcomes with their numbers, as they come."""
+    """Outcomes from several processes."""
     size = max(1, min(_LONGEST, len(starts) // (16 * jobs)))
     waiting = deque(_Piece(k, min(k + size, len(starts)), asked) for k in range(0, len(starts), size))
     # forking a process that runs threads can hang, also for the worker that replaces one out of time

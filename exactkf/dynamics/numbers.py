@@ -5,7 +5,7 @@ A number is an expression of a fixed grammar; nothing is evaluated by Python.
 
 .. code-block:: text
 
-    number   ::= fraction | decimal | number op number | -number | (number) | number ^ integer
+    number   ::= fraction | decimal | number op number | -number | (number) | number ^ integer | positive number ^ fraction
     op       ::= + | - | * | /
     number   ::= sqrt(number)
                | cos(angle) | sin(angle) | sec(angle)            angle: a rational multiple of pi, such as 2*pi/7
@@ -27,6 +27,7 @@ float the parser makes of them.
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Iterable, Mapping, Set
 from typing import Any
 
@@ -34,7 +35,7 @@ from flint import fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput
 from exactkf.exact._messages import bad, shown
-from exactkf.exact.compositum import square_root, together
+from exactkf.exact.compositum import MAX_DEGREE, nth_root, together
 from exactkf.exact.numberfield import RealField, RealNumber, cyclotomic_real
 from exactkf.exact.polynomials import isolate_real_roots
 from exactkf.exact.rationals import check_floats, rational
@@ -45,7 +46,8 @@ Number = fmpq | RealNumber
 
 GRAMMAR = "fractions, decimals, + - * / ^, sqrt(x), cos(p*pi/q), sin, sec, root(polynomial in x, lo, hi)"
 
-_LONGEST = 2000  # characters of one expression
+_LONGEST = 2000  # characters of an expression; a plain number may have more
+_PLAIN = re.compile(r"\s*[+-]?\d+(/\d+|\.\d+)?\s*", re.ASCII)
 _LARGEST_POWER = 1000
 _LARGEST_ANGLE = 2000  # denominator of an angle
 _MOST_BITS = 1 << 20  # of a power
@@ -57,10 +59,10 @@ def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> N
 
     Parameters
     ----------
-    value : str, int, Fraction, Decimal, fmpq, RealNumber, sympy number (a real CRootOf too) or float
+    value : str, int, Fraction, Decimal, fmpq, RealNumber, sympy number (of the same functions, tan, or a real CRootOf) or float
         A string is an expression of the grammar above.
     floats : {None, "exact", "decimal"} or int, optional
-        What a float stands for, see `exactkf.exact.rational`; None refuses it.
+        What a float, of numpy and sympy too, stands for, see `exactkf.exact.rational`; None refuses it.
     name : str
         Name of the argument in messages.
 
@@ -81,10 +83,10 @@ def number(value: Any, *, floats: str | int | None = None, name: str = "x") -> N
         check_floats(floats)
     if isinstance(value, RealNumber):
         return value.rational_value() if value.is_rational() else value
-    if type(value).__module__.split(".")[0] == "sympy" and not getattr(value, "is_Rational", False):
+    if type(value).__module__.split(".")[0] == "sympy" and not (getattr(value, "is_Rational", False) or getattr(value, "is_Float", False)):
         value = _sympy_text(value, name)
         if any(c.isdigit() and "." in value for c in value):
-            raise bad(name, "is a sympy float", value, "pass a sympy Rational or a string")
+            raise bad(name, "has a sympy float in it", value, "put a sympy Rational there")
     if not isinstance(value, str):
         return rational(value, floats=floats, name=name)
     return _Reader(value, name).read()
@@ -106,6 +108,7 @@ def numbers(values: Iterable[Any], *, floats: str | int | None = None, name: str
 
 def _sympy_text(value: Any, name: str) -> str:
     """A sympy expression in the grammar; each of its roots of polynomials with an interval found here, not by sympy."""
+    from sympy import cos
     from sympy.printing.str import StrPrinter
 
     class Printer(StrPrinter):
@@ -119,6 +122,17 @@ def _sympy_text(value: Any, name: str) -> str:
             terms = " + ".join(f"({c})*x^{k}" for k, c in enumerate(p.coeffs()) if c != 0)
             return f"root({terms}, {real[root.index].lo}, {real[root.index].hi})"
 
+        def _print_GoldenRatio(self, _: Any) -> str:
+            return "((1 + sqrt(5))/2)"
+
+        def _print_TribonacciConstant(self, _: Any) -> str:
+            return "root(x^3 - x^2 - x - 1, 1, 2)"
+
+        def _print_tan(self, value: Any) -> str:
+            return f"({self._print(value.rewrite(cos))})"
+
+        _print_cot = _print_csc = _print_tan
+
     return Printer().doprint(value).replace("**", "^")
 
 
@@ -127,10 +141,12 @@ class _Reader:
 
     def __init__(self, text: str, name: str) -> None:
         self.text, self.name = text, name
-        self.source = text.strip().replace("^", "**")
+        self.source = text.strip().replace("^", "**").replace("\N{MINUS SIGN}", "-")
 
     def read(self) -> Number:
         if len(self.text) > _LONGEST:
+            if _PLAIN.fullmatch(self.text):
+                return rational(self.text, name=self.name)
             raise bad(self.name, f"is longer than {_LONGEST} characters", self.text, "pass a shorter expression")
         try:
             tree = ast.parse(self.source, mode="eval").body
@@ -183,20 +199,23 @@ class _Reader:
 
     def _power(self, base: Number, node: ast.BinOp) -> Number:
         exponent = self._number(node.right)
-        if exponent == fmpq(1, 2) and not isinstance(exponent, RealNumber):
-            return self._root_of(base)
-        if isinstance(exponent, RealNumber) or exponent.q != 1 or abs(exponent) > _LARGEST_POWER:
-            raise bad(self.name, "has an exponent that is no small integer", self.text, f"use integers up to {_LARGEST_POWER}, or sqrt")
+        if isinstance(exponent, RealNumber) or abs(exponent.p) > _LARGEST_POWER or exponent.q > _LARGEST_DEGREE:
+            raise bad(self.name, "has an exponent that is no small integer or fraction", self.text,
+                      f"use numerators up to {_LARGEST_POWER} and denominators up to {_LARGEST_DEGREE}")
+        if exponent.q != 1:
+            base = self._root_of(base, int(exponent.q))
         k = int(exponent.p)
         if abs(k) * _bits(base) > _MOST_BITS:
             raise bad(self.name, "has too large a power", self.text, f"use numbers of up to {_MOST_BITS} bits")
         return base**k
 
-    def _root_of(self, x: Number) -> Number:
+    def _root_of(self, x: Number, n: int = 2) -> Number:
         if (x.sign() if isinstance(x, RealNumber) else int(x > 0) - int(x < 0)) < 0:
-            raise bad(self.name, "takes the square root of a negative number", self.text, "pass a real number")
+            raise bad(self.name, f"takes the {'square ' * (n == 2)}root of a negative number", self.text, "pass a real number, or root(x^3 + 2, -2, 0)")
+        if isinstance(x, RealNumber) and x.field.degree * n > MAX_DEGREE:
+            self._small(x.field.degree * n)
         field = RealField([0, 1], (0, 0))
-        return number(square_root(x if isinstance(x, RealNumber) else field(x)))
+        return number(nth_root(x if isinstance(x, RealNumber) else field(x), n))
 
     def _one(self, node: ast.Call) -> ast.expr:
         if len(node.args) != 1:

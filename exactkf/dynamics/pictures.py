@@ -31,9 +31,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from flint import fmpq
 
 from exactkf._errors import BadInput, ExactkfError, Unsupported
 from exactkf.dynamics.filter import Filter
+from exactkf.dynamics.numbers import Number
 from exactkf.exact.numberfield import RealNumber
 from exactkf.theory.fast_filter import step_ag
 from exactkf.theory.invariants import pseudo_polynomial
@@ -150,7 +152,7 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     if escape is not None:
         axes.plot(alpha[-1:], gamma[-1:], "X", color=_ORBIT, ms=10, label=rf"escape: $\gamma_{{{escape}}}^2 = 1$")
     outside = int(np.sum((np.abs(alpha) > reach) | (np.abs(gamma) > reach)))
-    title = rf"order one, $\alpha_0 = {_shown(alpha[0])}$, $\gamma_0 = {_shown(gamma[0])}$"
+    title = rf"order one, $\alpha_0 = {_shown(filter.a[0] + filter.g[0])}$, $\gamma_0 = {_shown(filter.g[0])}$"
     axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel=r"$\alpha$", ylabel=r"$\gamma$",
              title=title + (f"\n{outside} of {len(states)} points lie outside the picture" if outside else ""))
     axes.set_aspect("equal")
@@ -158,8 +160,10 @@ def draw_plane(filter: Filter, steps: int = 40) -> Figure:
     return figure
 
 
-def _shown(x: float) -> str:
-    return f"{x:.8g}"
+def _shown(x: Number) -> str:
+    """A short fraction as it is, anything else to eight digits."""
+    x = x.rational_value() if isinstance(x, RealNumber) and x.is_rational() else x
+    return str(x) if isinstance(x, fmpq) and len(str(x)) <= 9 else f"{_float(x):.8g}"
 
 
 def _regions(axes: Axes, reach: float) -> None:
@@ -175,7 +179,8 @@ def _regions(axes: Axes, reach: float) -> None:
         axes.axhline(sign, color=_INK, lw=0.9, ls=(0, (5, 3)), label=r"escape lines $\gamma = \pm 1$" if sign > 0 else None)
     axes.axvline(0, color=_INK, lw=0.4)
     axes.axhline(0, color=_INK, lw=0.4)
-    text: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 11, "color": _INK, "bbox": {"fc": "white", "ec": "none", "alpha": 0.6, "pad": 1}}
+    text: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 11, "color": _INK, "bbox": {"fc": "white", "ec": "none", "alpha": 0.6, "pad": 1},
+                            "zorder": 1.9}  # below the orbit
     for s, index in ((1, "+"), (-1, "-")):
         axes.text(0.45 * s, 0.22, rf"$\mathrm{{I}}_{index}$", **{**text, "fontsize": max(6.0, min(11.0, 30 / reach))})
         if reach > 2.3:
@@ -195,7 +200,8 @@ def _hyperbola(axes: Axes, filter: Filter, reach: float) -> None:
     if start == 0:
         axes.plot([0, 0], [-reach, reach], color="#2166ac", lw=1.4, label=r"$\alpha = 0$, $\kappa = 0$")
         return
-    turned = _float((1 + start * start - g * g) / start)  # 2 / kappa
+    exact = (1 + start * start - g * g) / start  # 2 / kappa
+    turned = _float(exact)
     far, u = 2 * reach, np.linspace(-1, 1, 2001)
     if turned**2 > 4:  # branches to the left and to the right, each through its vertex
         low, high = (turned - np.sqrt(turned**2 - 4)) / 2, (turned + np.sqrt(turned**2 - 4)) / 2
@@ -204,7 +210,7 @@ def _hyperbola(axes: Axes, filter: Filter, reach: float) -> None:
         parts = [(far * u, np.full_like(u, side)) for side in (1.0, -1.0)]
     x = np.concatenate([np.append(x, np.nan) for x, _ in parts])
     y = np.concatenate([np.append(side * np.sqrt(np.maximum(1 + x**2 - turned * x, 0)), np.nan) for x, side in parts])
-    label = r"$\kappa = \infty$" if turned == 0 else rf"$\kappa = {_shown(2 / turned)}$"
+    label = r"$\kappa = \infty$" if turned == 0 else rf"$\kappa = {_shown(2 / exact)}$"
     axes.plot(x, y, color="#2166ac", lw=1.4, label=f"invariant hyperbola, {label}")
 
 
@@ -266,12 +272,12 @@ def draw_alpha_plane(filter: Filter, reach: float = 4.0) -> Figure:
     axes.plot([x0], [y0], "o", mfc="white", mec=_ORBIT, ms=8)
     axes.axhline(0, color=_INK, lw=0.4)
     axes.axvline(0, color=_INK, lw=0.4)
-    handles = [Patch(fc=_POSITIVE, ec=_INK, label="positive real"), Patch(fc=_DEFINITE, ec=_INK, label=r"$D \geq 0$ on the circle")]
-    if (kind == 1).any():
-        handles.append(Patch(fc=_NEGATIVE, ec=_INK, label=r"$D \leq 0$ on the circle"))
-    handles.append(Patch(fc="white", ec=_INK, label="$D$ changes sign"))
-    axes.legend(handles=handles, loc="lower right", fontsize=9, framealpha=0.95)
-    axes.set(xlabel=r"$\alpha_1$", ylabel=r"$\alpha_2$", title=rf"order two, $\gamma_0 = {_shown(g0)}$, $\gamma_1 = {_shown(g1)}$; the circle is the start")
+    patches = {3: (_POSITIVE, "positive real"), 2: (_DEFINITE, r"$D \geq 0$ on the circle"), 1: (_NEGATIVE, r"$D \leq 0$ on the circle"),
+               0: ("white", "$D$ changes sign")}
+    handles = [Patch(fc=colour, ec=_INK, label=label) for k, (colour, label) in patches.items() if (kind == k).any()]
+    figure.legend(handles=handles, loc="outside lower center", ncols=2, frameon=False, fontsize=9)  # outside: it would hide a region
+    shown = [_shown(x) for x in found[1]]
+    axes.set(xlabel=r"$\alpha_1$", ylabel=r"$\alpha_2$", title=rf"order two, $\gamma_0 = {shown[0]}$, $\gamma_1 = {shown[1]}$; the circle is the start")
     return figure
 
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq, fmpq_poly
+from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf.dynamics.ahead import rounded
 from exactkf.dynamics.answer import Answer
@@ -110,7 +110,7 @@ def _ball(x: arb, digits: int) -> tuple[str, str]:
 
 
 def _fraction(text: str) -> fmpq:
-    return fmpq(*map(int, text.split("/")))
+    return fmpq(*map(fmpz, text.split("/")))
 
 
 # ---------------------------------------------------------------------- structure

@@ -139,13 +139,13 @@ def _of(D: tuple[Any, ...]) -> Factor:
         w *= (fmpq_poly(f) / f.leading_coefficient()) ** multiplicity
     if not mixed:
         return Factor(None, tuple(w.coeffs()))
-    bits = 64
+    bits, bound = 64, _BOUND + 8 * sum(f.height_bits() for f, _ in mixed)
     while True:
         try:
             with precision(bits):
                 return _with_field(w, mixed)
         except Unsupported:
-            if bits >= _BOUND:
+            if bits >= bound:
                 raise
             bits *= 2
 

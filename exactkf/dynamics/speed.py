@@ -58,7 +58,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from flint import arb, fmpq, fmpq_poly
+from flint import arb, fmpq, fmpq_poly, fmpz
 
 from exactkf._errors import BadInput, Unsupported
 from exactkf.dynamics.exact_json import isolated
@@ -132,7 +132,7 @@ def rate_ball(rate: Any, D: Sequence[Any], digits: int) -> arb:
     if isinstance(digits, bool) or not isinstance(digits, int) or digits < 1:
         raise BadInput(f"digits = {digits!r}: not a number of digits; pass a positive integer")
     if isinstance(rate, str):
-        return arb(fmpq(*map(int, rate.split("/"))))
+        return arb(fmpq(*map(fmpz, rate.split("/"))))
     if "minpoly" in rate:
         return RealField(rate["minpoly"], rate["interval"]).gen().enclose(digits)
     return _accurate([f for f, _ in factors(D)], digits)

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any
 
-from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz_mat, fmpz_poly
+from flint import arb, fmpq, fmpq_mat, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 
 from exactkf._errors import Unsupported
 from exactkf.exact.balls import precision
@@ -91,7 +91,7 @@ def _over_a_field(D: Sequence[Any]) -> tuple[fmpz_poly, int, list[list[str]], di
     wandering = palindromic_to_x(f).numer()
     zeros = []
     for lo, hi in _intervals(in_x):
-        ends = fmpq(*map(int, lo.split("/"))), fmpq(*map(int, hi.split("/")))
+        ends = fmpq(*map(fmpz, lo.split("/"))), fmpq(*map(fmpz, hi.split("/")))
         if (wandering(ends[0]) > 0) != (wandering(ends[1]) > 0) and count_real(mine, *ends) == 1:
             zeros.append([lo, hi])
     return f, len(zeros), zeros, evidence

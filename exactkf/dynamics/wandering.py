@@ -38,6 +38,7 @@ from flint import acb, acb_poly, arb, fmpq, fmpq_poly, fmpz, fmpz_mat, fmpz_poly
 
 from exactkf.exact.balls import precision
 from exactkf.exact.numberfield import RealField, RealNumber
+from exactkf.exact.rationals import to_fraction
 from exactkf.kernel.numbers import Undefined
 from exactkf.kernel.orbit_n import states
 from exactkf.kernel.orbit_sieve import exponent, intersected, step_matrix
@@ -390,7 +391,7 @@ def apparent_orders(D: Sequence[Any], bound: int = 10_000) -> list[int] | None:
             return None
         orders = []
         for z in found:
-            turn = Fraction(str((z.log().imag / (2 * arb.pi())).mid().fmpq())).limit_denominator(bound)
+            turn = to_fraction((z.log().imag / (2 * arb.pi())).mid().fmpq()).limit_denominator(bound)
             difference = abs(acb(2 * arb(fmpq(turn.numerator, turn.denominator))).exp_pi_i() - z)
             if not difference < arb(2) ** -100:
                 return None

@@ -19,7 +19,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple
 
-from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mat, fmpq_poly, fmpz
 
 from exactkf._errors import Unsupported
 from exactkf.dynamics.exact_json import isolated
@@ -144,7 +144,7 @@ def _points(D: Sequence[Any], bits: int) -> list[tuple[tuple[fmpq, fmpq], Any, i
 
 def _interval(value: Any) -> tuple[fmpq, fmpq]:
     """Where a number in JSON is."""
-    lo, hi = (fmpq(*map(int, x.split("/"))) for x in ((value, value) if isinstance(value, str) else value["interval"]))
+    lo, hi = (fmpq(*map(fmpz, x.split("/"))) for x in ((value, value) if isinstance(value, str) else value["interval"]))
     return lo, hi
 
 

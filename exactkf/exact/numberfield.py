@@ -183,25 +183,30 @@ class RealField:
         if self.root.lo == self.root.hi:
             with precision(bits):
                 return ball(self.root.lo)
-        with precision(bits + 32):
-            x = self._start()
-            width = x.rad()
-            while True:
-                mid = x.mid()
-                x = x.intersection(mid - self._integral(mid) / self._derivative(x))
-                if 2 * x.rad() > width:  # no more progress at this precision
-                    return x
-                width = x.rad()
-
-    def _start(self) -> arb:
-        """Return a ball around theta on which the derivative does not vanish."""
         root = self._narrow
         while True:
-            x = ball(root.lo).union(ball(root.hi))
-            if not self._derivative(x).contains(0):
-                self._narrow = root
-                return x
+            with precision(max(bits + 32, 2 * _fineness(root) + 64)):  # where another root is near, few bits would never tell them apart
+                x = ball(root.lo).union(ball(root.hi))
+                if not self._derivative(x).contains(0):
+                    self._narrow = root
+                    return self._nearer(x)
             root = refine_root(root, (root.hi - root.lo) / 4)
+
+    def _nearer(self, x: arb) -> arb:
+        """Return a ball around theta that is as small as the precision allows, from one on which the derivative does not vanish."""
+        width = x.rad()
+        while True:
+            mid = x.mid()
+            x = x.intersection(mid - self._integral(mid) / self._derivative(x))
+            if 2 * x.rad() > width:  # no more progress at this precision
+                return x
+            width = x.rad()
+
+
+def _fineness(root: RealRoot) -> int:
+    """The number of bits after which the ends of an interval differ, roughly."""
+    ratio = (abs(root.lo) + abs(root.hi)) / (root.hi - root.lo)
+    return int(ratio.p // ratio.q).bit_length()
 
 
 @total_ordering

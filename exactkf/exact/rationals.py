@@ -25,6 +25,7 @@ from __future__ import annotations
 import math
 import numbers
 import re
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any
@@ -49,7 +50,7 @@ def rational(x: Any, *, floats: str | int | None = None, name: str = "x") -> fmp
 
     Parameters
     ----------
-    x : int, Fraction, Decimal, str, fmpz, fmpq, numpy integer, sympy Rational or float
+    x : int, Fraction, Decimal, str, fmpz, fmpq, numpy integer, sympy Rational or float (Python's, numpy's, sympy's)
         The number.  Strings are ``"3/4"``, ``"1.25"`` or ``"1e-3"``.
     floats : {None, "exact", "decimal"} or int, optional
         What a binary floating point number stands for.  None refuses it;
@@ -92,7 +93,11 @@ def rational(x: Any, *, floats: str | int | None = None, name: str = "x") -> fmp
     if isinstance(x, Decimal):
         return _from_decimal(x, name)
     if isinstance(x, numbers.Real) and hasattr(x, "as_integer_ratio"):
-        return _from_float(x, floats, name)
+        if not math.isfinite(x):
+            raise bad(name, "is not finite", x, "pass a finite number")
+        return _from_float(x, lambda: x.as_integer_ratio(), floats, name)
+    if getattr(x, "is_Float", False) is True:  # sympy's, which are finite
+        return _from_float(x, lambda: _sympy_ratio(x), floats, name)
     if getattr(x, "is_Rational", False) is True:  # sympy, without importing it
         return fmpq(int(x.p), int(x.q))
     raise bad(name, "is not a rational number", x, 'pass an int, a Fraction or a string such as "3/4"')
@@ -154,15 +159,21 @@ def check_floats(floats: Any) -> None:
     raise bad("floats", "is not a policy", floats, 'pass "exact", "decimal" or a largest denominator >= 1')
 
 
-def _from_float(x: Any, floats: str | int | None, name: str) -> fmpq:
-    """Return the rational number a floating point number stands for under the policy `floats`."""
-    if not math.isfinite(x):
-        raise bad(name, "is not finite", x, "pass a finite number")
+def _from_float(x: Any, ratio: Callable[[], tuple[int, int]], floats: str | int | None, name: str) -> fmpq:
+    """Return the rational number a finite floating point number stands for under the policy `floats`."""
     if floats is None:
         raise bad(name, "is a float", x, f'pass the string "{x}", or say what floats mean with floats="decimal"')
     if floats == "decimal":
         return _from_string(str(x), name)
-    exact = Fraction(*x.as_integer_ratio())
+    exact = Fraction(*ratio())
     if floats != "exact":
         exact = exact.limit_denominator(int(floats))
     return fmpq(exact.numerator, exact.denominator)
+
+
+def _sympy_ratio(x: Any) -> tuple[int, int]:
+    """The quotient of integers that is stored as a float of sympy."""
+    from sympy import Rational
+
+    stored = Rational(x)
+    return int(stored.p), int(stored.q)

@@ -33,6 +33,7 @@ class AlgebraicField:
         if not lo < hi or _sign_at(modulus, lo) * _sign_at(modulus, hi) >= 0 or not irreducible and count_real(modulus, lo, hi) != 1:
             raise Undefined("the interval of a number field must isolate one root")
         self.lo, self.hi, self.irreducible = lo, hi, irreducible
+        self.enclosures: dict[int, tuple[int, int]] = {}  # of the generator, by bits
         self.take(modulus)
 
     @classmethod

@@ -32,7 +32,14 @@ def enclosed(x: Algebraic, bits: int) -> Interval:
 
 
 def generator(field: AlgebraicField, bits: int) -> Interval:
-    """An interval around the generator, by bisection in integers: a change of sign is kept inside."""
+    """An interval around the generator, made once for each number of bits: whatever the field computes modulo, its generator stays."""
+    if bits not in field.enclosures:
+        field.enclosures[bits] = _bisected(field, bits)
+    return field.enclosures[bits]
+
+
+def _bisected(field: AlgebraicField, bits: int) -> Interval:
+    """The same, by bisection in integers: a change of sign is kept inside."""
     common = lcm(*(c.denominator for c in field.modulus))
     p = [int(c * common) for c in field.modulus]
 

@@ -79,6 +79,7 @@ def rational(p: int, q: int) -> Any:
     return _rational(p, q)
 
 
+_DIGITS = 600  # the least limit that Python can be given
 _EXACT = re.compile(r"[-+]?[0-9]+(/[0-9]+|\.[0-9]+)?")
 
 
@@ -88,8 +89,18 @@ def fraction(data: Any) -> Fraction:
         return Fraction(data)
     if isinstance(data, str) and _EXACT.fullmatch(data):
         p, slash, q = data.partition("/")
-        return Fraction(int(p), int(q)) if slash else Fraction(data) if "." in data else Fraction(int(data))
+        return Fraction(_integer(p), _integer(q)) if slash else Fraction(data) if "." in data else Fraction(_integer(data))
     raise Undefined(f"{str(data)[:40]!r} is no exact number")
+
+
+def _integer(text: str) -> int:
+    """An integer of any length; `int` alone refuses thousands of digits, as it would take a time that grows with their square."""
+    if len(text) <= _DIGITS:
+        return int(text)
+    low = len(text) // 2
+    high = _integer(text[:-low])
+    rest = _integer(text[-low:])
+    return high * 10**low + (-rest if text[0] == "-" else rest)
 
 
 def divide(x: Any, y: Any) -> Any:

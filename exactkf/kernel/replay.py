@@ -86,7 +86,7 @@ def replay(certificate: Any, trials: Trials | None = None) -> list[str]:
         With the step that fails.
     """
     if not isinstance(certificate, dict) or certificate.get("format") != FORMAT:
-        raise NotACertificate("not an exactkf certificate; pass a file that 'exactkf verify --certificates' wrote")
+        raise NotACertificate("not an exactkf certificate; pass a certificate that 'exactkf verify', 'lemma' or 'analyze' wrote")
     if certificate.get("version") != VERSION:
         raise NotACertificate(f"version {certificate.get('version')!r} of the certificate format; this checker reads version {VERSION}")
     if set(certificate) != set(_FIELDS) or not isinstance(certificate["kind"], str) or certificate["kind"] not in _KINDS:

@@ -54,7 +54,9 @@ def test_headlines(args, head):
 def test_a_file_says_the_same_as_options(tmp_path):
     """A TOML file with the same numbers gives the same answer."""
     (tmp_path / "f.toml").write_text('alpha = [3]\ngamma = ["1/2"]\n')
-    assert run(tmp_path / "f.toml").stdout == run("--alpha", 3, "--gamma", 0.5).stdout
+    whole, line = tmp_path / "a.json", tmp_path / "a.jsonl"
+    assert run(tmp_path / "f.toml", "--json", whole).stdout == run("--alpha", 3, "--gamma", 0.5, "--json", line).stdout
+    assert json.loads(whole.read_text()) == json.loads(line.read_text()) and line.read_text().count("\n") == 1
 
 
 @pytest.mark.parametrize("args, says", [
@@ -202,6 +204,7 @@ def test_the_hyperbola_is_drawn_up_to_its_vertices():
 
 @pytest.mark.parametrize(("alpha", "gamma", "label"), [
     ("1/2", "sqrt(5)/2", r"\\kappa = \\infty"), ("2/3 + sqrt(1/3)", "1/3 - sqrt(1/3)", r"\\kappa = 1\$"), ("0", "3/2", r"\\kappa = 0"),
+    ("3", "1/2", r"\\kappa = 8/13\$"),
     ("10^6", "999999.5", r"\\kappa = 1.9999985")])
 def test_the_label_of_the_hyperbola_is_that_of_the_exact_kappa(alpha, gamma, label):
     """Coordinates that are rounded first would turn infinity into 10^15 and one into what is next to it."""

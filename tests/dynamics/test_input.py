@@ -2,17 +2,20 @@
 """The ways in which a filter is given, and what is refused."""
 
 import json
+from fractions import Fraction
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from flint import fmpq
+from flint import fmpq, fmpz
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.analyze import analyze, filter_from, read_data
 from exactkf.dynamics.filter import Filter
+from exactkf.kernel.numbers import fraction
+from exactkf.kernel.replay import replay
 
 small = st.fractions(min_value=-4, max_value=4, max_denominator=6)
 
@@ -86,8 +89,12 @@ def test_a_state_space_object_is_analyzed():
 
 
 def test_a_state_space_of_the_control_package_is_analyzed():
-    """The same for `control.StateSpace`."""
-    decided_alike(pytest.importorskip("control").StateSpace(*MATRICES, True))
+    """The same for `control.StateSpace`, unless its time is continuous."""
+    control = pytest.importorskip("control")
+    decided_alike(control.StateSpace(*MATRICES, True))
+    decided_alike(control.StateSpace(*MATRICES, None))
+    with pytest.raises(BadInput, match="argument 'system' is of continuous time"):
+        analyze(control.StateSpace(*MATRICES), floats="exact")
 
 
 def test_irrational_entries_share_a_field():
@@ -141,7 +148,8 @@ def test_files_keep_decimals_exact(tmp_path):
     ("f.toml", "beta = 1", "unknown key 'beta'"), ("f.toml", "alpha = [1]\ngamm = [2]", "unknown key 'gamm': '"),
     ("f.json", '{"gamm": [1]}', "did you mean 'gamma'?"), ("f.csv", "alpha,gamm\n1,2\n", "did you mean 'gamma'?"),
     ("f.csv", "alpha_1,gama_0\n1,2\n", "did you mean 'gamma'?"), ("f.toml", "alpha = [1]", "argument 'gamma' is missing"),
-    ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", "[" * 100000, "is not JSON"),
+    ("f.json", '{"a": [NaN], "g": [0]}', "argument 'a[0]'"), ("f.json", f'{{"a": [{"7" * 4301}], "g": [0]}}', "put it in quotes"),
+    ("f.toml", f'a = [{"7" * 4301}]', "an integer of more than 4300 digits"), ("f.json", "[" * 100000, "is not JSON"),
     ("f.json", '{"alpha": [1], "gamma": [2], "alpha": [3]}', "the key 'alpha' comes twice"), ("f.toml", "a = [1]\na = [2]\ng = [0]", "is not TOML"),
 ])
 def test_bad_files_are_one_line(tmp_path, name, text, says):
@@ -163,3 +171,24 @@ def test_analyze_refuses_mixtures():
         analyze({"a": [1], "g": [0]}, a=[1])
     with pytest.raises(BadInput, match="'pi0' comes with a filter of order 2"):
         analyze(a=["1/2", 0], g=[0, "1/3"], pi0="1/2")
+
+
+def test_numbers_of_thousands_of_digits_are_decided_and_replayed():
+    """No step stops at the digits that Python reads at once."""
+    answer = analyze(alpha=["1e1100"], gamma=["1/2"])
+    replay(answer.certificate)
+    assert answer.behaviour == "converges" and "limit of alpha" in str(answer) and "Not found" not in str(answer)
+
+
+def test_a_limit_of_thousands_of_digits_is_enclosed():
+    """That of exact floats of order four has its degree times their digits."""
+    F = [[0.3 / (1 + i + 2 * j) for j in range(4)] for i in range(4)]
+    answer = analyze(F=F, g=[0.1 / (k + 3) for k in range(4)], h=[0.7 / (k + 1) for k in range(4)], floats="exact")
+    assert answer.behaviour == "converges" and [set(x) for x in answer.limit["alpha"]] == [{"interval"}] * 4
+
+
+def test_integers_of_certificates_have_any_length():
+    """They are read in pieces, to the same value."""
+    for text in ("7" * 700, "-" + "1234567890" * 500, "+" + "9" * 1201, "-" + "0" * 2000 + "3", "0" * 5000):
+        expected = Fraction(int(fmpz(text.lstrip("+"))))
+        assert fraction(text) == expected and fraction(f"{text}/{'3' * 4400}") == expected / int(fmpz("3" * 4400))

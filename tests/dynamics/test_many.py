@@ -146,7 +146,8 @@ def test_files_of_many_filters(tmp_path, name):
     ("f.jsonl", '{"alpha": [1]}\n{', "f.jsonl:2"), ("f.jsonl", '{"alpha": [1]}\n[1]', "no table of keys"), ("f.jsonl", "\n", "holds no filter"),
     ("f.csv", "", "holds no filter"), ("f.csv", "alpha,beta\n1,2\n", "unknown column 'beta'"), ("f.csv", "a,g\n1,2,3\n", "has 3 cells where there are 2"),
     ("f.csv", "a_1,a_3,g_1,g_2\n", "does not number the columns of a"), ("f.csv", "a_1,a_1\n", "names a column twice"),
-    ("f.csv", "a,a_1\n", "does not number"), ("f.csv", 'a,g\n"1,,2",3\n', "a of "), ("f.csv", 'a,g\n"1', "is not CSV"),
+    ("f.csv", "a;g\n1;2\n", "separate columns by commas"), ("f.csv", "a,a_1\n", "does not number"), ("f.csv", 'a,g\n"1,,2",3\n', "a of "),
+    ("f.csv", 'a,g\n"1', "is not CSV"),
     ("f.csv", "a_1,a_2,g_1,g_2\n,1,1,1\n", "has an empty entry of a"),
     ("f.toml", "a = [1]\n[[filter]]\na = [1]", "outside its filters"), ("f.json", '[{"a": [1], "g": [0]}, {"beta": 1}]', "unknown key 'beta'"),
 ])
@@ -174,7 +175,7 @@ def test_the_command_answers_each_filter_in_a_line(tmp_path):
     records = [json.loads(line) for line in (tmp_path / "o.jsonl").read_text().splitlines()]
     expected = analyze(alpha=[3], gamma=["1/2"]).to_json()
     del expected["certificate"], expected["structure"]
-    assert records[0] == {"filter": f"{files[0]}:2", **expected} and set(records[1]) == {"filter", "error"}
+    assert records[0] == {"filter": f"{files[0]}:2", **expected, "key": records[0]["key"]} and set(records[1]) == {"filter", "error", "key"}
     assert sorted(x.name for x in (tmp_path / "certs").iterdir()) == ["1.json", "3.json", "4.json"]
     for x in (tmp_path / "certs").iterdir():
         replay(json.loads(x.read_text()))
@@ -202,6 +203,7 @@ def test_what_is_decided_before_ctrl_c_is_kept(tmp_path):
     first = call.stdout.readline()
     os.killpg(call.pid, signal.SIGINT)
     out, err = call.communicate(timeout=20)
-    assert (call.returncode, first, out, err) == (130, f"{tmp_path / 'f.json'}[0]: order 1: the orbit converges\n", "", "exactkf: stopped\n")
+    said = f"exactkf: stopped; 1 of 2 answers are in {str(tmp_path / 'o.jsonl')!r}: the same command goes on from there\n"
+    assert (call.returncode, first, out, err) == (130, f"{tmp_path / 'f.json'}[0]: order 1: the orbit converges\n", "", said)
     (kept,) = (tmp_path / "o.jsonl").read_text().splitlines()
     assert json.loads(kept)["behaviour"] == "converges"

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from exactkf._errors import BadInput
 from exactkf.dynamics.numbers import number, numbers
-from exactkf.exact.compositum import compositum, square_root, together
+from exactkf.exact.compositum import compositum, nth_root, together
 from exactkf.exact.numberfield import RealField, cyclotomic_real, sqrt_field
 
 
@@ -23,6 +23,9 @@ def _float(x):
     ("sqrt(8)/sqrt(2)", fmpq(2)), ("sqrt(9/4)", fmpq(3, 2)), ("cos(pi/3)", fmpq(1, 2)), ("sin(pi/6)", fmpq(1, 2)), ("sec(pi)", fmpq(-1)),
     ("2*cos(pi/5) - (1 + sqrt(5))/2", fmpq(0)), ("root(x^2 - 2, 1, 2)^2", fmpq(2)), ("root(2*x - 3, 0, 2)", fmpq(3, 2)),
     ("sqrt(3 + 2*sqrt(2)) - sqrt(2)", fmpq(1)), ("cos(2*pi/7) + cos(4*pi/7) + cos(6*pi/7)", fmpq(-1, 2)), ("+(1)", fmpq(1)), ("2^(1/2)/sqrt(2)", fmpq(1)),
+    ("8^(1/3)", fmpq(2)), ("1 \N{MINUS SIGN} 3", fmpq(-2)), ("(1/8)^(-2/3)", fmpq(4)), ("0^(1/3)", fmpq(0)), ("2^(1/3) - root(x^3 - 2, 1, 2)", fmpq(0)),
+    ("(7 + 5*sqrt(2))^(1/3) - sqrt(2)", fmpq(1)), ("7" * 3000 + "/" + "7" * 3000, fmpq(1)),
+    ("sqrt(1 + sqrt(2)/10^200)^2*10^200 - 10^200 - sqrt(2)", fmpq(0)),
 ])
 def test_expressions_have_their_values(text, value):
     """Equal expressions are equal numbers."""
@@ -49,7 +52,9 @@ def test_irrational_values(text, value):
     ("sqrt(-1)", "square root of a negative"), ("1/0", "divides by zero"), ("1/(sqrt(2)^2 - 2)", "divides by zero"), ("sec(pi/2)", "divides by zero"),
     ("cos(1)", "rational multiple of pi"),
     ("cos(pi^2)", "rational multiple of pi"), ("cos(pi/99999)", "rational multiple of pi"), ("cos(pi, 1)", "2 arguments"),
-    ("2^sqrt(2)", "exponent"), ("2^(1/3)", "exponent"), ("10^100000", "exponent"), ("((2^1000)^1000)^1000", "too large a power"), ("1" * 3000, "longer than"),
+    ("2^sqrt(2)", "exponent"), ("2^(1/49)", "exponent"), ("2^(1001/2)", "exponent"), ("(-8)^(1/3)", "root of a negative"),
+    ("cos(2*pi/61)^(1/7)", "is of degree 210"), ("10^100000", "exponent"), ("((2^1000)^1000)^1000", "too large a power"), ("1+" * 1500, "longer than"),
+    ("1" * 200000, "more than 100000"),
     ("1_000", "not a rational number"), ("0x10", "not a rational number"), ("(" * 900 + "1" + ")" * 900, "no number of the grammar"),
 ])
 def test_what_is_no_number_is_named(text, says):
@@ -68,14 +73,20 @@ def test_floats_need_a_rule():
 
 
 def test_sympy_numbers():
-    """Sympy's exact numbers are read, its floats are not."""
+    """Sympy's exact numbers are read, its floats by a rule, and not within expressions."""
     sympy = pytest.importorskip("sympy")
     assert number(sympy.Rational(1, 3)) == fmpq(1, 3)
     assert number(1 / sympy.sqrt(2) + sympy.cos(2 * sympy.pi / 7)) == number("1/sqrt(2) + cos(2*pi/7)")
-    with pytest.raises(BadInput):
-        number(sympy.Float(0.25))
-    with pytest.raises(BadInput, match="no number of the grammar"):
-        number(sympy.pi)
+    assert number(sympy.cbrt(2) + sympy.GoldenRatio + sympy.tan(sympy.pi / 7)) == number("2^(1/3) + (1 + sqrt(5))/2 + sin(pi/7)/cos(pi/7)")
+    assert number(sympy.cot(sympy.pi / 7) * sympy.csc(sympy.pi / 7)) == number("cos(pi/7)/sin(pi/7)^2")
+    assert number(sympy.TribonacciConstant) == number("root(x^3 - x^2 - x - 1, 1, 2)")
+    tenth = [number(sympy.Float("0.1", digits), floats=rule) for digits in (15, 40) for rule in ("decimal", 100)]
+    assert tenth == [fmpq(1, 10)] * 4 and number(sympy.Float(0.1), floats="exact") == number(0.1, floats="exact")
+    for value, says in ((sympy.Float(0.25), "is a float"), (sympy.sqrt(2) * sympy.Float(0.5), "has a sympy float in it"),
+                        (sympy.pi, "no number of the grammar"),
+                        (sympy.root(-2, 3), "root of a negative"), (sympy.oo, "no number of the grammar"), (sympy.sqrt(-2), "no number of the grammar")):
+        with pytest.raises(BadInput, match=says):
+            number(value)
 
 
 def test_roots_of_sympy():
@@ -135,8 +146,15 @@ def test_compositum_of_fields_that_meet():
 def test_square_root_squares_back(p, q):
     """sqrt(x)^2 = x for x = p/q + sqrt(2)."""
     x = sqrt_field(2).gen() + fmpq(p, q)
-    root = square_root(x)
+    root = nth_root(x)
     assert root**2 == x and root.sign() == 1
+
+
+def test_numbers_with_conjugates_near_by_are_told_apart():
+    """Two roots that agree in 200 digits: enclosed to few digits and to many, and compared."""
+    x, y = (number(f"sqrt(1 {sign} sqrt(2)/10^200)") for sign in "+-")
+    assert x.field.minpoly == y.field.minpoly and [float(v.enclose(3).mid()) for v in (x, y)] == [1.0, 1.0]
+    assert numbers([x, y])[0][0] > 1 > numbers([x, y])[0][1]
 
 
 def test_too_large_a_field_is_refused():

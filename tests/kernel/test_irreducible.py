@@ -13,7 +13,7 @@ from flint import fmpz_poly, nmod_poly
 from exactkf.dynamics.exact_json import field_json
 from exactkf.dynamics.irreducible import irreducible_at
 from exactkf.exact import RealField, cyclotomic_real, sqrt_field
-from exactkf.exact.compositum import square_root, together
+from exactkf.exact.compositum import nth_root, together
 from exactkf.kernel.algebraic import AlgebraicField
 from exactkf.kernel.irreducible import are_within, check_irreducible, integral, leaves, possible_degrees
 from exactkf.kernel.numbers import Undefined
@@ -29,7 +29,7 @@ def root(d):
 
 FIELDS = [together(values)[1] for values in (
     [root(2)], [root(2), root(3), root(5)], [root(2), root(3), root(5), root(7)], [cyclotomic_real(22).gen(), root(5)], [CUBE, root(5), root(3)],
-    [cyclotomic_real(9).gen(), cyclotomic_real(11).gen()], [square_root(2 + root(2)), cyclotomic_real(22).gen()], [QUINTIC, cyclotomic_real(14).gen()])]
+    [cyclotomic_real(9).gen(), cyclotomic_real(11).gen()], [nth_root(2 + root(2)), cyclotomic_real(22).gen()], [QUINTIC, cyclotomic_real(14).gen()])]
 
 
 def checked(field, evidence):
