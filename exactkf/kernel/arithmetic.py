@@ -69,7 +69,7 @@ _OPPOSITE = {"and": "or", "or": "and"}
 _QUANTIFIERS = {("forall", True): "all", ("forall", False): "some", ("exists", True): "some", ("exists", False): "all"}
 _RELATIONS = {"=", "!=", "<", "<=", ">", ">="}
 #: what decides between cases, and is no number of them
-_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "not", "and", "or", "=>", "<=>", "forall", "exists", "defined"}
+_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "not", "and", "or", "=>", "<=>", "forall", "exists", "always", "defined"}
 
 
 # ---------------------------------------------------------------------- what is known
@@ -162,6 +162,8 @@ class Facts:
             return joined("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
         if op in ("forall", "exists"):
             return self._quantified(tree, affirmed, names, valued)
+        if op == "always" and not affirmed:  # the formula is false at some t; where it is true for all t, it need not have a value for all t
+            return ("some", tree[1], {}, None, tree[2], names, affirmed, valued)
         if op in ("sym", "at"):
             body, inner = self.opened(tree, names)
             return self.read(body, affirmed, inner)
