@@ -56,6 +56,7 @@ from itertools import product
 from math import gcd, lcm
 from typing import Any
 
+from exactkf.kernel.explicit_matrices import OF_MATRIX, about_matrices, of_matrix
 from exactkf.kernel.facts_on_circle import ON_CIRCLE, equation, in_z, on_circle, zeros_inside
 from exactkf.kernel.numbers import Rejected, Unknown, fraction
 from exactkf.kernel.polynomial_facts import ONE, Fact, Names, Poly, either, frozen, joined, number, plus, times
@@ -69,7 +70,7 @@ _OPPOSITE = {"and": "or", "or": "and"}
 _QUANTIFIERS = {("forall", True): "all", ("forall", False): "some", ("exists", True): "some", ("exists", False): "all"}
 _RELATIONS = {"=", "!=", "<", "<=", ">", ">="}
 #: what decides between cases, and is no number of them
-_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "not", "and", "or", "=>", "<=>", "forall", "exists", "always", "defined"}
+_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "psd", "pd", "not", "and", "or", "=>", "<=>", "forall", "exists", "always", "defined"}
 
 
 # ---------------------------------------------------------------------- what is known
@@ -153,6 +154,8 @@ class Facts:
             return has_value(self, tree[1], affirmed, names)
         if op in ON_CIRCLE:
             return on_circle(self, tree, affirmed, names)
+        if (of_matrices := about_matrices(self, tree, affirmed, names)) is not None:
+            return of_matrices
         if op in ("=", "!=") and any(in_z(self, x, names) for x in tree[1:]):
             if len(tree) != 3:
                 raise Unknown("a chain of equations in z")
@@ -251,6 +254,8 @@ class Facts:
             return [(c, self.square_root(p)) for c, p in self.cases(tree[1], names)]
         if op == "roots_in":
             return zeros_inside(self, tree, names)
+        if op in OF_MATRIX:
+            return [((), of_matrix(self, tree, names))]
         if op == "if":
             return [((self.read(tree[1], x, names), *c), p) for x in (True, False) for c, p in self.cases(tree[2 if x else 3], names)]
         if op == "^" and type(tree[2]) is int and 0 <= tree[2] <= 8:

@@ -22,6 +22,7 @@ increment pi_(t+1) - pi_t = r_t gamma_t^2 of the Riccati equation is negative wh
 
 from exactkf.claims import claim, repair
 from exactkf.evidence import (
+    angles,
     arithmetic,
     by_cases,
     cleared,
@@ -33,6 +34,7 @@ from exactkf.evidence import (
     induction,
     instances,
     lemma,
+    multiplied,
     restated,
     steps,
     unfolded,
@@ -92,16 +94,16 @@ lp, lm, up, bigger, fx, near, away, changes, beyond, below, falls = symbols("lam
 ROOTS_ = (A_KAPPA, let(lp, (1 + sqrt(1 - kap**2)) / kap), let(lm, (1 - sqrt(1 - kap**2)) / kap))
 claim("BLM91-F6", "real characteristic roots for kappa^2 < 1",
       (charpoly(A) == (Z - lp) * (Z - lm)) & (lp * lm == 1) & iff(up, bigger), over={kap: nonzero()}, where=[*ROOTS_, let(up, kap > 0), let(bigger, lp > lm)], given=[given("0 < kappa^2 < 1", kap**2 < 1)],
-      by=[steps(facts=["Vieta's formulas"], prose="the roots are (1 +- sqrt(1 - kappa^2))/kappa, with sum 2/kappa and product 1; their difference has the sign of kappa"),
-          instances(40, using={u: nonzero()}, made_by={kap: 2 * SHARE / (1 + SHARE**2)}), example(kappa=1)],
+      by=[*(arithmetic(angles("root", 1 - kap**2), valued(), multiplied(kap), cleared(), member=k_) for k_ in (0, 1)),
+          arithmetic(angles("root", 1 - kap**2), by_cases(sqrt(1 - kap**2) > 0), cleared(), member=2), instances(40, using={u: nonzero()}, made_by={kap: 2 * SHARE / (1 + SHARE**2)}), example(kappa=1)],
       note="The order of lambda_+ and lambda_- for negative kappa is the reverse of that for positive kappa: this is how 'interchanged' is read. On instances the square root is rational.")
-cir, dm, dn, pit, flag = symbols("on_circle d_m d_n pi_t region")
+cs, sn, tn, dm, dn, pit, flag = symbols("cos sin tan d_m d_n pi_t region")
 claim("BLM91-E5.2a", "roots on the unit circle for |kappa| > 1",
-      (charpoly(A) == Z**2 - 2 * (1 / kap) * Z + 1) & iff(kap**2 > 1, cir == 2), over={kap: nonzero()}, where=[A_KAPPA, let(cir, circle_roots(charpoly(A)) - real_roots(charpoly(A), -3, 3))],
-      by=[steps(facts=["z^2 - 2 cos(theta) z + 1 has the zeros exp(i theta) and exp(-i theta)"], prose="1/kappa = cos(theta_kappa) for the theta_kappa of (5.2b), in (0, pi)"),
-          instances(40), example(kappa=1), example(kappa=-1), example(kappa="101/100"), example(kappa="-101/100")],
-      note="Two zeros on the circle and none of them real: exactly for kappa^2 > 1. cos(theta_kappa) = 1/kappa is (5.2b).")
-cs, sn, tn = symbols("cos sin tan")
+      (charpoly(A) == (Z - cs) ** 2 + sn**2) & (cs**2 + sn**2 == 1) & (sn > 0) & (cs == 1 / kap), over={kap: nonzero()}, where=[A_KAPPA, let(cs, trace(A) / 2), let(sn, sqrt(1 - 1 / kap**2))],
+      given=[given("|kappa| > 1", kap**2 > 1)],
+      by=[*(arithmetic(angles("root", 1 - 1 / kap**2), valued(), cleared(), multiplied(kap**2), member=k_) for k_ in range(4)),
+          instances(40, made_by={kap: (1 + y**2) / (2 * y)}, using={y: nonzero()}), example(kappa=1), example(kappa=-1), example(kappa="1/2")],
+      note="The roots are cos + i sin and cos - i sin, on the circle and not real. cos(theta_kappa) = 1/kappa is (5.2b). On the instances the square root is rational.")
 claim("BLM91-E5.2b", "the angle of the roots",
       (charpoly(A) == (Z - cs) ** 2 + sn**2) & (cs**2 + sn**2 == 1) & (tn**2 == kap**2 - 1) & (kap * tn > 0) & (sn > 0), over={y: positive()},
       where=[let(cs, (1 - y**2) / (1 + y**2)), let(sn, 2 * y / (1 + y**2)), let(kap, 1 / cs), let(tn, sn / cs), A_KAPPA],
