@@ -162,10 +162,14 @@ PQ = u / (1 + abs(u))
 S3 = s1 + s1 / abs(s1)
 IN_D = {p: PQ, al0: p * (S3**2 - 1) / (S3**2 - p**2), ga0: S3 * (p**2 - 1) / (S3**2 - p**2)}
 BETWEEN = 1 - al0 / (p + (1 / p - p) / (1 + y**2))
+PHI_X = x**2 - (1 - al0**2 + ga0**2) * x + ga0**2
+#: p phi = (p - p x - alpha_0)(1 - x - alpha_0 p), p alpha_0 > 0, and R > 0 with QR - S^2 >= 0 makes Q >= 0
+BETWEEN_ROOTS = (shown_first(p * al0 > 0, [by_cases(1 + al0**2 - ga0**2 > 0), by_cases(p**2 > 0), by_cases(al0**2 > 0), multiplied(p), multiplied(al0)]),
+                 shown_first(p * PHI_X == (p - p * x - al0) * (1 - x - al0 * p)), by_cases(p > 0), by_cases(p**2 < 1), by_cases(x < 1),
+                 by_cases(p * (al0 - p**2 * al0) > 0), by_cases(1 - x - al0 * p > 0), by_cases(p - p * x - al0 > 0), by_cases(1 - x - al0 * p < 0), by_cases(p - p * x - al0 < 0), by_cases(PHI_X <= 0), square_of(ga0 + (al0 - ga0) * x), cleared())
 claim("BLM91-R4.4.1", "the variances of stochastic systems", iff(okay, inside) & (det(noise) == -phi_), over={**POINT, p: nonzero(), x: scalar()},
       where=[*NOISE, PHI, let(noise, rows([[Qn, Sn], [Sn, Rn]])), let(okay, psd(noise)), let(inside, (1 - al0 / p <= x) & (x <= 1 - al0 * p))], given=[ROOT, DIAMOND, standing("smaller root", abs(p) < 1)],
-      by=[steps("BLM91-S48", "BLM91-E4.12", facts=["a symmetric 2x2 matrix is semidefinite when its determinant and its trace are not negative"],
-                prose="phi has the zeros p_+ = 1 - alpha_0/p and p_- = 1 - alpha_0 p, both in [0, 1), and |a| < 1, so that the diagonal is nonnegative between them"),
+      by=[arithmetic(member=1), arithmetic(*BETWEEN_ROOTS, member=0),
           instances(40, using={u: nonzero(), s1: nonzero(), y: scalar()}, made_by={**IN_D, x: BETWEEN}), instances(40, using={u: nonzero(), s1: nonzero(), y: scalar()}, made_by={**IN_D, x: y})],
       note="[p_+, p_-] with p_+ = 1 - alpha_0/alpha_+. A system with state variance x exists when the noise covariance [[(1 - a^2)x, gamma_0 + ax], [., 1 - x]] is semidefinite.")
 TRIANGLE = (let(x, 1 - root**2), *NOISE, let(b1, Sn / root), let(B, rows([[b1, b2], [root, 0]])))

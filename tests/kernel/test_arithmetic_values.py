@@ -203,3 +203,10 @@ def test_nothing_false_is_proved_where_values_may_be_missing(seed):
 def test_a_product_of_facts_that_are_not_strict_closes_nothing():
     """0 >= 0 is no contradiction, whatever is multiplied."""
     assert not accepted(real([">", ["abs", x], 0]), close(["1", [0]]))
+
+
+def test_a_fact_that_says_nothing_without_its_quotients_is_left():
+    """x/x <= 1 is 0 >= 0 times x, which is no contradiction; x/x < 1 is one."""
+    says = ["=", ["+", ["/", y, x], ["/", 1, y]], ["/", ["+", ["*", y, y], x], ["*", x, y]]]
+    assert found(real(says, [">", x, 0], [">", y, 0], [">=", 1, ["/", x, x]]), CLEAR)
+    assert found(real(["=", x, y], [">", x, 0], [">", 1, ["/", x, x]]), CLEAR)
