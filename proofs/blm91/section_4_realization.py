@@ -149,12 +149,12 @@ claim("BLM91-S49", "the increment for phi <= 0", pit[m + 1] - pit[m] == -((1 - p
       by=[arithmetic(*increments(-1)), *BY_MINUS], note=GIVEN_NOTE)
 SQUARES = fx(x) + y**2 == (x - lam) ** 2 + y**2 + (1 - lam**2)
 claim("BLM91-F5", "the two families of curves",
-      SQUARES & (fx(0) == 1) & ((lam**2 > 1) >> ((fx(lam) < 0) & (sqrt(lam**2 - 1) ** 2 + fx(lam) == 0))) & ((lam**2 < 1) >> (fx(x) + y**2 > 0)),
-      over={lam: scalar(), x: scalar(), y: scalar()}, where=[function(fx, [x], 1 + x**2 - 2 * lam * x)],
+      SQUARES & (fx(0) == 1) & ((lam**2 > 1) >> ((fx(lam) < 0) & (root**2 + fx(lam) == 0))) & ((lam**2 < 1) >> ~there),
+      over={lam: scalar(), x: scalar(), y: scalar()}, where=[function(fx, [x], 1 + x**2 - 2 * lam * x), let(root, sqrt(lam**2 - 1)), let(there, y**2 == -fx(x))],
       by=[arithmetic(member=0), arithmetic(member=1), arithmetic(angles("root", lam**2 - 1), member=2), arithmetic(square_of(x - lam), square_of(y), member=3),
           instances(40), instances(40, using={w: nonzero()}, made_by={lam: (w + 1 / w) / 2}),
-          *(example({"lambda": l_, "x": x_, "y": y_}) for l_, x_, y_ in ((1, 0, 0), (1, 1, 0), ("5/4", "5/4", 0), ("-5/4", "-5/4", 1), ("9/10", "9/10", 0), ("3/5", 0, 0), ("5/3", 3, 1)))],
-      note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f(x), which (0, 1) is on for every kappa, and (4.18) is y^2 = -f(x), which for |kappa| < 1 has the point with x = lambda and y = sqrt(lambda^2 - 1), and for |kappa| > 1 has none. "
+          *(example({"lambda": l_, "x": x_, "y": y_}) for l_, x_, y_ in ((1, 0, 0), (1, 1, 0), ("5/4", "5/4", 0), ("5/4", "5/4", "3/4"), ("-5/4", "-5/4", 1), ("9/10", "9/10", 0), ("3/5", 0, 0), ("5/3", 3, 1)))],
+      note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f(x), which (0, 1) is on for every kappa, and (4.18) is y^2 = -f(x), which for |kappa| < 1 has the point with x = lambda and y = sqrt(lambda^2 - 1), and for |kappa| > 1 has none (there: (x, y) is on it). "
            "The print names the curves after Corollary 4.2; they are those of Corollary 4.3. On the instances the square root is rational.")
 
 # ---------------------------------------------------------------------- Remark 4.4
