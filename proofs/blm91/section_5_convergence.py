@@ -24,7 +24,9 @@ from exactkf.claims import claim, repair
 from exactkf.evidence import (
     angles,
     arithmetic,
+    at_index,
     by_cases,
+    by_induction,
     cleared,
     combination,
     example,
@@ -44,7 +46,7 @@ from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.notation import *
 
-A, V, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
+A, V, V1, V2, slow, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v V_1 V_2 slow p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
 E1 = matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 A_KAPPA = let(A, rows([[2 / kap, -1], [1, 0]]))
 #: 0 < kappa < 1 by the smaller eigenvalue p, and the slope map
@@ -114,8 +116,11 @@ claim("BLM91-E5.2b", "the angle of the roots",
       note="cos, sin, tan of theta_kappa, by y = tan(theta_kappa/2) > 0: every kappa with |kappa| > 1. The roots of A are cos +- i sin.")
 
 # ---------------------------------------------------------------------- proof of Theorem 3.5, 0 < kappa < 1
-EIGEN = (*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]])), rec(V, t, bp * vp + bm * vm, A * V[t]), rec(Lp, t, 1, 1 / p * Lp[t]), rec(Lm, t, 1, p * Lm[t]),
-         rec(Rt, t, 1, p**2 * Rt[t]))
+#: p^(2t) is at most one over this
+SLOW = function(slow, [t], 1 + t * (1 - p**2))
+#: v = beta_+ v_+ + beta_- v_-, moved by A, in both coordinates; lambda_+^t, lambda_-^t and (lambda_-/lambda_+)^t
+EIGEN = (let(kap, 2 * p / (1 + p**2)), rec(V1, t, bp / p + bm * p, 2 / kap * V1[t] - V2[t]), rec(V2, t, bp + bm, V1[t]), rec(Lp, t, 1, 1 / p * Lp[t]), rec(Lm, t, 1, p * Lm[t]),
+         rec(Rt, t, 1, p**2 * Rt[t]), SLOW)
 BETA = {p: nonzero(), bp: scalar(), bm: scalar()}
 P_NOTE = "kappa = 2p/(1 + p^2) with p = lambda_- in (0, 1) and 1/p = lambda_+."
 claim("BLM91-S58", "eigenvectors of A", (A * vp == 1 / p * vp) & (A * vm == p * vm), over={p: nonzero()}, where=[*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]]))],
@@ -129,15 +134,24 @@ claim("BLM91-S59", "stable and unstable fixed points",
           instances(60, using={u: nonzero(), y: scalar()}, made_by={p: abs(u) / (1 + abs(u)), x: y}), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
           example(p="1/2", x="9/4"), example(p="1/2", x="7/4"), example(p=2, x=1), example(p=-2, x=1)],
       note=P_NOTE + " alpha_+ = p and alpha_- = 1/p are the slopes of v_+ and v_-.")
+LINEAR = by_induction(j, 0, (V1[j] == bp * Lp[j] / p + bm * Lm[j] * p) & (V2[j] == bp * Lp[j] + bm * Lm[j]) & (Lm[j] == Lp[j] * Rt[j]) & (p * Lp[j] * Lm[j] == p) & (Rt[j] > 0),
+                      base=[cleared(), *(unfolded(x_, 0) for x_ in (V1, V2, Lp, Lm, Rt))], step=[cleared(), *(unfolded(x_, j + 1) for x_ in (V1, V2, Lp, Lm, Rt)), by_cases(p**2 > 0), multiplied(p), multiplied(p + p**3)])
+#: (1 + t(1 - p^2)) p^(2t) <= 1
+TO_ZERO = by_induction(i, 0, (Rt[i] >= 0) & (Rt[i] * (1 + i * (1 - p**2)) <= 1), base=[unfolded(Rt, 0)], step=[unfolded(Rt, i + 1), by_cases(p**2 >= 0), by_cases(p**2 < 1), by_cases(Rt[i] * (1 - p**2) >= 0),
+                                                                                                 by_cases(Rt[i] * (1 - p**2) ** 2 >= 0), by_cases(i * Rt[i] * (1 - p**2) ** 2 >= 0)])
 claim("BLM91-S60", "powers of A in the eigenvectors",
-      always(t, (V[t] == bp * Lp[t] * vp + bm * Lm[t] * vm) & (V[t] == Lp[t] * (bp * vp + bm * Rt[t] * vm)) & (Lm[t] == Lp[t] * Rt[t])), over=BETA, where=EIGEN,
-      by=[induction(cofactors=[[(A, 0, 1)], [(A, 1, 1)], [(p, 2, 1)]]), restated("p^(2t) tends to 0 for 0 < p < 1"), instances()],
-      note=P_NOTE + " L_+ = lambda_+^t, L_- = lambda_-^t, R = (lambda_-/lambda_+)^t = p^(2t), which tends to zero, and with it the line to the span of v_+, if beta_+ is not 0.")
-SLOPE = function(sl, [t], (inv(hstack(vp, vm)) * V[t])[2, 1] / (inv(hstack(vp, vm)) * V[t])[1, 1])
+      always(t, (V1[t] == bp * Lp[t] * (1 / p) + bm * Lm[t] * p) & (V2[t] == bp * Lp[t] + bm * Lm[t]) & (V1[t] == Lp[t] * (bp * (1 / p) + bm * Rt[t] * p)) & (V2[t] == Lp[t] * (bp + bm * Rt[t]))
+             & (0 < Rt[t]) & (Rt[t + 1] < Rt[t]) & (Rt[t] * slow(t) <= 1)), over={p: scalar(), bp: scalar(), bm: scalar()}, where=EIGEN, given=[BELOW_ONE],
+      by=[arithmetic(LINEAR, TO_ZERO, at_index(j, t), at_index(i, t), unfolded(Rt, t + 1), by_cases(p**2 < 1), cleared()), instances(40, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
+      note=P_NOTE + " (V_1, V_2)' is A^t v; v_+ = (1/p, 1)', v_- = (p, 1)'. L_+ = lambda_+^t, L_- = lambda_-^t, R = (lambda_-/lambda_+)^t = p^(2t), which tends to zero, and with it the line to the span of v_+, if beta_+ is not 0.")
+#: beta_-/beta_+ (lambda_-/lambda_+)^t; v is (V_1 - p V_2) v_+ + (V_2/p - V_1) v_-, up to the factor 1/p - p
+SLOPE = function(sl, [t], bm / bp * Rt[t])
 claim("BLM91-S61", "the slope in the coordinates of the eigenvectors",
-      always(t, (sl(t) == bm / bp * Rt[t]) & (abs(sl(t + 1)) < abs(sl(t))) & (sl(t + 1) * sl(t) > 0)), over={p: scalar(), bp: nonzero(), bm: nonzero()}, where=[*EIGEN, SLOPE], given=[BELOW_ONE],
-      by=[steps("BLM91-S60", prose="multiplied by p^2 in (0, 1) at each step"), instances(30, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
-      note=P_NOTE + " Monotone to zero: of one sign, with falling modulus, by the factor p^2. For beta_- = 0 it is zero throughout.")
+      always(t, (V1[t] - p * V2[t] != 0) & (V2[t] * (1 / p) - V1[t] == sl(t) * (V1[t] - p * V2[t])) & (abs(sl(t + 1)) < abs(sl(t))) & (sl(t + 1) * sl(t) > 0) & (abs(sl(t)) * slow(t) <= abs(sl(0)))),
+      over={p: scalar(), bp: nonzero(), bm: nonzero()}, where=[*EIGEN, SLOPE], given=[BELOW_ONE],
+      by=[arithmetic(LINEAR, TO_ZERO, at_index(j, t), at_index(i, t), unfolded(Rt, 0), unfolded(Rt, t + 1), by_cases(p**2 < 1), by_cases(p**2 > 0), by_cases(Rt[t] * (1 - p**2) > 0), by_cases(p**2 * Rt[t] > 0), by_cases(p**2 * Rt[t] ** 2 > 0), by_cases(bm**2 > 0), by_cases(Lp[t] == 0), by_cases(bp * (1 - p**2) == 0),
+                     multiplied(bp + bm * Rt[t]), multiplied(Lp[t]), cleared()), instances(30, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
+      note=P_NOTE + " (V_1, V_2)' is A^t v, with the coordinates V_1 - p V_2 and V_2/p - V_1 up to a factor; R is p^(2t). Monotone to zero: of one sign, with falling modulus, by the factor p^2. For beta_- = 0 it is zero throughout.")
 GEOMETRIC = "a distance that falls, or grows, in each step by a factor that is bounded away from one tends to zero, or to infinity"
 claim("BLM91-F7", "the phase portrait of the slope",
       (((1 / p < x) & (x < 2 / kap)) >> (x < fx)) & ((x > 2 / kap) >> (fx < p)) & ((x < p) >> ((x < fx) & (fx < p)))
