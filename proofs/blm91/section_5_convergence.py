@@ -92,7 +92,7 @@ claim("BLM91-E5.1", "alpha_t by itself on a hyperbola", al[1] == kap / (2 - kap 
 MODEL_V = (A_KAPPA, rec(V, t, rows([[1], [al0]]), A * V[t]), rec(be, t, al0, kap / (2 - kap * be[t])))
 claim("BLM91-E5.1'", "the linear model on lines", always(t, (be[t] == V[t][2, 1] / V[t][1, 1]) & symplectic(A)), over={al0: scalar(), kap: nonzero()}, where=MODEL_V,
       by=[induction(cofactors=[[(kap**2 / ((2 - kap * be[t]) * (2 - kap * V[t][2, 1] / V[t][1, 1])), 0, 1)], []]), instances()])
-lp, lm, up, bigger, fx, near, away, changes, beyond, below, falls = symbols("lambda_plus lambda_minus up bigger f_x nearer further changes beyond below falls")
+lp, lm, up, bigger, fx, shrinks, away, changes, beyond, below, falls = symbols("lambda_plus lambda_minus up bigger f_x shrinks further changes beyond below falls")
 ROOTS_ = (A_KAPPA, let(lp, (1 + sqrt(1 - kap**2)) / kap), let(lm, (1 - sqrt(1 - kap**2)) / kap))
 claim("BLM91-F6", "real characteristic roots for kappa^2 < 1",
       (charpoly(A) == (Z - lp) * (Z - lm)) & (lp * lm == 1) & iff(up, bigger), over={kap: nonzero()}, where=[*ROOTS_, let(up, kap > 0), let(bigger, lp > lm)], given=[given("0 < kappa^2 < 1", kap**2 < 1)],
@@ -125,15 +125,38 @@ BETA = {p: nonzero(), bp: scalar(), bm: scalar()}
 P_NOTE = "kappa = 2p/(1 + p^2) with p = lambda_- in (0, 1) and 1/p = lambda_+."
 claim("BLM91-S58", "eigenvectors of A", (A * vp == 1 / p * vp) & (A * vm == p * vm), over={p: nonzero()}, where=[*BY_P, let(vp, rows([[1 / p], [1]])), let(vm, rows([[p], [1]]))],
       by=[identity(), instances()], note=P_NOTE)
+#: (5.1), kappa/(2 - kappa x) with kappa = 2p/(1 + p^2); its pole 2/kappa is p + 1/p
+SLOPE_MAP = function(f, [x], p / (1 + p**2 - p * x))
+POLE = p + 1 / p
+#: the orbit of a slope, and the powers of a factor
+SLOPES = rec(be, t, x, f(be[t]))
+to_p, first_step, growth = symbols("G stays growth")
+
+
+def powers(factor):
+    """G_t is the factor to the power t."""
+    return rec(to_p, t, 1, factor * to_p[t])
+
+
+def step_of_slope(k):
+    """Hints: b_(k+1) exists, and is f(b_k), where b_k is less than 2/kappa."""
+    return [*values_at(k + 1, be), unfolded(to_p, k + 1)]
+
+
+AT_START = [*values_at(0, be), unfolded(to_p, 0)]
+ONE = 1 - p + p**2
 claim("BLM91-S59", "stable and unstable fixed points",
-      (f(p) == p) & (f(1 / p) == 1 / p) & ((fx - p) * (p * x - 1) == p**2 * (x - p) * (p * fx - 1)) & ((x < 1 / p) >> near)
-      & (((p < x) & (x < 2 / kap)) >> away), over={p: scalar(), x: scalar()},
-      where=[*BY_P, let(fx, f(x)), let(near, abs(fx - p) <= abs(x - p)), let(away, abs(fx - 1 / p) >= abs(x - 1 / p))], given=[BELOW_ONE],
-      by=[steps("BLM91-S58", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step: it tends to zero, so alpha_t to p, and in the neighbourhood of 1/p "
-                "the distance to 1/p grows"),
+      (f(p) == p) & (f(1 / p) == 1 / p) & always(t, (x <= 1) >> (defined(be[t]) & (abs(be[t] - p) <= to_p[t] * abs(x - p)))) & shrinks & (((1 < x) & (x < POLE)) >> away), over={p: scalar(), x: scalar()},
+      where=[SLOPE_MAP, SLOPES, powers(p**2 / ONE), let(shrinks, (0 < p**2 / ONE) & (p**2 / ONE < 1)), let(away, ONE * abs(f(x) - 1 / p) >= abs(x - 1 / p))], given=[BELOW_ONE],
+      by=[*(arithmetic(valued(), cleared(), member=k_) for k_ in (0, 1)),
+          arithmetic(by_induction(j, 0, (x <= 1) >> (defined(be[j]) & (be[j] <= 1) & (to_p[j] >= 0) & (abs(be[j] - p) <= to_p[j] * abs(x - p))), base=AT_START,
+                                  step=[by_cases(ONE > 0), by_cases(p**2 > 0), by_cases(p**2 * ONE > 0), by_cases(to_p[j] * p**2 >= 0), by_cases(p**3 > 0), by_cases(p**3 * (1 - be[j]) >= 0),
+                                        by_cases(to_p[j] * abs(x - p) >= 0), cleared(), *step_of_slope(j)]), at_index(j, t), member=2),
+          arithmetic(by_cases(ONE > 0), by_cases(p**2 > 0), cleared(), member=3), arithmetic(valued(), by_cases(ONE > 0), by_cases(p * (x - 1) > 0), cleared(), member=4),
           instances(60, using={u: nonzero(), y: scalar()}, made_by={p: abs(u) / (1 + abs(u)), x: y}), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
           example(p="1/2", x="9/4"), example(p="1/2", x="7/4"), example(p=2, x=1), example(p=-2, x=1)],
-      note=P_NOTE + " alpha_+ = p and alpha_- = 1/p are the slopes of v_+ and v_-.")
+      note=P_NOTE + " alpha_+ = p and alpha_- = 1/p are the slopes of v_+ and v_-. All slopes x <= 1, and p is one of them, tend to p at least as fast as the powers G_t of the factor p^2/(1 - p + p^2), which is less than 1; between 1 and 2/kappa, "
+      "where 1/p is, the distance from 1/p grows by the factor 1/(1 - p + p^2) at least in each step.")
 LINEAR = by_induction(j, 0, (V1[j] == bp * Lp[j] / p + bm * Lm[j] * p) & (V2[j] == bp * Lp[j] + bm * Lm[j]) & (Lm[j] == Lp[j] * Rt[j]) & (p * Lp[j] * Lm[j] == p) & (Rt[j] > 0),
                       base=[cleared(), *(unfolded(x_, 0) for x_ in (V1, V2, Lp, Lm, Rt))], step=[cleared(), *(unfolded(x_, j + 1) for x_ in (V1, V2, Lp, Lm, Rt)), by_cases(p**2 > 0), multiplied(p), multiplied(p + p**3)])
 #: (1 + t(1 - p^2)) p^(2t) <= 1
