@@ -37,7 +37,6 @@ from exactkf.evidence import (
     instances,
     lemma,
     multiplied,
-    restated,
     steps,
     unfolded,
     valued,
@@ -130,7 +129,7 @@ SLOPE_MAP = function(f, [x], p / (1 + p**2 - p * x))
 POLE = p + 1 / p
 #: the orbit of a slope, and the powers of a factor
 SLOPES = rec(be, t, x, f(be[t]))
-to_p, first_step, growth = symbols("G stays growth")
+to_p = sym("G")
 
 
 def powers(factor):
@@ -175,15 +174,31 @@ claim("BLM91-S61", "the slope in the coordinates of the eigenvectors",
       by=[arithmetic(LINEAR, TO_ZERO, at_index(j, t), at_index(i, t), unfolded(Rt, 0), unfolded(Rt, t + 1), by_cases(p**2 < 1), by_cases(p**2 > 0), by_cases(Rt[t] * (1 - p**2) > 0), by_cases(p**2 * Rt[t] > 0), by_cases(p**2 * Rt[t] ** 2 > 0), by_cases(bm**2 > 0), by_cases(Lp[t] == 0), by_cases(bp * (1 - p**2) == 0),
                      multiplied(bp + bm * Rt[t]), multiplied(Lp[t]), cleared()), instances(30, **DRAW_P), example(p=2, beta_plus=1, beta_minus=1), example(p=-2, beta_plus=1, beta_minus=1)],
       note=P_NOTE + " (V_1, V_2)' is A^t v, with the coordinates V_1 - p V_2 and V_2/p - V_1 up to a factor; R is p^(2t). Monotone to zero: of one sign, with falling modulus, by the factor p^2. For beta_- = 0 it is zero throughout.")
-GEOMETRIC = "a distance that falls, or grows, in each step by a factor that is bounded away from one tends to zero, or to infinity"
+#: below p: growing, and nearer by the factor p^2 at least
+BELOW_P = by_induction(j, 0, (x < p) >> (defined(be[j]) & (be[j] < p) & (to_p[j] >= 0) & (p - be[j] <= to_p[j] * (p - x))), base=AT_START,
+                       step=[by_cases(p**2 > 0), by_cases(p * be[j] < p**2), by_cases(to_p[j] * (p - x) >= 0), by_cases(p**2 * (p - be[j]) > 0), by_cases(p**2 * to_p[j] >= 0), by_cases(p**2 * to_p[j] * (p - x) >= 0),
+                             by_cases(p**2 * (p - be[j]) <= p**2 * to_p[j] * (p - x)), cleared(), *step_of_slope(j)])
+
+
+def stays(k):
+    """The slopes up to b_k are between 1/p and 2/kappa."""
+    return forall(j, 0, k, (1 / p < be[j]) & (be[j] < POLE))
+
+
+#: between 1/p and 2/kappa: away from 1/p by the factor 1/p^2 at least
+AWAY = by_induction(k, 0, stays(k) >> (defined(be[k]) & (p * x > 1) & (slow(k) >= 1) & ((p * x - 1) * slow(k) <= p * be[k] - 1)), base=[at_index(j, 0), cleared(), *AT_START],
+                    step=[at_index(j, j), at_index(j, k), by_cases(p**2 < 1), by_cases((1 - p**2) ** 2 >= 0), by_cases((k + 1) * (1 - p**2) ** 2 >= 0), by_cases((k + 1) * (1 - p**2) >= 0),
+                          by_cases(p**2 * (p * x - 1) * slow(k + 1) <= (p * x - 1) * slow(k)), by_cases((p * x - 1) * slow(k + 1) >= 0), cleared(), *values_at(k + 1, be)])
 claim("BLM91-F7", "the phase portrait of the slope",
-      (((1 / p < x) & (x < 2 / kap)) >> (x < fx)) & ((x > 2 / kap) >> (fx < p)) & ((x < p) >> ((x < fx) & (fx < p)))
-      & ((fx - 1 / p) * p * (p + 1 / p - x) == x - 1 / p) & ((fx - p) * (p + 1 / p - x) == p * (x - p)), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
-      by=[*(arithmetic(valued(), cleared(), by_cases(x > p), by_cases(p * x < 1), by_cases(p**2 > 0), member=k_) for k_ in range(3)),
-          *(arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=k_) for k_ in (3, 4)), restated(GEOMETRIC), instances(60, **DRAW_P), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
+      always(t, stays(t) >> ((be[t] < be[t + 1]) & ((p * x - 1) * slow(t) <= p**2))) & ((x > POLE) >> (f(x) < p))
+      & always(t, (x < p) >> (defined(be[t]) & (be[t] < be[t + 1]) & (be[t + 1] < p) & (p - be[t] <= to_p[t] * (p - x)))), over={p: scalar(), x: scalar()},
+      where=[SLOPE_MAP, SLOPES, powers(p**2), SLOW], given=[BELOW_ONE],
+      by=[arithmetic(valued(), AWAY, at_index(k, t), at_index(j, j), at_index(j, t), *values_at(t + 1, be), by_cases(p**2 < 1), by_cases(be[t] > p), cleared(), member=0), arithmetic(valued(), cleared(), member=1),
+          arithmetic(BELOW_P, at_index(j, t), at_index(j, t + 1), *values_at(t + 1, be), by_cases(p**2 < 1), by_cases(p * be[t] < p**2), by_cases(p * be[t] < 1), cleared(), member=2),
+          instances(60, **DRAW_P), instances(30, using={u: nonzero(), y: positive()}, made_by={p: abs(u) / (1 + abs(u)), x: 1 / p + y / (1 + y) * p}),
           example(p="1/2", x="9/4"), example(p="1/2", x=3), example(p="1/2", x="1/4"), example(p="1/2", x=-1), example(p=2, x=1), example(p=-2, x="1/4")],
-      note=P_NOTE + " One step from any slope x: growth between alpha_- and 2/kappa, where 0 < p + 1/p - x < p, so that the distance from alpha_- grows by the factor 1/p^2 at least and 2/kappa "
-           "is met or passed; a jump to the left of alpha_+ from beyond 2/kappa; growth below alpha_+, where p + 1/p - x > 1/p: the distance falls to zero by the factor p^2 at least.")
+      note=P_NOTE + " A slope x between alpha_- = 1/p and 2/kappa = p + 1/p grows as long as it stays there, which is no longer than (p x - 1)(1 + t(1 - p^2)) <= p^2; beyond 2/kappa it jumps to the left of alpha_+ = p, "
+           "and 2/kappa itself ends. Below alpha_+ it grows to alpha_+ as fast as G_t = p^(2t) at least.")
 #: (5.3)
 ESCAPING = (*BY_P, let(v, A**(-m) * rows([[0], [1]])), let(al1, v[2, 1] / v[1, 1]), rec(be, t, x, f(be[t])))
 claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == al1), sizes=["m"], over={p: scalar(), x: scalar()},
@@ -201,7 +216,7 @@ claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
 claim("BLM91-S63", "which slopes belong to points of the hyperbola",
       iff((x < p) | (x > 1 / p), 1 + x**2 - 2 / kap * x > 0) & (((p < x) & (x < 1 / p)) >> ((p < fx) & (fx < x))) & ((fx - p) * (p + 1 / p - x) == p * (x - p)), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
       by=[*(arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=k_) for k_ in (0, 1)),
-          arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=2), restated(GEOMETRIC), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
+          arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=2), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
       note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between, where f decreases to p: the factor p/(p + 1/p - x) of the distance from p is less than 1, and falls with x.")
 D_AT = (*ORBIT, rec(r, t, 1, (1 - ga[t] ** 2) * r[t]), let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))), let(dm, D / r[m]), let(dn, D / r[m + 1]))
 claim("BLM91-S64", "D/r_t changes sign exactly where |gamma_t| > 1",
