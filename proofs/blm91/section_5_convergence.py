@@ -213,11 +213,18 @@ claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
       given=[BELOW_ONE, standing("step", m >= 2)],
       by=[steps("BLM91-E5.1'", prose="f(alpha^(i)) = alpha^(i-1), and the distance to 1/p has the factor p^(2i)"), instances(40, m=(2, 3, 4, 5), **DRAW_P), example(m=2, p=2), example(m=3, p=-2)],
       note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
+IN_BETWEEN, AT_X = (p < x) & (x < 1 / p), 1 + p**2 - p * x
+#: between p and 1/p: falling, and nearer to p by the factor p^2/(1 + p^2 - p x) at least
+TO_P = by_induction(j, 0, defined(be[j]) & (p < be[j]) & (be[j] <= x) & (to_p[j] >= 0) & (be[j] - p <= to_p[j] * (x - p)), base=AT_START,
+                    step=[by_cases(p * x < 1), by_cases(p**2 > 0), by_cases(p * be[j] <= p * x), by_cases(p * be[j] < 1), by_cases(AT_X > 0), by_cases(p**2 * (be[j] - p) > 0), by_cases(p**2 * to_p[j] >= 0),
+                          by_cases(p**2 * (be[j] - p) <= p**2 * to_p[j] * (x - p)), by_cases(p**2 * to_p[j] * (x - p) >= 0), cleared(), *step_of_slope(j)])
 claim("BLM91-S63", "which slopes belong to points of the hyperbola",
-      iff((x < p) | (x > 1 / p), 1 + x**2 - 2 / kap * x > 0) & (((p < x) & (x < 1 / p)) >> ((p < fx) & (fx < x))) & ((fx - p) * (p + 1 / p - x) == p * (x - p)), over={p: scalar(), x: scalar()}, where=[*BY_P, let(fx, f(x))], given=[BELOW_ONE],
-      by=[*(arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=k_) for k_ in (0, 1)),
-          arithmetic(valued(), cleared(), by_cases(p**2 > 0), member=2), instances(60, **DRAW_P), example(p="1/2", x=1), example(p="1/2", x="1/2"), example(p="1/2", x=2), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
-      note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between, where f decreases to p: the factor p/(p + 1/p - x) of the distance from p is less than 1, and falls with x.")
+      iff((x < p) | (x > 1 / p), 1 + x**2 - POLE * x > 0) & always(t, (IN_BETWEEN) >> (defined(be[t]) & (p < be[t + 1]) & (be[t + 1] < be[t]) & (be[t] - p <= to_p[t] * (x - p)))) & ((IN_BETWEEN) >> shrinks),
+      over={p: scalar(), x: scalar()}, where=[SLOPE_MAP, SLOPES, powers(p**2 / AT_X), let(shrinks, (0 < p**2 / AT_X) & (p**2 / AT_X < 1))], given=[BELOW_ONE],
+      by=[arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=0), arithmetic(TO_P, at_index(j, t), at_index(j, t + 1), *values_at(t + 1, be), by_cases(p * x < 1), by_cases(p * be[t] <= p * x), by_cases(p * be[t] < 1), cleared(), member=1),
+          arithmetic(by_cases(p * x < 1), by_cases(p**2 > 0), by_cases(AT_X > 0), cleared(), member=2),
+          instances(60, **DRAW_P), *(example(p="1/2", x=x_) for x_ in (1, "1/2", 2, "3/2", "3/5", "1/4", 3)), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
+      note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between. There the slopes fall to p, as fast at least as the powers G_t of p^2/(1 + p^2 - p x), which is less than 1.")
 D_AT = (*ORBIT, rec(r, t, 1, (1 - ga[t] ** 2) * r[t]), let(D, 1 + al0**2 - ga0**2 + al0 * (Z + recip(Z))), let(dm, D / r[m]), let(dn, D / r[m + 1]))
 claim("BLM91-S64", "D/r_t changes sign exactly where |gamma_t| > 1",
       iff(changes, beyond) & (dm == (1 - ga[m] ** 2) * dn), sizes=["m"], over={al0: scalar(), ga0: scalar()},
