@@ -37,6 +37,7 @@ from exactkf.evidence import (
     instances,
     lemma,
     multiplied,
+    shown_first,
     steps,
     unfolded,
     valued,
@@ -215,13 +216,17 @@ claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
       note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
 IN_BETWEEN, AT_X = (p < x) & (x < 1 / p), 1 + p**2 - p * x
 #: between p and 1/p: falling, and nearer to p by the factor p^2/(1 + p^2 - p x) at least
-TO_P = by_induction(j, 0, defined(be[j]) & (p < be[j]) & (be[j] <= x) & (to_p[j] >= 0) & (be[j] - p <= to_p[j] * (x - p)), base=AT_START,
-                    step=[by_cases(p * x < 1), by_cases(p**2 > 0), by_cases(p * be[j] <= p * x), by_cases(p * be[j] < 1), by_cases(AT_X > 0), by_cases(p**2 * (be[j] - p) > 0), by_cases(p**2 * to_p[j] >= 0),
-                          by_cases(p**2 * (be[j] - p) <= p**2 * to_p[j] * (x - p)), by_cases(p**2 * to_p[j] * (x - p) >= 0), cleared(), *step_of_slope(j)])
+SMALL = [shown_first(p * x < 1, [cleared()]), by_cases(p**2 > 0), by_cases(AT_X > 0)]
+TO_P = [*SMALL, by_induction(j, 0, defined(be[j]) & (p < be[j]) & (be[j] <= x), base=values_at(0, be), step=[by_cases(p * be[j] <= p * x), by_cases(p * be[j] < 1), cleared(), *values_at(j + 1, be)]),
+        by_induction(i, 0, to_p[i] >= 0, base=[unfolded(to_p, 0)], step=[cleared(), by_cases(p**2 * to_p[i] >= 0), unfolded(to_p, i + 1)]),
+        shown_first(forall(s, 0, t, AT_X * to_p[s + 1] == p**2 * to_p[s]), [cleared(), unfolded(to_p, s + 1)]),
+        shown_first(forall(m, 0, t, AT_X * (be[m + 1] - p) <= p**2 * (be[m] - p)), [at_index(j, m), by_cases(p * be[m] <= p * x), by_cases(p * be[m] < 1), by_cases(p**3 > 0), by_cases((be[m] - p) * (x - be[m]) >= 0), cleared(), *values_at(m + 1, be)]),
+        by_induction(k, 0, (k <= t) >> (be[k] - p <= to_p[k] * (x - p)), base=[unfolded(be, 0), unfolded(to_p, 0)],
+                     step=[at_index(s, k), at_index(m, k), by_cases(p**2 * (be[k] - p) <= p**2 * to_p[k] * (x - p)), multiplied(x - p)])]
 claim("BLM91-S63", "which slopes belong to points of the hyperbola",
       iff((x < p) | (x > 1 / p), 1 + x**2 - POLE * x > 0) & always(t, (IN_BETWEEN) >> (defined(be[t]) & (p < be[t + 1]) & (be[t + 1] < be[t]) & (be[t] - p <= to_p[t] * (x - p)))) & ((IN_BETWEEN) >> shrinks),
       over={p: scalar(), x: scalar()}, where=[SLOPE_MAP, SLOPES, powers(p**2 / AT_X), let(shrinks, (0 < p**2 / AT_X) & (p**2 / AT_X < 1))], given=[BELOW_ONE],
-      by=[arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=0), arithmetic(TO_P, at_index(j, t), at_index(j, t + 1), *values_at(t + 1, be), by_cases(p * x < 1), by_cases(p * be[t] <= p * x), by_cases(p * be[t] < 1), cleared(), member=1),
+      by=[arithmetic(valued(), cleared(), by_cases(p * x < 1), by_cases(x > p), by_cases(p**2 > 0), member=0), arithmetic(*TO_P, at_index(j, t), at_index(j, t + 1), at_index(k, t), *values_at(t + 1, be), by_cases(p * be[t] <= p * x), by_cases(p * be[t] < 1), cleared(), member=1),
           arithmetic(by_cases(p * x < 1), by_cases(p**2 > 0), by_cases(AT_X > 0), cleared(), member=2),
           instances(60, **DRAW_P), *(example(p="1/2", x=x_) for x_ in (1, "1/2", 2, "3/2", "3/5", "1/4", 3)), example(p=2, x=1), example(p=-2, x=1), example(p=-1, x=1)],
       note=P_NOTE + " gamma^2 = 1 + x^2 - (2/kappa) x: two points for x outside [p, 1/p], none strictly between. There the slopes fall to p, as fast at least as the powers G_t of p^2/(1 + p^2 - p x), which is less than 1.")
