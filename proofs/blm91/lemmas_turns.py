@@ -24,7 +24,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "U_", "W_", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
 

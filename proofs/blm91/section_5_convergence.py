@@ -44,6 +44,7 @@ from exactkf.evidence import (
 )
 from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
+from proofs.blm91.lemmas_turns import U_, W_, by_ends, not_before, of_slope
 from proofs.blm91.notation import *
 
 A, V, V1, V2, slow, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v V_1 V_2 slow p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
@@ -130,7 +131,7 @@ SLOPE_MAP = function(f, [x], p / (1 + p**2 - p * x))
 POLE = p + 1 / p
 #: the orbit of a slope, and the powers of a factor
 SLOPES = rec(be, t, x, f(be[t]))
-to_p = sym("G")
+to_p, h = symbols("G h")
 
 
 def powers(factor):
@@ -200,20 +201,25 @@ claim("BLM91-F7", "the phase portrait of the slope",
           example(p="1/2", x="9/4"), example(p="1/2", x=3), example(p="1/2", x="1/4"), example(p="1/2", x=-1), example(p=2, x=1), example(p=-2, x="1/4")],
       note=P_NOTE + " A slope x between alpha_- = 1/p and 2/kappa = p + 1/p grows as long as it stays there, which is no longer than (p x - 1)(1 + t(1 - p^2)) <= p^2; beyond 2/kappa it jumps to the left of alpha_+ = p, "
            "and 2/kappa itself ends. Below alpha_+ it grows to alpha_+ as fast as G_t = p^(2t) at least.")
-#: (5.3)
-ESCAPING = (*BY_P, let(v, A**(-m) * rows([[0], [1]])), let(al1, v[2, 1] / v[1, 1]), rec(be, t, x, f(be[t])))
-claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == al1), sizes=["m"], over={p: scalar(), x: scalar()},
-      where=[*ESCAPING, let(flag, leaves(m, be))], given=[standing("0 < p < 1", (p > 0) & (p < 1)), standing("a step", m >= 1)],
-      by=[steps("BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="the slope ends at step i when A^i (1, alpha)' is a multiple of (0, 1)'; for p < 1 the first entry of A^(-i)(0, 1)' is not 0"),
-          instances(20, m=(1, 2, 3, 4), using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u)), x: al1}),
-          instances(20, m=(2, 3, 4), using={u: nonzero()}, made_by={p: abs(u) / (1 + abs(u)), x: (A ** (1 - m) * rows([[0], [1]]))[2, 1] / (A ** (1 - m) * rows([[0], [1]]))[1, 1]}),
-          instances(20, m=(1, 2, 3), **DRAW_P)],
-      note=P_NOTE + " Ends at step m: defined up to m - 1 and not at m.")
-claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
-      (al1 - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (al1 > 1 / p) & (f(al1) > al1), sizes=["m"], over={p: scalar()}, where=ESCAPING[:-1],
-      given=[BELOW_ONE, standing("step", m >= 2)],
-      by=[steps("BLM91-E5.1'", prose="f(alpha^(i)) = alpha^(i-1), and the distance to 1/p has the factor p^(2i)"), instances(40, m=(2, 3, 4, 5), **DRAW_P), example(m=2, p=2), example(m=3, p=-2)],
-      note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
+#: (5.3), 1/kappa = lambda > 1: (v_1, v_2)' = A^(-i) (0, 1)' is (U_(i-1), U_i)'
+BACKWARD = (rec(U_, t, 1, 2 * lam * U_[t] - W_[t]), rec(W_, t, 0, U_[t]))
+AT_U = (unfolded(U_, 0), unfolded(W_, 0))
+ABOVE_ONE = given("0 < kappa < 1", lam > 1)
+#: U_h > U_(h-1) >= 0; U_s U_s - U_(s+1) U_(s-1) = 1; so U_i/U_(i-1) falls
+RISING = by_induction(h, 0, (W_[h] >= 0) & (U_[h] >= W_[h] + 1), base=AT_U, step=[by_cases((lam - 1) * U_[h] >= 0), unfolded(U_, h + 1), unfolded(W_, h + 1)])
+CASSINI = by_induction(s, 0, U_[s] * W_[s + 1] - U_[s + 1] * W_[s] == 1, base=[*AT_U, unfolded(U_, 1), unfolded(W_, 1)],
+                       step=[*(unfolded(x_, s + k_) for k_ in (1, 2) for x_ in (U_, W_))])
+FALLING = by_induction(t, 1, forall(i, 1, t, U_[i] * W_[t] >= U_[t] * W_[i]) & forall(i, 1, t - 1, U_[i] * W_[t] > U_[t] * W_[i]), base=[at_index(i, i)],
+                       step=[at_index(i, i), at_index(h, t - 1), at_index(h, i - 1), at_index(s, t), at_index(h, t), unfolded(W_, t), unfolded(W_, t + 1), unfolded(W_, i), by_cases(i == t + 1), multiplied(U_[i - 1])])
+#: what the end at step n says, and what U_n = x U_(n-1) says
+AT_LAST = (existing(be, n), at_index(h, n - 1), at_index(j, n - 1), at_index(k, n - 1), at_index(t, n), at_index(m, n), at_index(i, n), at_index(i, i), unfolded(U_, n), unfolded(W_, n), multiplied(W_[i]), multiplied(U_[n - 1]), cleared())
+claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == U_[n] / W_[n]), sizes=["n"], over={lam: scalar(), x: scalar()},
+      where=[*BACKWARD, rec(be, t, x, 1 / (2 * lam - be[t])), let(flag, leaves(n, be))], given=[ABOVE_ONE, standing("a step", n >= 1)],
+      by=[arithmetic(RISING, CASSINI, FALLING, of_slope(be, x, j), by_ends(be, x), not_before(be, x), *AT_LAST),
+          instances(20, n=(1, 2, 3, 4), using={u: nonzero()}, made_by={lam: 1 + abs(u), x: U_[n] / W_[n]}),
+          instances(20, n=(2, 3, 4), using={u: nonzero()}, made_by={lam: 1 + abs(u), x: U_[n - 1] / W_[n - 1]}),
+          instances(20, n=(1, 2, 3), using={u: nonzero()}, made_by={lam: 1 + abs(u)})],
+      note="lambda = 1/kappa > 1. A = [[2 lambda, -1], [1, 0]] and A^(-1) = [[0, 1], [-1, 2 lambda]], so that (v_1, v_2)' = A^(-i) (0, 1)' is (U_before, U)' at i. Ends at step n: defined up to n - 1 and not at n.")
 IN_BETWEEN, AT_X = (p < x) & (x < 1 / p), 1 + p**2 - p * x
 #: between p and 1/p: falling, and nearer to p by the factor p^2/(1 + p^2 - p x) at least
 SMALL = [shown_first(p * x < 1, [cleared()]), by_cases(p**2 > 0), by_cases(AT_X > 0)]
