@@ -24,7 +24,7 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "X1", "X2", "U_", "W_", "by_ends", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "RISING", "SINES_1", "SINES_D", "U_FALLS", "X1", "X2", "U_", "W_", "by_ends", "ends_at", "not_before", "of_slope", "pit", "v1", "v2", "w"]
 
 p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
 
@@ -121,6 +121,17 @@ OF_POINTS = [IN_LOWEST, POSITIVE, ON_CURVE, CLOSED_FORM, PYTHAGORAS_, MOVING, FU
 U_, W_ = symbols("U U_before")
 
 
+#: for lambda > 1: U_h > U_(h-1) >= 0; U_s U_s - U_(s+1) U_(s-1) = 1; U_i/U_(i-1) falls
+RISING = by_induction(h, 0, (W_[h] >= 0) & (U_[h] >= W_[h] + 1), base=[unfolded(U_, 0), unfolded(W_, 0)],
+                      step=[by_cases((lam - 1) * U_[h] >= 0), unfolded(U_, h + 1), unfolded(W_, h + 1)])
+CASSINI = by_induction(s, 0, U_[s] * W_[s + 1] - U_[s + 1] * W_[s] == 1, base=[unfolded(U_, 0), unfolded(W_, 0), unfolded(U_, 1), unfolded(W_, 1)],
+                       step=[*(unfolded(x_, s + k_) for k_ in (1, 2) for x_ in (U_, W_))])
+FALLING = by_induction(t, 1, forall(i, 1, t, U_[i] * W_[t] >= U_[t] * W_[i]) & forall(i, 1, t - 1, U_[i] * W_[t] > U_[t] * W_[i]), base=[at_index(i, i)],
+                       step=[at_index(i, i), at_index(h, t - 1), at_index(h, i - 1), at_index(s, t), at_index(h, t), unfolded(W_, t), unfolded(W_, t + 1), unfolded(W_, i), by_cases(i == t + 1),
+                             multiplied(U_[i - 1])])
+U_FALLS = [RISING, CASSINI, FALLING]
+
+
 def of_slope(b, start, index):
     """Hints: b_j M_j = M_(j-1), and M_j is not 0, while the slope exists."""
     M, before = U_[index] - start * W_[index], W_[index] - start * (2 * lam * W_[index] - U_[index])
@@ -140,3 +151,9 @@ def not_before(b, start):
     """Hints: a slope that exists after m steps is U_i/U_(i-1) for no i <= m."""
     return by_induction(m, 0, defined(b[m]) >> forall(i, 1, m, U_[i] != start * W_[i]), base=[cleared(), *values_at(0, b)],
                         step=[cleared(), existing(b, m + 1), at_index(j, m + 1), at_index(i, i), by_cases(i == m + 1)])
+
+
+def ends_at(b, start, n):
+    """Hints: a slope ends at step n >= 1 exactly for start = U_n/U_(n-1), for lambda > 1."""
+    return [*U_FALLS, of_slope(b, start, j), by_ends(b, start), not_before(b, start), existing(b, n), at_index(h, n - 1), *(at_index(i_, n - 1) for i_ in (j, k)),
+            *(at_index(i_, n) for i_ in (t, m, i)), at_index(i, i), unfolded(U_, n), unfolded(W_, n), multiplied(W_[i]), multiplied(U_[n - 1]), cleared()]

@@ -44,7 +44,7 @@ from exactkf.evidence import (
 )
 from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
-from proofs.blm91.lemmas_turns import U_, W_, by_ends, not_before, of_slope
+from proofs.blm91.lemmas_turns import U_, W_, ends_at
 from proofs.blm91.notation import *
 
 A, V, V1, V2, slow, p, y, f, bp, bm, vp, vm, Lp, Lm, Rt, be, count, sl, v, al1 = symbols("A v V_1 V_2 slow p y f beta_plus beta_minus v_plus v_minus L_plus L_minus R b count slope v_i alpha_i")
@@ -131,7 +131,7 @@ SLOPE_MAP = function(f, [x], p / (1 + p**2 - p * x))
 POLE = p + 1 / p
 #: the orbit of a slope, and the powers of a factor
 SLOPES = rec(be, t, x, f(be[t]))
-to_p, h = symbols("G h")
+to_p = sym("G")
 
 
 def powers(factor):
@@ -203,19 +203,10 @@ claim("BLM91-F7", "the phase portrait of the slope",
            "and 2/kappa itself ends. Below alpha_+ it grows to alpha_+ as fast as G_t = p^(2t) at least.")
 #: (5.3), 1/kappa = lambda > 1: (v_1, v_2)' = A^(-i) (0, 1)' is (U_(i-1), U_i)'
 BACKWARD = (rec(U_, t, 1, 2 * lam * U_[t] - W_[t]), rec(W_, t, 0, U_[t]))
-AT_U = (unfolded(U_, 0), unfolded(W_, 0))
 ABOVE_ONE = given("0 < kappa < 1", lam > 1)
-#: U_h > U_(h-1) >= 0; U_s U_s - U_(s+1) U_(s-1) = 1; so U_i/U_(i-1) falls
-RISING = by_induction(h, 0, (W_[h] >= 0) & (U_[h] >= W_[h] + 1), base=AT_U, step=[by_cases((lam - 1) * U_[h] >= 0), unfolded(U_, h + 1), unfolded(W_, h + 1)])
-CASSINI = by_induction(s, 0, U_[s] * W_[s + 1] - U_[s + 1] * W_[s] == 1, base=[*AT_U, unfolded(U_, 1), unfolded(W_, 1)],
-                       step=[*(unfolded(x_, s + k_) for k_ in (1, 2) for x_ in (U_, W_))])
-FALLING = by_induction(t, 1, forall(i, 1, t, U_[i] * W_[t] >= U_[t] * W_[i]) & forall(i, 1, t - 1, U_[i] * W_[t] > U_[t] * W_[i]), base=[at_index(i, i)],
-                       step=[at_index(i, i), at_index(h, t - 1), at_index(h, i - 1), at_index(s, t), at_index(h, t), unfolded(W_, t), unfolded(W_, t + 1), unfolded(W_, i), by_cases(i == t + 1), multiplied(U_[i - 1])])
-#: what the end at step n says, and what U_n = x U_(n-1) says
-AT_LAST = (existing(be, n), at_index(h, n - 1), at_index(j, n - 1), at_index(k, n - 1), at_index(t, n), at_index(m, n), at_index(i, n), at_index(i, i), unfolded(U_, n), unfolded(W_, n), multiplied(W_[i]), multiplied(U_[n - 1]), cleared())
 claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag, x == U_[n] / W_[n]), sizes=["n"], over={lam: scalar(), x: scalar()},
       where=[*BACKWARD, rec(be, t, x, 1 / (2 * lam - be[t])), let(flag, leaves(n, be))], given=[ABOVE_ONE, standing("a step", n >= 1)],
-      by=[arithmetic(RISING, CASSINI, FALLING, of_slope(be, x, j), by_ends(be, x), not_before(be, x), *AT_LAST),
+      by=[arithmetic(*ends_at(be, x, n)),
           instances(20, n=(1, 2, 3, 4), using={u: nonzero()}, made_by={lam: 1 + abs(u), x: U_[n] / W_[n]}),
           instances(20, n=(2, 3, 4), using={u: nonzero()}, made_by={lam: 1 + abs(u), x: U_[n - 1] / W_[n - 1]}),
           instances(20, n=(1, 2, 3), using={u: nonzero()}, made_by={lam: 1 + abs(u)})],
