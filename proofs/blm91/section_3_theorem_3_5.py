@@ -21,7 +21,7 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_induction, cleared, example, instances, multiplied, part, shown_first, steps, unfolded, valued
+from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_induction, cleared, example, existing, instances, multiplied, part, shown_first, steps, unfolded, valued
 from exactkf.language import *
 from proofs.blm91.lemmas_turns import RISING, U_, W_, ends_at, q
 from proofs.blm91.notation import *
@@ -57,19 +57,25 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
       by=[steps("BLM91-E5.1", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step, and gamma^2 follows alpha"),
           instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
       note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
-ratio, ended, closed, first, radius, arrives = symbols("c ended closed first radius arrives")
-#: the orbit in closed form, alpha = 1/p aside, and the first step within this distance of (p, 0), or -1 if the orbit ends before or is not there by step 90
-ALTERNATIVE = (*ORBIT, let(ratio, (al0 - p) / (p * al0 - 1)), let(ended, (al0 == 0) | exists(i, 1, 30, ratio * p ** (2 * i + 1) == 1)), let(radius, (1 - p**2) / (2 * k)),
-               function(first, [t], when(~defined(ga[t]), -1, when(abs(al[t] - p) + abs(ga[t]) <= radius, t, when(t >= 90, -1, first(t + 1))))), let(arrives, first(0) >= 0))
-LEAVES = dict(using={u: nonzero(), i: integer(1, 3)}, made_by={p: SHARE, al0: (p - 1 / p ** (2 * i + 1)) / (1 - 1 / p ** (2 * i)), ga0: (1 - p**2) / (1 - 1 / p ** (2 * i)) / p ** (i + 1)})
+squared = sym("R")
+#: p^(2t)
+SQUARED = rec(squared, t, 1, p**2 * squared[t])
+#: the orbit stays on the hyperbola; alpha' = 1/(p + 1/p - alpha); it stays away from 1/p, and (alpha - p)/(p alpha - 1) is multiplied by p^2
+FROM_P = [by_induction(i, 0, defined(al[i]) >> (p * (1 + al[i] ** 2 - ga[i] ** 2) == (1 + p**2) * al[i]), base=values_at(0), step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)]),
+          shown_first(forall(k, 0, t, defined(al[k + 1]) >> (p * (1 + al[k] * al[k + 1]) == (1 + p**2) * al[k + 1])), [at_index(i, k), cleared(), existing(al, k + 1), unfolded(al, k + 1)]),
+          by_induction(j, 0, ((j <= t) & defined(al[j])) >> ((p * al[j] != 1) & ((al[j] - p) * (p * al0 - 1) == squared[j] * (al0 - p) * (p * al[j] - 1))), base=[unfolded(al, 0), unfolded(squared, 0)],
+                       step=[existing(al, j + 1), at_index(k, j), unfolded(squared, j + 1), multiplied(p), multiplied(p**2), multiplied(p * al[j]), multiplied((1 - p**2) * (p * al0 - 1)), multiplied(p**2 * (p * al[j + 1] - 1))])]
+POSITIVE_R = by_induction(m, 0, squared[m] >= 0, base=[unfolded(squared, 0)], step=[unfolded(squared, m + 1), by_cases(p**2 >= 0)])
+IN_TIME = [POSITIVE_R, at_index(i, t), at_index(j, t), at_index(m, t), by_cases(p**2 < 1), by_cases(p**2 > 0), by_cases(squared[t] * abs(al0 - p) >= 0), by_cases(squared[t] * abs(al0 - p) * (1 - p**2) >= 0),
+           by_cases(squared[t] * abs(al0 - p) * p**2 >= 0)]
+BOUND = (2 * squared[t] * abs(p) * abs(al0 - p) <= abs(p * al0 - 1)) >> (abs(al[t] - p) * abs(p * al0 - 1) <= 2 * squared[t] * abs(al0 - p))
 claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends",
-      iff(arrives, ~ended) & (al[m] * (1 - ratio * p ** (2 * m + 1)) == p - ratio * p ** (2 * m)) & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
-      over={al0: scalar(), ga0: scalar(), p: nonzero(), k: integer(1, 6)}, where=ALTERNATIVE, given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step, and gamma^2 = (alpha - p)(alpha - 1/p) on the hyperbola; "
-                "the closed form tends to p, and the orbit ends where it divides by zero, or at (0, 1), (0, -1)"),
-          instances(30, m=(0, 1, 2, 3, 4), using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), instances(12, m=(0, 1, 2), **LEAVES), example(m=2, alpha0="1/3", gamma0=0, p="1/3", k=1), example(m=0, alpha0=0, gamma0=1, p="1/3", k=1)],
-      note="kappa = 2p/(1 + p^2), p = alpha_+, so that 0 < |p| < 1 is 0 < kappa^2 < 1. c = (alpha_0 - p)/(p alpha_0 - 1), and m is the time. arrives: the orbit comes within (1 - p^2)/(2k) of (p, 0), which no orbit does that ends later; "
-           "that it stays near is the closed form, whose distance from p is |c|(1 - p^2) p^(2m)/|1 - c p^(2m+1)|. ended: c p^(2i+1) = 1 for a step i (tried to 30), or alpha_0 = 0.")
+      always(t, (BOUND) & (p * ga[t] ** 2 == (al[t] - p) * (p * al[t] - 1))),
+      over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, SQUARED], given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
+      by=[arithmetic(valued(), *FROM_P, *IN_TIME),
+          instances(30, using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3"), example(alpha0=0, gamma0=1, p="1/3")],
+      note="kappa = 2p/(1 + p^2), p = alpha_+, so that 0 < |p| < 1 is 0 < kappa^2 < 1. R_t is p^(2t): as soon as it is small enough, as it is for all later t, the distance of alpha_t from p is R_t times a constant at most, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). "
+           "This is for all t at which the orbit has not ended: it converges if it does not end.")
 
 # ---------------------------------------------------------------------- a) 1) from region to region
 claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached", grows & (four1 | three1) & kept, over={al0: nonzero(), ga0: nonzero()}, where=REGION, given=[given("in IV", four0), SMALL_KAPPA],
