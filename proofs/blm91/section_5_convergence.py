@@ -261,11 +261,17 @@ claim("BLM91-S67", "A(1) is a Jordan block",
       always(t, (V[t] == (bp + bm * count[t]) * vp + bm * vm) & (charpoly(A) == (Z - 1) ** 2) & ((A - Identity(2)) * vm == vp) & ((A - Identity(2)) * vp == Zero(2, 1))),
       over={y: scalar(), bp: scalar(), bm: scalar()}, where=JORDAN, by=[induction(cofactors=[[(A, 0, 1)], [], [], []]), instances()],
       note="v_2 = (y + 1, y)' runs over all principal vectors; v_1 is the only direction of eigenvectors because A - I is not zero, being nonzero on v_2. count is t.")
+SIGN_K = 2 * k - 1
+#: V = A^t v in both coordinates, for A(1); slopes for kappa = 1, -1
+EDGE = (rec(V1, t, bp + bm * (y + 1), 2 * V1[t] - V2[t]), rec(V2, t, bp + bm * y, V1[t]), rec(be, t, SIGN_K * (1 + x), 1 / (2 * SIGN_K - be[t])))
+LINES_1 = by_induction(j, 0, (V1[j] == bp + bm * j + bm * (y + 1)) & (V2[j] == bp + bm * j + bm * y), base=[unfolded(V1, 0), unfolded(V2, 0)], step=[unfolded(V1, j + 1), unfolded(V2, j + 1)])
+#: (kappa b_i - 1)(1 - i x) = x
+SLOPES_1 = by_induction(i, 0, defined(be[i]) >> (((SIGN_K * be[i] - 1) * (1 - i * x) == x) & (i * x != 1)), base=[by_cases(k == 0), *values_at(0, be)], step=[by_cases(k == 0), cleared(), multiplied(1 - i * x), *values_at(i + 1, be)])
 claim("BLM91-S68", "kappa^2 = 1: convergence to kappa",
-      always(t, (be[t] == flag * (1 + x / (1 - count[t] * x))) & (V[t] == (bp + bm * count[t]) * (vp + bm / (bp + bm * count[t]) * vm))
-             & ((flag * be[t] < 1) >> ((flag * be[t] < flag * be[t + 1]) & (flag * be[t + 1] < 1)))),
-      over={y: scalar(), bp: scalar(), bm: nonzero(), x: nonzero(), k: integer(0, 1)},
-      where=[*JORDAN, let(flag, 2 * k - 1), rec(be, t, flag * (1 + x), 1 / (2 * flag - be[t]))],
-      by=[steps("BLM91-S67", prose="the slope of A^t v is 1 + x/(1 - t x), x = alpha_0 - 1: it tends to 1, from below as soon as t x > 1 or x < 0; kappa = -1 changes the sign of alpha"),
+      always(t, (V1[t] == bp + bm * t + bm * (y + 1)) & (V2[t] == bp + bm * t + bm * y))
+      & always(t, (SIGN_K * be[t] - 1 == x / (1 - t * x)) & ((SIGN_K * be[t] < 1) >> ((SIGN_K * be[t] < SIGN_K * be[t + 1]) & (SIGN_K * be[t + 1] < 1))) & ((t * abs(x) >= 2) >> (t * abs(be[t] - SIGN_K) <= 2))),
+      over={y: scalar(), bp: scalar(), bm: nonzero(), x: nonzero(), k: integer(0, 1)}, where=EDGE,
+      by=[arithmetic(LINES_1, at_index(j, t), member=0), arithmetic(valued(), SLOPES_1, at_index(i, t), by_cases(k == 0), *values_at(t + 1, be), cleared(), member=1),
           instances(40), example(y=0, beta_plus=1, beta_minus=1, x="-1/2", k=1), example(y=0, beta_plus=1, beta_minus=1, x="2/5", k=0)],
-      note="kappa = 2k - 1. Monotone is read as in Theorem 3.5, 1): kappa alpha_t grows to 1 once it is less than 1; an orbit that starts beyond kappa first passes over infinity.")
+      note="kappa = 2k - 1, (V_1, V_2)' = A^t (beta_+ v_1 + beta_- v_2) for v_1 = (1, 1)', v_2 = (y + 1, y)', which is (beta_+ + beta_- t) v_1 + beta_- v_2, and b is the slope for kappa, from kappa(1 + x): its distance from kappa is 2/t at most for t >= 2/|x|. "
+           "Monotone is read as in Theorem 3.5, 1): kappa alpha_t grows to 1 once it is less than 1; an orbit that starts beyond kappa first passes over infinity.")
