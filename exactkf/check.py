@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
 import click
 
 from exactkf._errors import BadInput
+from exactkf.entered import entered, reading_list
 from exactkf.files import reaching
 from exactkf.kernel.files import one_line, parsed
 from exactkf.kernel.limits import SECONDS, patiently
@@ -23,12 +25,12 @@ _PROOFS = ("evaluation", "identity", "combination", "induction", "membership", "
            "positivity")
 
 
-def check_paths(paths: Iterable[Path], seconds: float = SECONDS) -> int:
-    """Replay every certificate; exit status 0, 1 or 2 as the command has it. What one takes for granted is said."""
+def check_paths(paths: Iterable[Path], seconds: float = SECONDS, *, code: bool = False) -> int:
+    """Replay every certificate; exit status 0, 1 or 2 as the command has it. What one takes for granted is said, and what ran if `code`."""
     files = _files(paths)
     rejected, strange = 0, 0
     granted, proved = dict[Path, str](), set[str]()
-    with Meter("check", len(files)) as meter:
+    with Meter("check", len(files)) as meter, entered() if code else nullcontext() as ran:
         for file in files:
             try:
                 certificate = read_certificate(file)
@@ -50,6 +52,8 @@ def check_paths(paths: Iterable[Path], seconds: float = SECONDS) -> int:
         click.echo(one_line(f"{file}: replays assuming {needed}{shown} for its parametrisation to reach everything"))
     assuming = f", {len(granted)} of them assuming what is named above" if granted else ""
     click.echo(f"{len(files) - rejected - strange} of {len(files)} certificates replay{assuming}")
+    if ran is not None:
+        click.echo("\n".join(reading_list(ran)))
     return 1 if rejected else 2 if strange else 0
 
 

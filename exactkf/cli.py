@@ -185,14 +185,15 @@ def verify(setup: Setup, words: Sequence[str], json_file: Path | None, certifica
 @main.command(short_help="Replay certificates, with the checker alone.")
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--time-limit", type=_Seconds(), default=SECONDS, show_default=True, metavar="S", help="Seconds for one certificate; past them it is refused.")
-def check(paths: Sequence[Path], time_limit: float) -> int:
+@click.option("--code", is_flag=True, help="List the functions of the checker that ran: what to read to trust the replay.")
+def check(paths: Sequence[Path], time_limit: float, code: bool) -> int:
     """Replay certificates: files, or all .json files of folders.
 
     Exit status: 0 if every one replays, 1 if one does not, 2 if one is no certificate.
     """
     from exactkf.check import check_paths
 
-    return check_paths(paths, time_limit)
+    return check_paths(paths, time_limit, code=code)
 
 
 @main.command(short_help="Show a claim: statement, verdict, what was checked.")

@@ -99,8 +99,8 @@ claim("BLZ94-L6.9", "powers of A take complementary subspaces to the dominant on
           instances(made_by={M: _TURN, u: rows([[1], [0], [0]]), x: rows([[1], [0], [0]])})],
       note="A consequence. All eigenvalues have modulus one. The real line spanned by u is the only invariant one, hence the unique dominant subspace of dimension one, and the "
            "plane of i and -i the unique codominant one of dimension two. A sequence of period four converges only if it is constant, so Ax would have to span the line of u.",
-      repair=repair("missing hypothesis", "Uniqueness has to be meant for complex subspaces. Then there is a gap between the moduli, as here, or else between the exponents "
-                                          "(Parlett and Poole).",
+      repair=repair("missing hypothesis", "Uniqueness has to be meant for complex subspaces, and A has to be nonsingular. Then there is a gap between the moduli, as here, or "
+                                          "else between the exponents (Parlett and Poole). With A = [[0, 1], [0, 0]] both subspaces are the line of (1, 0), but A^2 X = 0.",
                     q >= 0, sizes=["k", "m"],
                     over={R: nonsingular(k), Q: matrix(m, m), K0: matrix(m, k), r: positive(), x: positive()},
                     where=[rec(K, t, K0, Q * K[t] * inv(R)), *_SMALL],

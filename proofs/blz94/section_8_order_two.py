@@ -192,7 +192,7 @@ claim("BLZ94-S69", "the invariant manifold of a point with v = 1, or of (0, -1),
       by=[example({al1: 0, al2: 0, ga0: 0, ga1: 1, u: 0}), instances(10, made_by={al1: u + 0, al2: 1 + 0 * u, ga0: u + 0, ga1: 1 + 0 * u})],
       note="a = z^2 + alpha_1 z + alpha_2 and b = z^2 + gamma_0 z + gamma_1 here. Where D, up to a factor, is a map of rank two, the manifold is a surface. In "
            "the example a = z^2, b = z^2 + 1, with the D of z^2 + 1.",
-      repair=repair("other", "Only the equilibrium itself is singular: the manifold is a surface at its points whose polynomial a(z) has no pair of reciprocal zeros.",
+      repair=repair("other", "The manifold is a surface at its points whose polynomial a(z) has no pair of reciprocal zeros and no zero 1 or -1.",
                     rank(e) == 3, over={**_POINT2, u: scalar()}, where=_AB2,
                     given=[given("a has no reciprocal zeros", (al2 - 1) * ((1 + al2) ** 2 - al1**2) != 0)],
                     by=[steps(prose="The last two rows and a(z)b(1/z) + a(1/z)b(z) are the values of an invertible linear map at z, 1 and b."),
@@ -239,8 +239,8 @@ claim("BLZ94-X8.2", "every orbit that does not escape has the period 144",
       where=[*_TURNS, *_ON_CURVE, *_S_OF, let(u, S**24), let(v, u**2), let(w, u**3),
              let(r, when(w * w == Identity(4), when(_LOWER * v * _FIRST == _REST, 48, when(_LOWER * w * _FIRST == _REST, 72, 144)), 0))],
       by=[steps("BLZ94-E6.16", "BLZ94-P6.6", facts=["planes that are invariant under a symplectic matrix and have no eigenvalue in common, nor one inverse to one of the other, are orthogonal"],
-                prose="By (6.16) the state at time t is that of S^t(I; 0), and the orbit is back at a divisor t of 144 only if the plane of (I; 0) is invariant under S^t. The eigenvalues of S are those of "
-                      "P6.6, simple, of the orders 16 and 18, so that S^144 = I. Their planes E and E* are orthogonal, and the form is not zero on them; it is on the plane of (I; 0), which is none of them. "
+                prose="By (6.16) the state at time t is that of (X_t; Y_t) = S^t(I; 0): P_t is Y_tX_t^{-1}, and g(t) is (X_t')^{-1}g/(1 - h'P_th), its sign included. So the orbit is back where S^t = I, and at a divisor t "
+                      "of 144 only if the plane of (I; 0) is invariant under S^t. The eigenvalues of S are those of P6.6, simple, of the orders 16 and 18, so that S^144 = I. Their planes E and E* are orthogonal, and the form is not zero on them; it is on the plane of (I; 0), which is none of them. "
                       "S^48 is 1 on E and turns E* by a third, so an invariant plane would be one of them. S^72 is -1 and 1, so an invariant plane would hold an (x; 0) in E and a (y; 0) in E*. The form of (x; 0) and S(y; 0), a "
                       "product of a linear function of x and one of y, is zero, and so one of these is, and the form of (x; 0) and S(x; 0), or that of (y; 0) and S(y; 0): then it is zero on E, or on E*."),
           example({al1: 0, al2: "1/2"}), instances(2)],

@@ -3,10 +3,11 @@
 
 For R_p[U; L] = [U; L]Omega the matrix W = L'U - U'L satisfies W = Omega'W Omega, because the
 same difference made with S and H is symmetric. With [F; Gamma] = [U; L]X the matrix
-Gamma'F - F'Gamma is X'WX, and it is Gamma'(P - P')Gamma for P = F Gamma^{-1}. If no product of two
-eigenvalues of J is one, X = J'XJ has only the solution 0; so P is symmetric.
+Gamma'F - F'Gamma is X'WX, and it is Gamma'(P - P')Gamma for P = F Gamma^{-1}. If psi_i* psi_j is not one
+for any two eigenvalues of J, X = J'XJ has only the solution 0; so P is Hermitian.
 
-The matrices are real, and the transpose stands for the conjugate transpose.
+The matrices are real, and the transpose stands for the conjugate transpose; in the theorem J is
+complex, and a complex matrix is a real one of twice the size.
 """
 
 from exactkf.claims import claim
@@ -34,7 +35,8 @@ from exactkf.language import (
 )
 from proofs.d71.notation import H, M, P, Phi, V, gram, i, j, kronecker, n, p
 
-q, r, F, Gam, J, S, Rp, U, L, Om, X, E, K, c, TWIST = symbols("q r F Gam J S Rp U L Om X E K c TWIST")
+q, r, F, Gam, S, Rp, U, L, Om, X, E, K, c, TWIST = symbols("q r F Gam S Rp U L Om X E K c TWIST")
+F1, F2, G1, G2, J1, J2, FR, GR, JR = symbols("F1 F2 G1 G2 J1 J2 FR GR JR")
 I = Identity(n)
 PhiT = inv(T(Phi))
 MODEL = {Phi: nonsingular(n), H: positive_semidefinite(n), M: matrix(p, n), V: positive_definite(p)}
@@ -71,23 +73,41 @@ claim("D71-E3.88", "Q and P",
       note="X = diag(X_1, X_2), as (3.87) says; the first equation has the blocks for two groups of eigenvalues. W is L*U - U*L.")
 
 W = 2 + c[i]**2
-#: every state by itself, with the eigenvalue w or 1/w in J
+#: every state by itself, with the eigenvalue w or 1/w in J, in the complex basis K(I + iN) with N^2 = 0
 SIGN = matrix_of(i, j, n, n, when(i == j, when(c[i] > 0, W, 1/W), 0))
+UPPER = matrix_of(i, j, n, n, when(i < j, c[1], 0))
+BENT = inv(K)*SIGN*K
 ALONE = {"using": {E: nonsingular(n), K: nonsingular(n), c: vector(n)},
          "made_by": {Phi: I, H: E*matrix_of(i, j, n, n, when(i == j, (W - 1)*(1 - 1/W), 0))*T(E), M: inv(E), V: I,
-                     F: E*(SIGN - I)*K, Gam: inv(T(E))*K, J: inv(K)*SIGN*K}}
-#: Example 3.1 with J = diag(2, 1/2)
-FAMILY = example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[[-1, "2/3"]], V=[[1]], F=[[33, 2], [36, 3]], Gam=[[3, 3], [1, -2]],
-                 J=[[2, 0], [0, "1/2"]])
-#: no solution of R_p T = TJ
-LOOSE = example(n=2, p=1, Phi=[[1, 0], [0, 1]], H=[[0, 0], [0, 0]], M=[[0, 0]], V=[[1]], F=[[0, 1], [0, 0]], Gam=[[1, 0], [0, 1]], J=[[2, 0], [0, 3]])
+                     F1: E*(SIGN - I)*K, F2: E*(SIGN - I)*K*UPPER, G1: inv(T(E))*K, G2: inv(T(E))*K*UPPER,
+                     J1: BENT + UPPER*BENT*UPPER, J2: BENT*UPPER - UPPER*BENT}}
 
-claim("D71-T3.15.a", "equilibria that are symmetric",
-      symmetric(F*inv(Gam)),
-      sizes=["n", "p"], over={**MODEL, F: matrix(n, n), Gam: nonsingular(n), J: matrix(n, n)}, where=[*R_WHERE, let(TWIST, kronecker(J, J) - Identity(n*n))],
-      given=[given("R_p T = TJ", Rp*vstack(F, Gam) == vstack(F, Gam)*J), given("no two eigenvalues of J have the product one", invertible(TWIST))],
-      by=[steps("D71-E3.84", "D71-E3.85", "D71-E3.88", facts=["The eigenvalues of J x J are the products of two eigenvalues of J."],
-                prose="Gamma'F - F'Gamma solves X = J'XJ, a linear equation whose matrix is that of J x J transposed; so it vanishes."),
-          FAMILY, LOOSE,
+
+def complex_matrix(re, im):
+    """The real matrix of twice the size that stands for re + i im."""
+    return block([[re, im], [-im, re]])
+
+
+NONE = [[0, 0], [0, 0]]
+SPIRAL = {"n": 2, "p": 2, "Phi": [[1, 2], [-2, 1]], "H": NONE, "M": [[1, 0], [0, 1]], "V": [[1, 0], [0, 1]]}
+#: the undriven modes 1 + 2i and 1 - 2i: P is four times the projection on the line of (1, i)
+COMPLEX = example({**SPIRAL, "F1": [[4, 0], [0, 0]], "F2": [[0, 0], [4, 0]], "G1": [[1, 1], [0, 0]], "G2": [[0, 0], [1, -1]],
+                   "J1": [[1, 0], [0, "1/5"]], "J2": [[2, 0], [0, "-2/5"]]})
+#: Example 3.1 with J = diag(2, 1/2)
+FAMILY = example(n=2, p=1, Phi=[[2, -1], [0, "1/2"]], H=[[4, 6], [6, 9]], M=[[-1, "2/3"]], V=[[1]], F1=[[33, 2], [36, 3]], G1=[[3, 3], [1, -2]],
+                 J1=[[2, 0], [0, "1/2"]], F2=NONE, G2=NONE, J2=NONE)
+LOOSE = example(n=2, p=1, Phi=[[1, 0], [0, 1]], H=NONE, M=[[0, 0]], V=[[1]], F1=[[0, 1], [0, 0]], G1=[[1, 0], [0, 1]], J1=[[2, 0], [0, 3]],
+                F2=NONE, G2=NONE, J2=NONE)
+claim("D71-T3.15.a", "equilibria that are Hermitian",
+      symmetric(FR*inv(GR)),
+      sizes=["n", "p"], over={**MODEL, **{entry: matrix(n, n) for entry in (F1, F2, G1, G2, J1, J2)}},
+      where=[*R_WHERE, let(FR, complex_matrix(F1, F2)), let(GR, complex_matrix(G1, G2)), let(JR, complex_matrix(J1, J2)),
+             let(TWIST, complex_matrix(kronecker(J1, J1) + kronecker(J2, J2) - Identity(n*n), kronecker(J1, J2) - kronecker(J2, J1)))],
+      given=[given("R_p T = TJ", Rp*block([[F1, F2], [G1, G2]]) == block([[F1, F2], [G1, G2]])*JR), given("psi_i* psi_j is never one", invertible(TWIST))],
+      by=[steps("D71-E3.84", "D71-E3.85", "D71-E3.88", facts=["The eigenvalues of the Kronecker product of A and B are the products of one of A and one of B."],
+                prose="Gamma*F - F*Gamma solves X = J*XJ, a linear equation whose matrix is the transpose of the product of the conjugate of J with J; so it vanishes."),
+          COMPLEX, FAMILY, LOOSE,
           instances(4, n=(1,), p=(1,), **ALONE), instances(4, n=(2,), p=(2,), **ALONE)],
-      note="Real J, whose eigenvalues may be complex: psi_i* psi_j = 1 for some pair says the same as psi_i psi_j = 1 for some pair then.")
+      note="F = F1 + iF2, and so on; FR, GR and JR are the real matrices of twice the size that stand for F, Gamma, which is "
+           "nonsingular as its inverse presupposes, and J. TWIST stands for the Kronecker product of the conjugate of J with J less I, "
+           "and has the eigenvalues psi_i* psi_j - 1. In the first example J has the eigenvalues 1 + 2i and (1 - 2i)/5, whose product is one, and P is Hermitian, but not real.")
