@@ -21,8 +21,24 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, at_index, by_cases, by_induction, cleared, example, existing, instances, multiplied, part, shown_first, steps, unfolded, valued
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    example,
+    instances,
+    multiplied,
+    part,
+    shown_first,
+    steps,
+    unfolded,
+    valued,
+)
 from exactkf.language import *
+from proofs.blm91.lemmas_limits import BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SQUARED
 from proofs.blm91.lemmas_turns import RISING, U_, W_, ends_at, q
 from proofs.blm91.notation import *
 
@@ -57,18 +73,6 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
       by=[steps("BLM91-E5.1", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step, and gamma^2 follows alpha"),
           instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
       note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
-squared, on_edge = symbols("R on_edge")
-#: p^(2t)
-SQUARED = rec(squared, t, 1, p**2 * squared[t])
-#: the orbit stays on the hyperbola; alpha' = 1/(p + 1/p - alpha); it stays away from 1/p, and (alpha - p)/(p alpha - 1) is multiplied by p^2
-FROM_P = [by_induction(i, 0, defined(al[i]) >> (p * (1 + al[i] ** 2 - ga[i] ** 2) == (1 + p**2) * al[i]), base=values_at(0), step=[cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)]),
-          shown_first(forall(k, 0, t, defined(al[k + 1]) >> (p * (1 + al[k] * al[k + 1]) == (1 + p**2) * al[k + 1])), [at_index(i, k), cleared(), existing(al, k + 1), unfolded(al, k + 1)]),
-          by_induction(j, 0, ((j <= t) & defined(al[j]) & (p * al0 != 1)) >> ((p * al[j] != 1) & ((al[j] - p) * (p * al0 - 1) == squared[j] * (al0 - p) * (p * al[j] - 1))), base=[unfolded(al, 0), unfolded(squared, 0)],
-                       step=[existing(al, j + 1), at_index(k, j), unfolded(squared, j + 1), multiplied(p), multiplied(p**2), multiplied(p * al[j]), multiplied((1 - p**2) * (p * al0 - 1)), multiplied(p**2 * (p * al[j + 1] - 1))])]
-POSITIVE_R = by_induction(m, 0, squared[m] > 0, base=[unfolded(squared, 0)], step=[unfolded(squared, m + 1), by_cases(p**2 > 0)])
-IN_TIME = [POSITIVE_R, at_index(i, t), at_index(j, t), at_index(m, t), by_cases(p**2 < 1), by_cases(p**2 > 0), by_cases(squared[t] * abs(al0 - p) >= 0), by_cases(squared[t] * abs(al0 - p) * (1 - p**2) >= 0),
-           by_cases(squared[t] * abs(al0 - p) * p**2 >= 0)]
-BOUND = (2 * squared[t] * abs(p) * abs(al0 - p) <= abs(p * al0 - 1)) >> (abs(al[t] - p) * abs(p * al0 - 1) <= 2 * squared[t] * abs(al0 - p))
 claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends",
       always(t, (BOUND) & (p * ga[t] ** 2 == (al[t] - p) * (p * al[t] - 1))),
       over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, SQUARED], given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
@@ -180,18 +184,7 @@ claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) 
                     (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],
                     by=[part("the steps between regions for kappa^2 < 1"), steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
       note="The conjunction of the parts, represented by the steps between regions.")
-#: for p = 1, -1: 1/(alpha' - p) = 1/(alpha - p) - p
-BY_STEPS = by_induction(q, 0, ((q <= t) & defined(al[q])) >> ((al[q] - p) * (1 - q * p * (al0 - p)) == al0 - p), base=[unfolded(al, 0)],
-                        step=[existing(al, q + 1), at_index(k, q), by_cases(al[q] == p), by_cases(al[q] > p), multiplied(al[q + 1] - p), multiplied(al0 - p)])
-BOTH_SIGNS = by_cases(p > 0, [shown_first(p == 1)], [shown_first(p == -1)])
-CONVERGES = (always(t, BOUND) & always(t, (on_edge & (t * abs(al0 - p) >= 2)) >> (t * abs(al[t] - p) <= 2))
-             & always(t, at >> (al[t] == al0)) & always(t, p * ga[t] ** 2 == (al[t] - p) * (p * al[t] - 1)))
-#: R_t for p = 1, -1; where p alpha_0 = 1
-SAME_R = by_induction(q, 0, (p**2 == 1) >> (squared[q] == 1), base=[unfolded(squared, 0)], step=[unfolded(squared, q + 1)])
-CONVERGES_BY = [arithmetic(valued(), *FROM_P, SAME_R, at_index(q, t), *IN_TIME, by_cases(p * al0 == 1, [by_cases(al0 == p)]), member=0), arithmetic(valued(), BOTH_SIGNS, *FROM_P[:2], BY_STEPS, at_index(q, t), by_cases(al0 > p), by_cases(al[t] > p), member=1),
-                arithmetic(valued(), *FROM_P[:2], by_induction(q, 0, ((q <= t) & defined(al[q])) >> (al[q] == al0), base=[unfolded(al, 0)], step=[existing(al, q + 1), at_index(k, q), multiplied(al[q + 1]), by_cases(p * al[q + 1] == 1)]), at_index(q, t), member=2),
-                arithmetic(valued(), FROM_P[0], at_index(i, t), member=3)]
-claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", CONVERGES, over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, SQUARED, let(on_edge, p**2 == 1), let(at, p * al0 == 1)], given=[ROOT, standing("0 < |p| <= 1", abs(p) <= 1)],
+claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", CONVERGES, over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, *LIMIT_WORDS], given=[ROOT, standing("0 < |p| <= 1", abs(p) <= 1)],
       by=[*CONVERGES_BY, instances(40, using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), instances(20, using={y: nonzero()}, made_by={p: y / abs(y), al0: y + y / abs(y), ga0: y}),
           *(example(alpha0=a_, gamma0=g_, p=p_) for a_, g_, p_ in (("1/2", "1/2", 1), (4, 3, 1), (-4, -3, -1), (1, 0, 1), (3, 0, "1/3"), ("1/3", 0, "1/3")))],
       note="The sign definite regions are kappa^2 <= 1: p = alpha_+ is real there, |p| <= 1. R_t is p^(2t). For |p| < 1 alpha_t - p falls as R_t, from where this is small enough; for |p| = 1 it is 2/t at most, for t >= 2/|alpha_0 - p|; "
