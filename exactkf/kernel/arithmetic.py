@@ -34,7 +34,8 @@ p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quoti
 Soundness. Let a quotient by zero, the square root of a negative number and a value of a recursion that it does not have be any number, and cos(a/n) be 1
 for n = 0. Then each term has a value on every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same,
 as all that decides it has a value. So the denied conclusion is a fact on an instance on which the conclusion is false. ``defined``, which
-can tell the difference, is read as what it says, see `exactkf.kernel.values`. A definition takes the place of its name; one that leads back to itself
+can tell the difference, is read as what it says, see `exactkf.kernel.values`; ``always``, which is true too where the formula has no value from some t on, is
+only denied: then the formula is false at some t >= 0. A definition takes the place of its name; one that leads back to itself
 is refused, unless recursions call themselves, or each other, at earlier indices; so are recursions whose values need not be numbers.
 Each step goes from facts that are true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
