@@ -24,7 +24,10 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "RISING", "SINES_1", "SINES_D", "U_FALLS", "X1", "X2", "U_", "W_", "by_ends", "ends_at", "not_before", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = [
+    "LINES_TURN", "LOWEST_PQ", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "RISING", "SINES_1", "SINES_D", "U_FALLS",
+    "X1", "X2", "U_", "W_", "by_ends", "ends_at", "not_before", "of_slope", "pit", "v1", "v2", "w",
+]
 
 p, q, h_, pit, w, v1, v2, X1, X2 = symbols("p q h pi_t w v1 v2 V1 V2")
 

@@ -213,8 +213,8 @@ claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag,
       note="lambda = 1/kappa > 1. A = [[2 lambda, -1], [1, 0]] and A^(-1) = [[0, 1], [-1, 2 lambda]], so that (v_1, v_2)' = A^(-i) (0, 1)' is (U_before, U)' at i. Ends at step n: defined up to n - 1 and not at n.")
 IN_BETWEEN, AT_X = (p < x) & (x < 1 / p), 1 + p**2 - p * x
 #: between p and 1/p: falling, and nearer to p by the factor p^2/(1 + p^2 - p x) at least
-SMALL = [shown_first(p * x < 1, [cleared()]), by_cases(p**2 > 0), by_cases(AT_X > 0)]
-TO_P = [*SMALL, by_induction(j, 0, defined(be[j]) & (p < be[j]) & (be[j] <= x), base=values_at(0, be), step=[by_cases(p * be[j] <= p * x), by_cases(p * be[j] < 1), cleared(), *values_at(j + 1, be)]),
+SIGNS = [shown_first(p * x < 1, [cleared()]), by_cases(p**2 > 0), by_cases(AT_X > 0)]
+TO_P = [*SIGNS, by_induction(j, 0, defined(be[j]) & (p < be[j]) & (be[j] <= x), base=values_at(0, be), step=[by_cases(p * be[j] <= p * x), by_cases(p * be[j] < 1), cleared(), *values_at(j + 1, be)]),
         by_induction(i, 0, to_p[i] >= 0, base=[unfolded(to_p, 0)], step=[cleared(), by_cases(p**2 * to_p[i] >= 0), unfolded(to_p, i + 1)]),
         shown_first(forall(s, 0, t, AT_X * to_p[s + 1] == p**2 * to_p[s]), [cleared(), unfolded(to_p, s + 1)]),
         shown_first(forall(m, 0, t, AT_X * (be[m + 1] - p) <= p**2 * (be[m] - p)), [at_index(j, m), by_cases(p * be[m] <= p * x), by_cases(p * be[m] < 1), by_cases(p**3 > 0), by_cases((be[m] - p) * (x - be[m]) >= 0), cleared(), *values_at(m + 1, be)]),
