@@ -67,7 +67,8 @@ def _of_order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> Iter
 
 
 _BY_KEY = {"null": "null vectors", "roots": "square root", "factors": "determinant",
-           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation", "kept": "invariant subspace"}
+           "solutions": "Stein equation", "stein": "Stein equation", "unique": "Stein equation", "kept": "invariant subspace", "pencil": "detectable pencil",
+           "inertia": "inertia"}
 
 
 def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str]:

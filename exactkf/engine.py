@@ -19,6 +19,7 @@ Main definitions
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -36,6 +37,7 @@ from exactkf.finders.draw import Sampler, examples_of
 from exactkf.finders.effort import counted
 from exactkf.finders.mutants import MutantReport, judge_mutants
 from exactkf.finders.prove import PROOFS, candidates, every_size
+from exactkf.kernel.existence import THEOREMS
 from exactkf.kernel.meaning import World
 from exactkf.kernel.numbers import Undefined, Unknown, rationals
 from exactkf.kernel.replay import NotACertificate, Rejected, replay, seal
@@ -333,6 +335,8 @@ def _prove(id: str, data: dict, by: Sequence[Evidence], found: Findings) -> None
     for e in by:
         if e.kind == "steps":
             _steps(e, found)
+        elif e.kind == "chosen":
+            _chosen(id, data, e, found)
 
 
 def _keep_witnesses(id: str, data: dict, found: Findings) -> None:
@@ -417,6 +421,15 @@ def _steps(e: Evidence, found: Findings) -> None:
         found.evidence.append(f"{shown}classical facts: {'; '.join(dict.fromkeys(facts)) or 'none'}")
         if e.hints["prose"]:
             found.evidence.append(f"between the steps: {e.hints['prose']}")
+
+
+def _chosen(id: str, data: dict, e: Evidence, found: Findings) -> None:
+    """What is shown of all variables is said of some if they exist."""
+    choices = json.loads(json.dumps(e.hints["choices"]))
+    if _accept(seal(id, "existence", data, {"choices": choices}), found):
+        found.evidence.append("; ".join(f"{', '.join(names)} exist: {THEOREMS[theorem]}" for theorem, _, names in choices))
+    else:
+        _at_most(found, "steps")
 
 
 def _bound(by: Sequence[Evidence], found: Findings) -> None:

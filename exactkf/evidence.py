@@ -21,6 +21,7 @@ evidence            what it shows                                              b
 `example`           one instance given by hand, tried before all others        instances
 `restated`          the formula says what is printed by classical facts        bounds it: steps
 `part`              the formula is less than what is printed                   bounds it: instances
+`chosen`            variables of the formula exist, by a classical theorem     else it is steps
 ==================  =========================================================  ==========================
 """
 
@@ -34,9 +35,10 @@ from exactkf._errors import BadInput
 from exactkf.language import Expr, to_expr
 
 __all__ = [
-    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "cleared", "combination",
-    "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction", "instances", "lemma", "multiplied",
-    "null_vector", "order", "part", "positivity", "restated", "shown_first", "square_of", "steps", "unfolded", "use", "valued", "within",
+    "EIGENVALUE", "EIGENVECTOR", "Evidence", "angles", "arithmetic", "at_index", "by_cases", "by_induction", "by_rests", "chosen",
+    "cleared", "combination", "evaluation", "example", "existing", "fact", "first", "generic_index", "identity", "in_threes", "induction",
+    "instances", "lemma", "multiplied", "null_vector", "order", "part", "positivity", "restated", "shown_first", "spectral", "square", "square_of",
+    "steps", "unfolded", "use", "valued", "within",
 ]
 
 
@@ -386,6 +388,7 @@ EIGENVALUE = (Expr(("sym", "eigen.re")), Expr(("sym", "eigen.im")))
 
 
 def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, unique: tuple[Any, Any] | None = None, kept: tuple[Any, Any, Any] | None = None,
+           pencil: tuple[Any, ...] | None = None, inertia: tuple[Any, Any, Any, Any, Any] | None = None,
            solutions: Mapping[Expr | str, tuple[Any, Any]] | None = None, on: int | None = None) -> dict[str, Any]:
     """Lemmas and other help for one leaf of an `order`, counted from 0 without lemmas that belong to leaves.
 
@@ -402,10 +405,15 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         Stable matrices M and N: for an equation D = 0 it is shown that D - MDN = 0.
     kept : triple of terms
         C, A and B with an observable pair (C, A), as a hypothesis says: for an equation X = 0 it is shown that CX = 0 and AX = XB.
+    pencil : two, three or four terms
+        M and N of a detectable pencil, as a hypothesis says: for an equation X = 0 it is shown that MX = 0; or with a stable B that MX = NXB; or with
+        numbers a and b, a^2 + b^2 >= 1 by a hypothesis, for X with two columns that MX[[a, b], [-b, a]] = NX.
+    inertia : five terms
+        X, V, P, Y, Q: for W >= 0 it is shown that diag(W, Q) = X' diag(V, P) X for a semidefinite V and a symmetric P, and the terms add up to P - Y'QY.
     solutions : mapping of name to (M, Q)
         Names for the solutions of X = MXM' + Q, for stable M and semidefinite Q, that the terms use.
     on : int, optional
-        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``solutions`` are for; else they are for the leaf.
+        The lemma, counted from 0, that ``stein``, ``unique``, ``kept``, ``pencil``, ``solutions`` are for; else they are for the leaf.
     """
     help_: dict[str, Any] = {}
     if stein is not None:
@@ -414,6 +422,9 @@ def within(number: int, *lemmas: Expr, vector: str = "", stein: Any = None, uniq
         help_["unique"] = [to_expr(m).tree for m in unique]
     if kept:
         help_["kept"] = [to_expr(m).tree for m in kept]
+    for key, terms in (("pencil", pencil), ("inertia", inertia)):
+        if terms:
+            help_[key] = [to_expr(m).tree for m in terms]
     if solutions:
         help_["solutions"] = [[_name(x), to_expr(m).tree, to_expr(q).tree] for x, (m, q) in solutions.items()]
     return {"number": number, "vector": vector, "lemmas": [f.tree for f in lemmas], "help": [[len(lemmas) if on is None else on, help_]] if help_ else []}
@@ -468,6 +479,24 @@ def restated(*facts: str) -> Evidence:
     """
     _sentences("restated", facts)
     return Evidence("restated", {"facts": facts})
+
+
+def chosen(*choices: tuple[str, Any, tuple[Any, ...]]) -> Evidence:
+    """Beside other evidence: variables of the formula exist by a theorem, so that what is said of all of them is said of some; see `exactkf.kernel.existence`.
+
+    Without a certificate that they do, a proof of the formula counts as `steps`. Each choice is `spectral` or `square`.
+    """
+    return Evidence("chosen", {"choices": tuple((theorem, to_expr(term).tree, tuple(map(_name, names))) for theorem, term, names in choices)})
+
+
+def spectral(term: Any, turn: Expr, diagonal: Expr) -> tuple[str, Any, tuple[Any, ...]]:
+    """A symmetric term is U D T(U), with T(U) U = I and a diagonal D."""
+    return "spectral", term, (turn, diagonal)
+
+
+def square(term: Any, root: Expr) -> tuple[str, Any, tuple[Any, ...]]:
+    """A positive definite term is L T(L), with a nonsingular L."""
+    return "square", term, (root,)
 
 
 def part(covers: str) -> Evidence:

@@ -97,7 +97,7 @@ def find_order(statement: dict, sums: Any = (), roots: Any = (), lemmas: Any = (
         For determinants.
     inside : sequence of [number, vector, lemmas]
         See `exactkf.kernel.order.leaves`.
-    stable : sequence of [number, {"solutions", "stein", "unique", "kept"}]
+    stable : sequence of [number, {"solutions", "stein", "unique", "kept", "pencil", "inertia"}]
         What the proof of a leaf, counted as the sums are, makes of stable matrices.
     """
     out = []
@@ -176,7 +176,7 @@ def _help_at(made: Induction, case: dict, help_: dict) -> dict:
     out: dict[str, Any] = {}
     if "stein" in help_:
         out["stein"] = made.at(help_["stein"], case)
-    for key in ("unique", "kept"):
+    for key in ("unique", "kept", "pencil", "inertia"):
         if key in help_:
             out[key] = [made.at(m, case) for m in help_[key]]
     if "solutions" in help_:
@@ -235,7 +235,7 @@ def _nonsingular(case: dict) -> list:
 
 def _complete(case: dict, formula: Any, terms: list, more: dict, asked: bool, degree: int, seconds: float) -> dict | None:
     """The terms, with the multiples of assumptions that make up for the rest."""
-    more = {key: value if key == "stein" else [list(x) for x in value] for key, value in more.items() if value}
+    more = {key: value if key == "stein" else [list(x) if isinstance(x, (list, tuple)) else x for x in value] for key, value in more.items() if value}
     for way in _ways(case, formula, terms if asked else []):
         if (found := part_of_order(case, formula, terms, {**more, **way}, degree, seconds)) is not None:
             return found

@@ -125,6 +125,7 @@ class Scene:
         found += [["inv", t] for t in found if t[0] == "sym" and definiteness(self.reader, t) == 2]
         terms = self.subterms()
         found += [t[1] for t in terms if t[0] == "inv"] + [t for t in terms if t[0] == "inv"]
+        found += [["inv", t] for t in terms if t[0] == "+" and self._level(t) == 2]
         found += [["-", ["*", t, self.unit(value.rows[0])], t[1]] for t in terms if t[0] == "tr" and (value := self.value(t[1])) and len(value.rows) == 1]
         found += [t for t in terms if t[0] == "*" and len(t) % 2]  # M'M in I + PM'M is a weight of its own
         return self._distinct(t for t in found if self._level(t))
@@ -205,6 +206,7 @@ class Scene:
         pool = [*inverses, *self._differences(), *names]
         units, gains = self._units(names), [t for t in terms if t[0] == "*" and t[-1][:1] == ["inv"]]
         yield from self._closed_loops(units, gains)
+        yield from self._estimators(names)
         yield from (["-", s, t] for k, s in enumerate(gains) for t in gains[:k] if s[1] == t[1])
         for x, y in product(pool, pool):
             if x != y:
@@ -216,11 +218,18 @@ class Scene:
         slices = [t for t in terms if t[0] == "*"]
         yield from (["-", u, t] for t in slices for u in units)
         yield from (["-", s, t] for k, s in enumerate(slices) for t in slices[:k] if len(s) == len(t))
-        yield from (["-", x, t] for t in gains for x in names)  # any gain less the best one
+        yield from (["-", x, t] for t in gains for y in names for x in (y, ["T", y]))  # any gain less the best one
         yield from (["T", ["-", x, ["*", y, z]]] for y in inverses for x, z in product(names, names) if x != z)  # completed squares
         if self.formula[0] in ("psd", "pd") and (found := self._cells(self.formula[1])):
             simple += [["T", x] for x in names]
             yield from (["block", *([x] for x in column)] for column in product(simple, repeat=len(found[1])))
+
+    def _estimators(self, names: list) -> Iterator[Any]:
+        """L less the best inv(H'WH) H'W, for every matrix L."""
+        for t in self.subterms():
+            whole = self.open(t[1]) if t[0] == "inv" else 0
+            if isinstance(whole, list) and whole[0] == "*":
+                yield from (["-", x, ["*", t, *whole[1:k]]] for k in range(2, len(whole)) for x in names)
 
     def _closed_loops(self, units: list, gains: list) -> Iterator[Any]:
         """A - KC for a gain K = A P C' inv(S)."""

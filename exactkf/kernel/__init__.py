@@ -7,7 +7,7 @@ Nothing here imports anything outside the standard library. Read in this order:
 - scalars and polynomials in z: `numbers`, `rational`, `packed`, `trials`, `symbolic`, `algebraic`, `cosines`; matrices: `linear`;
 - root location: `roots`, and polynomials modulo a prime: `roots_modulo`;
 - statements: `wellformed`, `meaning` (the value of one), `instances` (read, tested, or made of symbols);
-- matrices of every size: `words`, `reader`, `definite`, `stable`, `continuity`, `order`, `recursion`, `every_size`;
+- matrices of every size: `words`, `reader`, `definite`, `stable`, `continuity`, `order`, `recursion`, `every_size`, `existence`;
 - coefficients, entries, sums and products at a generic index: `region`, `known`, `opaque`, `generic_reading`, `chains`, `indefinite`, `generic_polynomials`,
   `generic_matrices`, `generic`, `defined`, `generic_facts`, `index_induction`;
 - numbers, and integers of any size: `polynomial_facts`, `facts_on_circle`, `values`, `arithmetic`;

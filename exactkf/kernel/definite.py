@@ -34,8 +34,9 @@ def exists(reader: Reader, tree: Any, known: list) -> bool:
     if tree and tree[0] == "at":
         return _brings_nothing(reader, tree)
     if tree and tree[0] in ("/", "^"):
+        divides = tree[0] == "/" or not isinstance(tree[2], int) or tree[2] < 0
         positive = tree[0] == "/" and sign(reader, tree[2]) == 2
-        return (positive or _brings_nothing(reader, tree)) and all(exists(reader, x, known) for x in tree[1:])
+        return (not divides or positive or _brings_nothing(reader, tree)) and all(exists(reader, x, known) for x in tree[1:])
     if tree and tree[0] == "inv":
         term = reader.read(tree[1])
         if not isinstance(term, Blocks):
@@ -83,11 +84,11 @@ def apart(reader: Reader) -> Reader:
 
 def definiteness(reader: Reader, tree: Any) -> int:
     """0: not known, 1: positive semidefinite, 2: positive definite."""
-    known = _by_hypothesis(reader, tree)
-    if known:
-        return known
     if isinstance(tree, int):
         return 1 if tree >= 0 else 0
+    known = max(_by_hypothesis(reader, tree), _sign_by_hypothesis(reader, tree))  # a matrix that is compared has one row and one column
+    if known:
+        return known
     op, args = tree[0], tree[1:]
     if op == "sym":
         definition = reader.lets.get(args[0])

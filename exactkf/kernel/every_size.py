@@ -135,7 +135,7 @@ def _text(term: Blocks) -> str:
 
 
 #: what the proof of a leaf may bring in beside its terms
-HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept")
+HELP = ("roots", "null", "vector", "factors", "solutions", "stein", "unique", "kept", "pencil", "inertia")
 
 
 def _order(statement: Mapping[str, Any], evidence: Mapping[str, Any]) -> list[str]:

@@ -18,6 +18,7 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from itertools import combinations
 from math import floor, isqrt
 from typing import Any
 
@@ -571,6 +572,20 @@ def _is_observable(c: Any, a: Any) -> bool:
     return _rank(every) == a.nrows
 
 
+def _is_detectable(m: Any, n: Any) -> bool:
+    """sM - tN has full column rank whenever |s| >= |t|, not both zero: no zero of all its minors with s = 1 has modulus 1 or less."""
+    m, n = _matrix(m), _matrix(n)
+    if (m.nrows, m.ncols) != (n.nrows, n.ncols):
+        raise Undefined("a pencil of matrices of different sizes")
+    common: list = []
+    for rows in combinations(range(m.nrows), m.ncols):
+        minor = Matrix([[Laurent({0: m.rows[i][j], 1: -n.rows[i][j]}) for j in range(m.ncols)] for i in rows], m.ncols).determinant()
+        common = gcd_poly(common, _poly(minor).dense())
+        if len(common) == 1:
+            return True
+    return bool(common) and count_circle(common)[:2] == (0, 0)
+
+
 def _coprime(p: Any, q: Any) -> bool:
     return len(gcd_poly(_poly(p).dense(), _poly(q).dense())) == 1
 
@@ -649,11 +664,12 @@ _PLAIN: dict[str, Callable] = {
     "loewner": lambda a, b: is_psd(_matrix(a - b)), "psd": is_psd, "pd": is_pd, "symmetric": is_symmetric,
     "invertible": is_invertible, "symplectic": _is_symplectic, "similar": lambda a, b: similar(_matrix(a), _matrix(b)),
     "cospectral": lambda a, b: _charpoly(a) == _charpoly(b), "coprime": _coprime, "schur": _is_schur, "observable": _is_observable,
+    "detectable": _is_detectable,
     "pos_circle": lambda d: circle_sign(_poly(d)) == "+", "nonneg_circle": lambda d: circle_sign(_poly(d)) in ("+", "0+", "0"),
 }
 
 #: operations whose value for symbols does not carry over to every value of the symbols
 _NOT_GENERIC = {"!=", "<", "<=", ">", ">=", "abs", "sqrt", "rank", "kernel", "stein", "deg", "roots_in", "roots_on", "roots_out", "real_roots",
-                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "observable", "pos_circle", "nonneg_circle"}
+                "loewner", "psd", "pd", "invertible", "similar", "coprime", "schur", "observable", "detectable", "pos_circle", "nonneg_circle"}
 _OF_INTEGERS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "=": operator.eq, "!=": operator.ne,
                 "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}  # what _PLAIN does to two integers, sooner

@@ -24,10 +24,10 @@ from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any
 
-from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain
+from exactkf.kernel.definite import apart, are_transposed, definiteness, exists, nonsingular, plain, sign
 from exactkf.kernel.numbers import Undefined, Unknown
 from exactkf.kernel.reader import Reader, relations, residual_blocks
-from exactkf.kernel.stable import is_observable, is_stable, no_eigenvector, none_annihilated
+from exactkf.kernel.stable import is_detectable, is_observable, is_stable, no_eigenvector, none_annihilated
 from exactkf.kernel.wellformed import check_formula
 from exactkf.kernel.words import Blocks, Relation, add, multiply, size_tree
 
@@ -43,6 +43,8 @@ FACTS = {
     "block diagonal": "a block diagonal matrix is semidefinite, or definite, if its blocks are",
     "inverse": "the inverse of an invertible semidefinite matrix is definite",
     "trace": "a semidefinite matrix X is at most trace(X) I, and its trace is not negative",
+    "inertia": "W is semidefinite if diag(W, Q) = X' diag(V, P) X with semidefinite V and symmetric P, and P is at least Y'QY: by the numbers of negative "
+               "eigenvalues W has at most as many as P less those of Q, and P at most as many as Q",
     "square root": "a semidefinite matrix is the square of one",
     "null vectors": "a null vector of a sum of semidefinite matrices is one of each of them, and one of X'PX is one of PX; x'Px = 0 gives Px = 0",
     "nonsingular": "a definite matrix, a transpose, an inverse and a product of nonsingular matrices are nonsingular",
@@ -56,6 +58,8 @@ FACTS = {
     "continuity": "equations and inequalities that are not strict, of terms that are continuous where they have a value, hold in the limit",
     "invariant subspace": "a space other than zero that A keeps has an eigenvector of A, real or complex: "
                           "CX = 0 and AX = XB give X = 0 if C annihilates none",
+    "detectable pencil": "full column rank of sM - tN for |s| >= |t|, not both zero: MX = 0 gives X = 0, so does MX = NXB with a stable B, "
+                         "and MXB = NX with a turn B and a factor of one or more",
     "eigenvalues": "M is stable if it has no eigenvector for an eigenvalue outside the open unit disc",
 }
 
@@ -170,6 +174,10 @@ class Leaf:
         Stable matrices M and N: instead of D = 0 it is shown that D - MDN = 0, for an equation.
     kept : triple of trees
         An observable pair C, A and a matrix B: instead of X = 0 it is shown that CX = 0 and AX = XB, for an equation.
+    inertia : five trees
+        X, V, P, Y, Q for an order, see `FACTS`; the terms then add up to P - Y'QY.
+    pencil : two, three or four trees
+        A detectable pencil M, N: instead of X = 0 it is shown that MX = 0, or MX = NXB for a stable B, or for numbers a, b that MX[[a, b], [-b, a]] = NX.
 
     Attributes
     ----------
@@ -185,7 +193,7 @@ class Leaf:
     """
 
     def __init__(self, statement: Mapping[str, Any], formula: Any, terms: Any, roots: Any = (), null: Any = "", vector: bool = False,
-                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = ()) -> None:
+                 factors: Any = (), solutions: Any = (), stein: Any = None, unique: Any = (), kept: Any = (), pencil: Any = (), inertia: Any = ()) -> None:
         said = [formula, *statement.get("said", ())]
         if vector:
             statement, formula = _through_vector(statement, formula)
@@ -228,8 +236,12 @@ class Leaf:
             found = self._contracted(found, unique, op == "=")
         if kept:
             found = self._kept(found, kept, op == "=")
+        if pencil:
+            found = self._in_pencil(found, pencil, op == "=")
         if stein is not None:
             found = self._contracted(found, [stein, ["T", stein]], bool(wanted))
+        if inertia:
+            found = self._of_inertia(found, inertia, wanted == 1 and stein is None)
         if op == "invertible":
             if len(terms) != 1:
                 raise Unknown("an inverse is needed")
@@ -242,7 +254,7 @@ class Leaf:
                 raise Unknown("a term is not semidefinite by its form, or none is definite")
             for tree in terms:
                 term = reader.read(tree)
-                found[0] = reader._plus(found[0], term, -1)
+                found[-1] = reader._plus(found[-1], term, -1)
         elif terms and null:
             found = [self._null(null, terms) if isinstance(null, str) else self._null_of_form(null, terms), *found]
             self.first = len(found[0].cells())
@@ -370,6 +382,47 @@ class Leaf:
             raise Unknown("what acts from the right is not square")
         times = reader._times
         return [y for x in found for y in (times(rows, x), reader._plus(times(inner, x), times(x, outer), -1))]
+
+    def _of_inertia(self, found: list, by: Any, fits: bool) -> list:
+        """diag(W, Q) - X' diag(V, P) X and P - Y'QY in the place of W."""
+        reader, times = self.reader, self.reader._times
+        if not fits or len(by) != 5 or not all(exists(reader, tree, self.known) for tree in by):
+            raise Unknown("five matrices are for a semidefinite one")
+        x, v, p, y, q = (reader.read(tree) for tree in by)
+        if not all(isinstance(m, Blocks) for m in (x, v, p, y, q)) or not all(len(m.rows) == len(m.cols) == 1 for m in (v, p, q, *found)):
+            raise Unknown("matrices in one block are needed")
+        if not definiteness(reader, by[1]) or reader.transpose(p).grid != p.grid:
+            raise Unknown("the first matrix is not semidefinite by its form, or the second not symmetric")
+        inner, outer = (self._diagonal(*pair) for pair in ((v, p), (found[0], q)))
+        return [reader._plus(outer, times(times(reader.transpose(x), inner), x), -1), reader._plus(p, times(times(reader.transpose(y), q), y), -1)]
+
+    @staticmethod
+    def _diagonal(first: Blocks, second: Blocks) -> Blocks:
+        rows, cols = (first.rows[0], second.rows[0]), (first.cols[0], second.cols[0])
+        return Blocks(rows, cols, [[first.grid[0][0], {}], [{}, second.grid[0][0]]])
+
+    def _in_pencil(self, found: list, by: Any, fits: bool) -> list:
+        """MX, or MX - NXB with a stable B, or MXB - NX with a turn B that does not shrink, in the place of X, for a detectable pencil (M, N)."""
+        reader, times = self.reader, self.reader._times
+        if not fits or len(by) not in (2, 3, 4) or not is_detectable(reader, *by[:2]) or not all(exists(reader, x, self.known) for x in by):
+            raise Unknown("a pencil that no hypothesis says to be detectable, or no equation")
+        first, second = (reader.read(x) for x in by[:2])
+        if not all(isinstance(x, Blocks) for x in (first, second, *found)) or any(reader.total(x.rows) != reader.total(first.cols) for x in found):
+            raise Unknown("matrices of other sizes")  # a 1 x 1 matrix is no number here
+        if len(by) == 2:
+            return [times(first, x) for x in found]
+        if len(by) == 3:
+            last = self._stable(by[2])
+            if not isinstance(last, Blocks) or any(reader.total(x.cols) != reader.total(last.rows) for x in found):
+                raise Unknown("a stable matrix of another size")
+            return [reader._plus(times(first, x), times(times(second, x), last), -1) for x in found]
+        re, im = by[2:]
+        if any(isinstance(reader.read(x), Blocks) for x in (re, im)) or not sign(reader, ["-", ["+", ["*", re, re], ["*", im, im]], 1]):
+            raise Unknown("numbers of which no hypothesis says that they are not inside the unit circle")
+        turn = reader.read(["block", *([["*", x, ["I", 1]] for x in row] for row in ((re, im), (["neg", im], re)))])
+        if any(reader.total(x.cols) != reader.total(turn.rows) for x in found):
+            raise Unknown("real and imaginary part of a vector are needed")
+        return [reader._plus(times(times(first, x), turn), times(second, x), -1) for x in found]
 
     def _null(self, label: str, terms: Any) -> Blocks:
         """K less the sum of the terms, for the hypothesis Kx = 0; each term is then known to vanish at x."""

@@ -35,6 +35,7 @@ from fractions import Fraction
 from typing import Any
 
 from exactkf.kernel.every_size import KINDS
+from exactkf.kernel.existence import existence
 from exactkf.kernel.instances import admissible, generic, read_instance
 from exactkf.kernel.limits import collecting_seldom
 from exactkf.kernel.linear import Matrix, symplectic_form
@@ -581,5 +582,5 @@ def _need(condition: bool, step: str) -> None:
 
 _KINDS = {
     "instances": _instances, "counterexample": _counterexample, "evaluation": _evaluation, "identity": _identity,
-    "combination": _combination, "positivity": _positivity, "induction": _induction, "orbit": _orbit, **KINDS,
+    "combination": _combination, "positivity": _positivity, "induction": _induction, "orbit": _orbit, "existence": existence, **KINDS,
 }

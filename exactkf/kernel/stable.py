@@ -20,9 +20,15 @@ And of a pair (C, A), observable if C annihilates no eigenvector of A, real or c
 5. (C, A) is observable if Ax = ax - by, Ay = bx + ay, Cx = 0 and Cy = 0 give
    x = 0 and y = 0.
 
+And of a pencil (M, N), detectable if sM - tN has full column rank for all complex s and t with |s| >= |t|, not both zero:
+
+6. if (M, N) is detectable, MX = 0 gives X = 0 (s = 1, t = 0); so does MX = NXB with a stable B, as u, u', .. with Bu = tu, Bu' = tu' + u, ..
+   give (M - tN)Xu = 0, then (M - tN)Xu' = 0, ..; and X = 0 if it has two columns x, y with MX[[a, b], [-b, a]] = NX and a^2 + b^2 >= 1
+   (s = a + ib, t = 1 at x + iy).
+
 Main definitions
 ----------------
-`is_stable`, `is_observable`
+`is_stable`, `is_observable`, `is_detectable`
     A hypothesis says so.
 `no_eigenvector`, `none_annihilated`
     Facts 3 and 5, as statements without ``schur`` and ``observable``.
@@ -38,7 +44,7 @@ from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.reader import Reader, hypotheses
 from exactkf.kernel.words import Blocks, size_tree
 
-__all__ = ["is_observable", "is_stable", "no_eigenvector", "none_annihilated"]
+__all__ = ["is_detectable", "is_observable", "is_stable", "no_eigenvector", "none_annihilated"]
 
 
 def is_stable(reader: Reader, tree: Any) -> bool:
@@ -51,6 +57,12 @@ def is_observable(reader: Reader, c: Any, a: Any) -> bool:
     """A hypothesis says that the pair is observable."""
     said = [f[1:] for _, f in hypotheses(reader.statement) if f[0] == "observable"]
     return any(are_transposed(reader, ["T", c], x) and are_transposed(reader, ["T", a], y) for x, y in said)
+
+
+def is_detectable(reader: Reader, m: Any, n: Any) -> bool:
+    """A hypothesis says that the pencil is detectable."""
+    said = [f[1:] for _, f in hypotheses(reader.statement) if f[0] == "detectable"]
+    return any(are_transposed(reader, ["T", m], x) and are_transposed(reader, ["T", n], y) for x, y in said)
 
 
 def no_eigenvector(statement: Mapping[str, Any], tree: Any) -> tuple[dict[str, Any], Any]:

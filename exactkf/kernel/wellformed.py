@@ -41,7 +41,7 @@ ARGUMENTS: dict[str, tuple[int, int]] = {
     **dict.fromkeys(("+", "*", "=", "<", "<=", ">", ">="), (2, _MANY)),
     **dict.fromkeys(("block", "rows", "diag", "and", "or"), (1, _MANY)),
     **dict.fromkeys(("-", "/", "^", "cospi", "O", "coeff", "rev", "subst", "laurent", "stein", "!=", "loewner", "similar", "cospectral", "coprime",
-                     "prints", "observable", "=>", "<=>", "always"), (2, 2)),
+                     "prints", "observable", "detectable", "=>", "<=>", "always"), (2, 2)),
     **dict.fromkeys(("neg", "sqrt", "abs", "I", "T", "inv", "det", "tr", "rank", "charpoly", "kernel", "nrows", "ncols", "deg", "recip",
                      "roots_in", "roots_on", "roots_out", "psd", "pd", "symmetric", "invertible", "symplectic", "schur", "pos_circle",
                      "nonneg_circle", "defined", "not"), (1, 1)),
@@ -51,7 +51,7 @@ BINDERS = {"sum": 1, "prod": 1, "forall": 1, "exists": 1, "always": 1, "col": 1,
 #: operations on formulas, and all that make formulas
 _CONNECTIVES = {"and", "or", "not", "=>", "<=>", "forall", "exists", "always", "defined"}
 _FORMULAS = _CONNECTIVES | {"=", "!=", "<", "<=", ">", ">=", "loewner", "similar", "cospectral", "coprime", "prints", "psd", "pd", "symmetric", "invertible",
-                            "symplectic", "schur", "observable", "pos_circle", "nonneg_circle"}
+                            "symplectic", "schur", "observable", "detectable", "pos_circle", "nonneg_circle"}
 _DECIMAL = re.compile(r"-?[0-9]+(\.[0-9]+)?")
 
 

@@ -58,6 +58,7 @@ class LaTeX(Notation):
         "invertible": Form(Bind.RELATION, r"#1\ \text{invertible}", (Bind.SUM,)),
         "symplectic": Form(Bind.RELATION, r"#1\ \text{symplectic}", (Bind.SUM,)),
         "observable": Form(Bind.RELATION, r"(#1, #2)\ \text{observable}"),
+        "detectable": Form(Bind.RELATION, r"(#1, #2)\ \text{detectable}"),
         "schur": Form(Bind.RELATION, r"#1\ \text{Schur stable}", (Bind.SUM,)),
         "defined": Form(Bind.RELATION, r"#1\ \text{defined}", (Bind.SUM,)),
         "similar": Form(Bind.RELATION, r"#1 \sim #2", (Bind.SUM,)),

@@ -101,7 +101,8 @@ class _Place:
         return _Place(self.in_equivalence or op == "<=>", tree[1] if op == "always" else self.always, side)
 
 
-_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "observable", "coprime", "pos_circle", "nonneg_circle", "defined", "!="}
+_PREDICATES = {"<", "<=", ">", ">=", "loewner", "psd", "pd", "invertible", "schur", "observable", "detectable", "coprime",
+               "pos_circle", "nonneg_circle", "defined", "!="}
 _SIZE_CHANGES = ("coefficient doubled", "term dropped", "exponent shifted")
 
 

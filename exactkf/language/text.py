@@ -53,6 +53,7 @@ class Text(Notation):
         "invertible": Form(Bind.RELATION, "#1 invertible", (Bind.SUM,)),
         "symplectic": Form(Bind.RELATION, "#1 symplectic", (Bind.SUM,)),
         "observable": Form(Bind.RELATION, "(#1, #2) observable"),
+        "detectable": Form(Bind.RELATION, "(#1, #2) detectable"),
         "schur": Form(Bind.RELATION, "#1 Schur stable", (Bind.SUM,)),
         "defined": Form(Bind.RELATION, "#1 defined", (Bind.SUM,)),
         "similar": Form(Bind.RELATION, "#1 similar to #2", (Bind.SUM,)),

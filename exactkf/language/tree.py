@@ -40,7 +40,7 @@ from exactkf._errors import BadInput
 
 __all__ = [
     "OPERATIONS", "Expr", "Identity", "T", "Z", "Zero", "always", "block", "bottom", "charpoly", "circle_roots",
-    "coeff", "column", "coprime", "cospectral", "cospi", "defined", "degree", "det", "diag", "eq", "exists", "forall",
+    "coeff", "column", "coprime", "cospectral", "cospi", "defined", "degree", "det", "detectable", "diag", "eq", "exists", "forall",
     "hstack", "iff", "inside_roots", "inv", "invertible", "kernel_basis", "laurent", "loewner", "matrix_of", "nonneg_on_circle",
     "observable", "outside_roots", "pd", "pos_on_circle", "prints", "prod", "psd", "rank", "rational", "real_roots", "recip", "rev", "rows",
     "schur", "similar", "size_of", "sqrt", "stein", "substitute", "sum_of", "sym", "symbols", "symmetric", "symplectic", "top",
@@ -59,7 +59,8 @@ OPERATIONS: dict[str, tuple[int, int | None]] = {
     "roots_in": (1, 1), "roots_on": (1, 1), "roots_out": (1, 1), "real_roots": (3, 3),
     "=": (2, None), "!=": (2, 2), "<": (2, None), "<=": (2, None), ">": (2, None), ">=": (2, None),
     "loewner": (2, 2), "psd": (1, 1), "pd": (1, 1), "symmetric": (1, 1), "invertible": (1, 1), "symplectic": (1, 1),
-    "similar": (2, 2), "cospectral": (2, 2), "coprime": (2, 2), "schur": (1, 1), "observable": (2, 2), "pos_circle": (1, 1), "nonneg_circle": (1, 1),
+    "similar": (2, 2), "cospectral": (2, 2), "coprime": (2, 2), "schur": (1, 1), "observable": (2, 2), "detectable": (2, 2),
+    "pos_circle": (1, 1), "nonneg_circle": (1, 1),
     "prints": (2, 2), "defined": (1, 1),
     "and": (1, None), "or": (1, None), "not": (1, 1), "=>": (2, 2), "<=>": (2, 2),
     "forall": (4, 4), "exists": (4, 4), "always": (2, 2),
@@ -289,6 +290,7 @@ similar = _function("similar", "Similar over the complex numbers.")
 cospectral = _function("cospectral", "Same characteristic polynomial.")
 coprime = _function("coprime", "No common root.")
 observable = _function("observable", "``observable(C, A)``: C annihilates no eigenvector of A, real or complex.")
+detectable = _function("detectable", "``detectable(M, N)``: sM - tN has full column rank for all complex s, t with |s| >= |t|, not both zero.")
 schur = _function("schur", "All roots (of a polynomial) or eigenvalues (of a matrix) in |z| < 1.")
 pos_on_circle = _function("pos_circle", "D(z, 1/z) > 0 for every |z| = 1.")
 nonneg_on_circle = _function("nonneg_circle", "D(z, 1/z) >= 0 for every |z| = 1.")

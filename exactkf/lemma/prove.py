@@ -443,7 +443,7 @@ def _squares(data: dict) -> Iterator[list]:
 def _difference(data: dict) -> tuple[Any, Any]:
     """The two sides of an order A >= B, or of A - B >= 0."""
     op, *args = data["says"]
-    if op == "loewner" and args[1] != 0 and args[1][0] != "O":
+    if op == "loewner" and args[1] != 0 and not (isinstance(args[1], list) and args[1][0] == "O"):
         return args[0], args[1]
     whole = _written_out(data, args[0])
     return (whole[1], whole[2]) if isinstance(whole, list) and whole[0] == "-" else (whole, 0)

@@ -29,6 +29,7 @@ from exactkf.language import (
     inv,
     invertible,
     let,
+    loewner,
     matrix_of,
     pd,
     psd,
@@ -124,3 +125,29 @@ class Product:
         x, y = inv(last.A) * A3, T(inv(first.A)) * T(A3)
         self.lower = [T(x) * last.AC * x, first.AC, T(first.C) * P * first.C]
         self.upper = [T(y) * first.BA * y, last.BA, last.B * Q * T(last.B)]
+
+
+#: what the estimates of norms say
+BY_NORMS = "The norm of X is the least c >= 0 with |Xx| <= c|x| for every x, that is X*X <= c^2 I. What is said of norms is said of all positive bounds of them. "
+
+
+def at_most(X: Expr, bound: Expr, size: Expr = d) -> Expr:
+    """The norm of X, which has so many columns, is at most a number that is not negative."""
+    return loewner(bound**2 * Identity(size), T(X) * X)
+
+
+def from_squares(X: Expr, bound: Expr) -> list:
+    """Terms of cI - X for a symmetric X with |X| <= c, where c is positive."""
+    below = bound * Identity(d) - X
+    return [1 / (2 * bound) * (bound**2 * Identity(d) - T(X) * X), 1 / (2 * bound) * below * below]
+
+
+def squared_bound(bound: Expr, root: Expr, *terms: Expr) -> list:
+    """Terms of c^2 I - XX for a nonnegative X with a root, from terms of cI - X."""
+    return [bound * x for x in terms] + [root * x * root for x in terms]
+
+
+def root_bound(X: Expr, bound: Expr, of_inverse: Expr, root: Expr) -> list:
+    """Terms of X - cI for a nonnegative X with a root, if |inv(X)| is at most 1/c, in the form given."""
+    shifted, left = inv(X + bound * Identity(d)), X * (of_inverse**2 * Identity(d) - T(inv(X)) * inv(X)) * X
+    return [bound**3 * shifted * left * shifted, bound**2 * shifted * root * left * root * shifted]

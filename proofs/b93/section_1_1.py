@@ -28,7 +28,7 @@ and on them the upper left block of the product agrees with the product of the A
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, first, identity, induction, instances, null_vector, order, restated, within
+from exactkf.evidence import chosen, example, first, identity, induction, instances, null_vector, order, spectral, square, within
 from exactkf.language import (
     Identity,
     T,
@@ -257,19 +257,17 @@ claim("B93-L1.2", "I + PQ is invertible for nonnegative P and Q",
       by=[order([Identity(d) - H * inv(Identity(d) + H * Q * H) * H * Q], roots={H: P}), instances(d=UP_TO_6)])
 
 claim("B93-S15", "two quadratic forms, one positive, are diagonal in one basis",
-      (inv(P) == T(M) * M) & (Q == T(M) * D * M) & psd(D)
+      invertible(M) & (inv(P) == T(M) * M) & (Q == T(M) * D * M) & psd(D)
       & (Identity(d) + P * Q == inv(M) * (Identity(d) + D) * M), sizes=["d"],
       over={P: positive_definite(d), Q: positive_semidefinite(d), L: nonsingular(d), U: matrix(d, d), D: diagonal(d)},
       where=[let(M, T(U) * inv(L))],
       given=[given("P = LL*", P == L * T(L)), given("U is orthogonal", T(U) * U == Identity(d)),
              given("U diagonalises L*QL", T(L) * Q * L == U * D * T(U))],
-      by=[order([], [], [T(U) * (T(L) * Q * L) * U]),
+      by=[order([L * U], [], [], [T(U) * (T(L) * Q * L) * U]), chosen(square(P, L), spectral(T(L) * Q * L, U, D)),
           instances(d=(1, 2, 3), using={W: matrix(d, d), E: diagonal(d)},
                     made_by={P: L * T(L), U: (Identity(d) - (W - T(W))) * inv(Identity(d) + (W - T(W))), D: E * E,
-                             Q: inv(T(L)) * U * D * T(U) * inv(L)}),
-          restated("spectral theorem")],
-      note="The matrix M asked for is M = U*inv(L). That P = LL* and L*QL = UDU* can be written so, with U orthogonal "
-           "and D diagonal, is the spectral theorem.")
+                             Q: inv(T(L)) * U * D * T(U) * inv(L)})],
+      note="The matrix M asked for is M = U*inv(L); there are such L, U and D for all P and Q. A nonnegative diagonal matrix has nonnegative entries.")
 
 a, b, y, w = symbols("a b y w")
 #: 1 - a: how far a is below one

@@ -13,15 +13,17 @@ falls along the backward recursion.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, induction, instances, order, restated
+from exactkf.evidence import chosen, example, first, induction, instances, order, restated, spectral, square
 from exactkf.evidence import part as only
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
+    cospectral,
     diagonal,
     forall,
+    function,
     given,
     integer,
     inv,
@@ -33,9 +35,11 @@ from exactkf.language import (
     nonsingular,
     pd,
     positive,
+    positive_definite,
     positive_semidefinite,
     rec,
     sequence,
+    sequence_of,
     signal_of,
     standing,
     sum_of,
@@ -43,7 +47,7 @@ from exactkf.language import (
     symmetric_matrix,
     vector,
 )
-from proofs.b93.notation import d, hamiltonian, k, p, part, q
+from proofs.b93.notation import BY_NORMS, at_most, d, from_squares, hamiltonian, k, n, p, part, q, root_bound
 from proofs.b93.section_1_2 import A, C, F, P, R, S
 from proofs.b93.section_1_2_distance import LARGER, Max, eps, m, u, zeta
 
@@ -130,24 +134,45 @@ claim("B93-E19", "the sampled system",
 
 # --- the stability of the filter -------------------------------------------------------------------------------------------
 
-K, Dg, Pb, al, tau, si, x0, xp, Pp, Bs, x, Pi = symbols("K Dg Pb al tau si x0 xp Pp Bs x Pi")
+K, L, W, Dg, Pb, al, tau, si, xp, Bs, x, Pi, Vv, Cov, Ts, la, sg, c = symbols("K L W Dg Pb al tau si xp Bs x Pi VV Cov T lambda sg c")
 claim("B93-S69", "two positive matrices in common coordinates",
-      P*inv(Pb) == T(K)*Dg*inv(T(K)), sizes=["d"], over={K: nonsingular(d), Dg: diagonal(d)}, where=[let(Pb, T(K)*K), let(P, T(K)*Dg*K)],
-      by=[order(), instances(6, d=(1, 2, 3)),
-          restated("spectral theorem: two positive matrices are diagonal in one basis", "similar matrices have the same eigenvalues")],
-      note="That two positive matrices can be written like this is classical. P inv(Pbar) is similar to D, so that the distance is made of the logarithms "
-           "of the entries of D.")
+      invertible(K) & (Pb == T(K)*K) & (P == T(K)*Dg*K) & pd(Dg) & cospectral(P*inv(Pb), Dg), sizes=["d"],
+      over={P: positive_definite(d), Pb: positive_definite(d), L: nonsingular(d), W: matrix(d, d), Dg: diagonal(d)}, where=[let(K, T(W)*T(L))],
+      given=[given("a square of Pbar", Pb == L*T(L)), given("W is orthogonal", T(W)*W == I), given("its columns are eigenvectors", inv(L)*P*T(inv(L)) == W*Dg*T(W))],
+      by=[order([T(W)], [inv(T(L))*W], [], [], [T(W)*inv(L)*P*T(inv(L))*W], [T(K), inv(T(K))], lemmas=[invertible(W)]),
+          chosen(square(Pb, L), spectral(inv(L)*P*T(inv(L)), W, Dg)),
+          *(instances(6, d=size, using={V: matrix(d, d), U: diagonal(d)},
+                      made_by={W: (I - (V - T(V)))*inv(I + (V - T(V))), Dg: U*U + I, Pb: L*T(L), P: L*W*Dg*T(W)*T(L)}) for size in (1, 2, 3))],
+      note="There are such L, W and D for all P and Pbar. P inv(Pbar) and D have one characteristic polynomial, so that the eigenvalues, of which the distance is "
+           "made, are the entries of D, which are positive.")
 
+ENERGY = function(Vv, [t], T(x[t])*Cov[t]*x[t])
+STEP_DOWN = [(1 - la[t]/sg[t])*(Pi[t]*Vv(0) - Vv(t)), T(x[t])*(Ts[t] - la[t]*I)*x[t], la[t]/sg[t]*(T(x[t])*(sg[t]*I - Cov[t])*x[t])]
+FROM_START = Cov[n] - 1/al*I
 claim("B93-S79", "the norm at the beginning by that at the end",
-      (T(x0)*x0 <= al*(T(x0)*P0*x0)) & (al*(T(x0)*P0*x0) <= al*(tau*(T(xp)*Pp*xp))) & (al*(tau*(T(xp)*Pp*xp)) <= al*(tau*(si*(T(xp)*xp)))), sizes=["d"],
-      over={P0: positive_semidefinite(d), Pp: positive_semidefinite(d), x0: vector(d), xp: vector(d), al: nonneg(), tau: nonneg(), si: nonneg(), m: nonneg()},
-      given=[given("|P_0^{-1}| <= alpha", loewner(al*P0, I)), given("V_0 <= tau_1 ... tau_p V_p", T(x0)*P0*x0 + m == tau*(T(xp)*Pp*xp)),
-             given("|P_p| <= sigma", loewner(si*I, Pp))],
-      by=[order([T(x0)*(al*P0 - I)*x0], [al*m], [al*(tau*(T(xp)*(si*I - Pp)*xp))]),
-          instances(8, d=(1, 2), using={u: nonneg()}, made_by={P0: (1 + u)*I, al: 1, Pp: 2*I, si: 2 + u, xp: x0, tau: 1 + u, m: (1 + u)*(T(x0)*x0)[1, 1]}),
-          instances(8, d=(1,)),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI", "(S78) for one time after the other")],
-      note="tau stands for the product of the tau_n, and m is what tau V_p exceeds V_0 by; B93-S78 says that V falls so.")
+      forall(t, 0, n, Vv(t) <= Pi[t]*Vv(0)) & (T(x[n])*x[n] <= al*Vv(n)) & (al*Vv(n) <= al*Pi[n]*Vv(0)) & (al*Pi[n]*Vv(0) <= al*Pi[n]*si*(T(xp)*xp)),
+      sizes=["d", "n"],
+      over={Bs: sequence_of(matrix(d, d), 0, n), Cov: sequence_of(positive_semidefinite(d), 0, n), Ts: sequence_of(positive_semidefinite(d), 0, n),
+            la: sequence(0, n), sg: sequence(0, n), xp: vector(d), al: positive(), si: positive()},
+      where=[rec(x, t, xp, T(Bs[t])*x[t]), ENERGY, rec(Pi, t, 1, (1 - la[t]/sg[t])*Pi[t])],
+      given=[given("Lemma 2.7", forall(k, 0, n - 1, Cov[k] == Bs[k]*Cov[k + 1]*T(Bs[k]) + Ts[k])), standing("P_0 > 0", invertible(Cov[n])),
+             given("T >= lambda I, P <= sigma I", forall(k, 0, n - 1, loewner(Ts[k], la[k]*I) & loewner(sg[k]*I, Cov[k]) & (la[k] >= 0) & (sg[k] > 0))),
+             standing("lambda <= sigma, as T <= P", forall(k, 0, n - 1, 1 - la[k]/sg[k] >= 0)),
+             given("|inv(P_0)| <= alpha", at_most(inv(Cov[n]), al)), given("|P_p| <= sigma", at_most(Cov[0], si))],
+      by=[induction(before=[first(forall(t, 0, n, (Vv(t) <= Pi[t]*Vv(0)) & (Pi[t] >= 0)), step=order(STEP_DOWN, [(1 - la[t]/sg[t])*Pi[t]]))],
+                    base=[order(), order(root_bound(Cov[n], 1/al, al, K), [al*(T(x[n])*FROM_START*x[n])], roots={K: Cov[n]}, lemmas=[loewner(Cov[n], 1/al*I)]),
+                          order([al*(Pi[n]*Vv(0) - Vv(n))]),
+                          order(from_squares(Cov[0], si), [al*Pi[n]*(T(xp)*(si*I - Cov[0])*xp)], lemmas=[loewner(si*I, Cov[0])])],
+                    step=[order(STEP_DOWN)]),
+          example(d=1, n=1, Bs=[[[1]], [[0]]], Cov=[[[1]], [[1]]], T=[[[0]], [[0]]], **{"lambda": [1, 0]}, sg=[1, 1], xp=[1], al=1, si=1),
+          example(d=1, n=0, Bs=[[[5]]], Cov=[[[1]]], T=[[[0]]], **{"lambda": [-1]}, sg=[1], xp=[1], al=1, si=1),
+          instances(8, d=(1, 2), n=(0, 1, 2), using={c: sequence(0, n), u: nonneg()},
+                    made_by={Cov: (k, I), Bs: (k, c[k]/(1 + c[k]**2)*I), Ts: (k, (1 - (c[k]/(1 + c[k]**2))**2)*I), la: (k, 1 - (c[k]/(1 + c[k]**2))**2 - 1/(4 + u)),
+                             sg: (k, 1 + u), al: 1 + u, si: 1 + u}),
+          instances(8, d=(1, 2), n=(0, 1, 2), using={c: sequence(0, n)}, made_by={
+              Cov: (k, I), Bs: (k, c[k]/(1 + c[k]**2)*I), Ts: (k, (1 - (c[k]/(1 + c[k]**2))**2)*I), la: (k, 0), sg: (k, 1), al: 1, si: 1})],
+      note=BY_NORMS + "Counted from the end: x_t, P_t, T_t here are x_{p-t}, P_{p-t}, T_{p-t}, B_t is B_{p-t}, n is p, and Pi_t is the product of t factors tau. "
+           "That T >= lambda I and P <= sigma I is what the norms in B93-S78 say, and is shown there.")
 
 claim("B93-S80", "the product of the matrices of the filter",
       always(t, (x[t] == T(Pi[t])*xp) & (T(x[t])*x[t] == T(xp)*(Pi[t]*T(Pi[t]))*xp)), sizes=["d"], over={Bs: signal_of(matrix(d, d), 0), xp: vector(d)},

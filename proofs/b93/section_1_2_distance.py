@@ -19,7 +19,7 @@ action of a member of H contracts through its two shifts.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import example, instances, order, part, restated
+from exactkf.evidence import example, instances, order, part
 from exactkf.language import (
     Identity,
     T,
@@ -73,11 +73,14 @@ def unit(first, last):
 K, Dg, lam, V1, V2 = symbols("K Dg lam V1 V2")
 ASCENDING = given("ascending", forall(i, 1, d - 1, Dg[i, i] <= Dg[i + 1, i + 1]))
 
+E0, Lam = symbols("E Lam")
 claim("B93-D1.4", "the distance does not depend on the order of the two matrices",
-      inv(P*inv(Q)) == Q*inv(P), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d)},
-      by=[order(), instances(6, d=(1, 2, 3)), restated("the eigenvalues of the inverse are the reciprocals")],
-      note="A definition. That the distance is symmetric is checked: exchanging P and Q replaces the eigenvalues by their reciprocals, and their logarithms "
-           "change the sign.")
+      Q*inv(P)*E0 == E0*inv(Lam), sizes=["d"], over={P: positive_definite(d), Q: positive_definite(d), E0: nonsingular(d), Lam: nonsingular(d)},
+      given=[given("eigenvalues and eigenvectors of P inv(Q)", P*inv(Q)*E0 == E0*Lam)],
+      by=[order(), instances(6, d=(1, 2, 3), made_by={Lam: inv(E0)*P*inv(Q)*E0})],
+      note="A definition. That the distance is symmetric is checked: Lam is the diagonal matrix of the eigenvalues of P inv(Q), or any matrix that is similar "
+           "to it, by E, and then Q inv(P) is similar to inv(Lam). So exchanging P and Q replaces the eigenvalues by their reciprocals, with multiplicities; "
+           "the squares of their logarithms stay.")
 
 dP, NEW = symbols("dP NEW")
 claim("B93-S30", "the arc length is invariant",
@@ -222,14 +225,16 @@ for id_, title in (("B93-T1.7.3", "members of H0 contract uniformly"), ("B93-S43
           note=FORM + EQUAL_RATE + "The factor zeta/(zeta + epsilon) is an exponent, with whole numbers zeta and epsilon that bound the norm of (APA*)^{-1} "
                                    "and Q.")
 
+SELF = Factor(A, B, C)
+CHAIN = A*(TT + P)*T(A)
 claim("B93-S40", "the images lie in an interval",
-      loewner(TT + P, P) & loewner(A*(TT + P)*T(A), A*P*T(A)) & loewner(inv(A*P*T(A)), inv(A*(TT + P)*T(A))), sizes=["d"],
-      over={A: nonsingular(d), P: positive_definite(d), TT: positive_semidefinite(d)},
-      by=[order([TT], [A*TT*T(A)],
-                [inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A)), inv(A*(TT + P)*T(A))*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*inv(A*(TT + P)*T(A))]),
-          instances(8, d=(1, 2)),
-          restated("S39: P and Q are positive for M in H_0")],
-      note="P is invertible, as B93-S39 says. Only that T is nonnegative is used.")
+      pd(P) & pd(Q) & loewner(TT + P, P) & loewner(CHAIN, A*P*T(A)) & loewner(inv(A*P*T(A)), inv(CHAIN)), sizes=["d"],
+      over={**OVER, TT: positive_semidefinite(d)}, where=[BLOCKS, let(P, inv(A)*B), let(Q, C*inv(A))],
+      given=[standing("M in Sp", symplectic(M)), given("M: BA* > 0", pd(B*T(A))), given("M: A*C > 0", pd(T(A)*C))],
+      by=[order([SELF.P], [SELF.Q], [TT], [A*TT*T(A)], [inv(CHAIN)*(A*TT*T(A))*T(inv(CHAIN)), inv(CHAIN)*(A*TT*T(A))*inv(A*P*T(A))*(A*TT*T(A))*T(inv(CHAIN))]),
+          *(example(numbers("A B C D T", *entries)) for entries in ((1, -1, 1, 0, 2), (1, 1, -1, 0, 1))),
+          instances(8, d=(1, 2), using={U: positive_definite(d), W: positive_definite(d)}, made_by=member(A, B, C, D, U, W))],
+      note="Only that T is nonnegative is used.")
 
 Gone, Half, Shrunk = symbols("Gone Half Shrunk")
 claim("B93-S41", "the last shift contracts uniformly",

@@ -37,7 +37,7 @@ null vector of every term of the controllability sum.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order, restated
+from exactkf.evidence import example, first, induction, instances, null_vector, order, restated, within
 from exactkf.language import (
     Identity,
     T,
@@ -55,11 +55,14 @@ from exactkf.language import (
     matrix,
     nonsingular,
     positive_semidefinite,
+    psd,
+    rank,
     rec,
     scalar,
     sequence,
     sequence_of,
     signal_of,
+    standing,
     sum_of,
     symbols,
     symmetric,
@@ -93,9 +96,8 @@ claim("B93-L2.3", "the distance to the identity between two multiples of a logar
                     made_by={l: (k, -m[1] ** 2 - sum_of(t, k + 1, d, m[t] ** 2)), larger: when(ENDS >= 0, l[d] ** 2, l[1] ** 2)}),
           example(d=2, l=[1, 0], larger=0), example(d=3, l=[1, 2, 1], larger=1), example(d=2, l=[0, 2], larger=0),
           instances(8, d=(2, 3)),
-          restated("spectral theorem: the norms of Q and of its inverse are the largest eigenvalue and the reciprocal of the smallest",
-                   "the logarithm is increasing")],
-      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1, and the squared distance is "
+          restated("the logarithm is increasing, and log(1/x) = -log(x)")],
+      note="l_1, ..., l_d are the logarithms of the eigenvalues of Q in ascending order; log|Q| = l_d and log|inv(Q)| = -l_1 by B93-S60, and the squared distance is "
            "the sum of their squares, total_d. As l_1 <= l_d, the larger of their squares is that of l_d exactly if l_1 + l_d >= 0. The count is t, and the "
            "rest is what is missing to t times that. At t = d the first two inequalities put the larger square below the sum, whichever of the two it is, "
            "and the others are the upper bound.")
@@ -168,19 +170,31 @@ claim("B93-S76", "G is the Gramian of V",
       note="Times are counted from 0. VV is V_n V_n*, which for V_n = (K_n, H_n F_n, B_n V_{n-1}) follows the recursion that defines it here: that "
            "is the last equation, for any V_{n-1} = Wm. G follows from T_n + B_n G_{n-1} B_n*.")
 
-Ww, Ss = symbols("WW SS")
+Ww, Ss, L, M, n = symbols("WW SS L M n")
+FULL = null_vector()
+OF_W = [[], [Ww[n] - Ss[n], Ss[n]], [inv(Ss[n])]]
+GROWN = [K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])]
+#: W_0 and W_1
+WIDE = hstack(K(0), F[0]), hstack(K(1), F[1], A[1] * K(0), A[1] * F[0])
 claim("B93-S75", "the Gramian of W lies above the controllability sum",
-      always(t, loewner(Ww[t], Ss[t])) & _gram(K(0), F[0]) & _gram(K(1), F[1], A[1] * Wm), sizes=["d", "p", "q", "m"],
-      over={**LOOPS, Wm: matrix(d, m)},
+      forall(t, 0, n, loewner(Ww[t], Ss[t])) & (invertible(Ss[n]) >> ((rank(L) == d) & (rank(L * M) == d)))
+      & _gram(K(0), F[0]) & _gram(K(1), F[1], A[1] * Wm), sizes=["d", "p", "q", "m", "n"],
+      over={**LOOPS, Wm: matrix(d, m), L: matrix(d, m), M: nonsingular(m)},
       where=[*PIECES[1:3], rec(Ww, t, K(0) * T(K(0)) + S(0), K(t + 1) * T(K(t + 1)) + S(t + 1) + A[t + 1] * Ww[t] * T(A[t + 1])),
              rec(Ss, t, S(0), S(t + 1) + A[t + 1] * Ss[t] * T(A[t + 1]))],
-      by=[induction(base=[order([K(0) * T(K(0))]), order()], step=order([K(t + 1) * T(K(t + 1)), A[t + 1] * (Ww[t] - Ss[t]) * T(A[t + 1])])),
-          instances(12, **SMALL, m=(1, 2), horizon=3),
-          restated("a matrix M has full row rank if MM* is positive")],
-      note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}), see the last equation. So W_n has rank d wherever the sum on the right is "
-           "invertible, and so has V_n = W_n U_n.")
+      given=[standing("L is W_n", L * T(L) == Ww[n])],
+      by=[induction(before=[first(forall(t, 0, n, psd(Ss[t]) & loewner(Ww[t], Ss[t])), base=order([F[0] * T(F[0])], [K(0) * T(K(0))]),
+                                  step=order([F[t + 1] * T(F[t + 1]), A[t + 1] * Ss[t] * T(A[t + 1])], GROWN)),
+                            first(psd(Ss[n]) & loewner(Ww[n], Ss[n]))],
+                    base=[order([K(0) * T(K(0))]),
+                          *[order(*OF_W, inside=[within(0, Ww[n] * FULL == Zero(d, 1), Ss[n] * FULL == Zero(d, 1), vector="right")])] * 2, order(), order()],
+                    step=[order(GROWN)]),
+          instances(8, d=(1, 3), p=1, q=1, m=2, n=0, made_by={L: WIDE[0]}, horizon=3), instances(8, d=(1, 2), p=2, q=1, m=3, n=0, made_by={L: WIDE[0]}, horizon=3),
+          instances(8, d=(1, 2), p=1, q=1, m=4, n=1, made_by={L: WIDE[1]}, horizon=3)],
+      note="Times are counted from 0. WW is W_n W_n*, for W_n = (K_n, F_n, A_n W_{n-1}), see the last equation; L stands for W_n, as any matrix of m columns with this "
+           "Gramian, and M for the invertible U_n: then LM is V_n.")
 
-Gam, Pi, Xs, n = symbols("Gam Pi X n")
+Gam, Pi, Xs = symbols("Gam Pi X")
 
 
 def _noise(s):

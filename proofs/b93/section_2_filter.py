@@ -21,7 +21,7 @@ where T_{n+1} >= lambda I and P_{n+1} <= sigma I.
 """
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import combination, example, first, identity, induction, instances, order, part, restated
+from exactkf.evidence import chosen, combination, example, first, identity, induction, instances, order, part, restated, spectral, within
 from exactkf.language import (
     Identity,
     T,
@@ -29,6 +29,7 @@ from exactkf.language import (
     always,
     block,
     column,
+    cospectral,
     diagonal,
     forall,
     function,
@@ -64,7 +65,7 @@ from exactkf.language import (
 )
 from proofs.b93.introduction import K0, K1, K2, LOUD, ONE_PHI, P1, STEP_GIVEN, STEP_MADE, STEP_OVER, STEP_SIZES, Y1, V
 from proofs.b93.introduction import STEP as ONE_TIME
-from proofs.b93.notation import d, i, j, k, n, p, q, r
+from proofs.b93.notation import BY_NORMS, at_most, d, from_squares, i, j, k, n, p, q, r, root_bound, squared_bound
 
 A, B, C, D, F, G, K, L, P, Q, R, S, U, W, X, Y, E = symbols("A B C D F G K L P Q R S U W X Y E")
 P0, T0, Phi, Pbar, x, x0, x1, y, m, t = symbols("P0 T0 Phi Pbar x x0 x1 y m t")
@@ -223,21 +224,31 @@ not_checked("B93-L2.2.1", "weakly observable systems enter H1", LIMITS)
 not_checked("B93-L2.2.2", "weakly controllable systems enter H2", LIMITS)
 
 # ---------------------------------------------------------------- Theorem 2.4 and Proposition 2.5
+BELOW_LARGEST, ABOVE_SMALLEST = la * I - D, D - mu * I
+EIGENVALUES = order(
+    [T(U)], [T(U) * Q * U], [], [U, T(U)],
+    [la * (U * BELOW_LARGEST * T(U)), U * E * BELOW_LARGEST * E * T(U)], [1 / (c + la) * (T(x) * (c**2 * I - T(Q) * Q) * x)],
+    [1 / mu * (U * inv(D) * ABOVE_SMALLEST * inv(D) * T(U)), (1 / mu)**2 * (U * inv(D) * E * ABOVE_SMALLEST * E * inv(D) * T(U))],
+    [1 / (mu * (mu * c + 1)) * (T(mu * y) * (c**2 * I - T(inv(Q)) * inv(Q)) * (mu * y))],
+    lemmas=[invertible(U), pd(D), inv(Q) * (mu * y) == y], roots={E: T(U) * Q * U})
 claim("B93-S60", "the smallest and the largest eigenvalue as norms",
-      loewner(la * I, Q) & loewner(Q, mu * I) & (Q * x == la * x) & (inv(Q) * y == y / mu), sizes=["d"],
-      over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), x: vector(d), y: vector(d)},
-      given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)),
-             given("the entries of D are at most lambda", loewner(la * I, D)), given("and at least mu", loewner(D, mu * I)),
-             given("lambda is one of them", D * T(U) * x == la * T(U) * x), given("so is mu", D * T(U) * y == mu * T(U) * y)],
-      by=[order([U * (la * I - D) * T(U)], [U * (D - mu * I) * T(U)]),
-          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": 2}, x=[1], y=[0]),
-          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[0, 1], y=[1, 1]),
-          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[1, 1], y=[1, 0]),
-          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": "1/2", "mu": 1}, x=[0], y=[1]),
-          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu}),
-          instances(d=(1, 2, 3), made_by={U: I, D: mu * I, Q: mu * I, la: mu, x: Zero(d, 1), y: Zero(d, 1)}),
-          restated("spectral theorem", "the norm of a nonnegative matrix is its largest eigenvalue")],
-      note="lambda = ||Q|| and 1/mu = ||inv(Q)||, for the largest and the smallest of the eigenvalues in D.")
+      cospectral(Q, D) & (loewner(la * I, D) >> (at_most(Q, la) & (at_most(Q, c) >> (la <= c))))
+      & (loewner(D, mu * I) >> (at_most(inv(Q), 1 / mu) & (at_most(inv(Q), c) >> (1 / mu <= c)))), sizes=["d"],
+      over={Q: positive_definite(d), D: diagonal(d), U: matrix(d, d), la: positive(), mu: positive(), c: positive(), x: vector(d), y: vector(d)},
+      given=[given("U is orthogonal", T(U) * U == I), given("Q = UDU*", Q == U * D * T(U)), given("lambda is an eigenvalue", (Q * x == la * x) & (T(x) * x == 1)),
+             given("so is mu", (Q * y == mu * y) & (T(y) * y == 1))],
+      by=[EIGENVALUES, chosen(spectral(Q, U, D)),
+          example(d=2, Q=[[1, 0], [0, 2]], D=[[1, 0], [0, 2]], U=[[1, 0], [0, 1]], **{"lambda": 2, "mu": 1}, x=[0, 1], y=[1, 0], c=1),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 2, "mu": 1}, x=[1], y=[1], c=1),
+          example(d=1, Q=[[1]], D=[[1]], U=[[1]], **{"lambda": 1, "mu": "1/2"}, x=[1], y=[1], c=1),
+          example(d=1, Q=[[4]], D=[[1]], U=[[2]], **{"lambda": 4, "mu": 4}, x=[1], y=[1], c=4),
+          *(instances(12, d=size, using={L: diagonal(d), S: matrix(d, d)},
+                      made_by={U: (I - (S - T(S))) * inv(I + (S - T(S))), D: L * L + I / 2, Q: U * D * T(U), la: D[1, 1], mu: D[d, d],
+                               x: U * column(i, d, when(i == 1, 1, 0)), y: U * column(i, d, when(i == d, 1, 0)), c: bound}) for size in (1, 2, 3)
+            for bound in (D[1, 1], 1 / D[d, d]))],
+      note="By the spectral theorem there are U and D with this Q, and the entries of D are its eigenvalues. D <= lambda I says of a diagonal matrix that none is above "
+           "lambda, so that lambda is the largest, and mu is the smallest. Then lambda is a bound as the norm of Q is to be, and not above any other: it is |Q|; and 1/mu "
+           "is |inv(Q)|. The distance of Q and I is made of the logarithms of the entries of D by its definition.")
 for _id, _title in (
         ("S61", "what the theorem says of the error"), ("T2.4", "the stationary error covariance and convergence to it"),
         ("S67", "a composition contracts with positive probability"),
@@ -251,27 +262,37 @@ not_checked("B93-E23", "the rates of the eigenvalues", "superior limits of logar
             "most twice |log x| near x = 1, which is about the logarithm and not about matrices")
 not_checked("B93-S62", "condition (C1) as it is checked", "a condition on an expectation, which the proof quotes without the positive part that Theorem 3.1 has")
 
-a2, f2, c2, b2 = symbols("a2 f2 c2 b2")
-STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S))
+a0, s0, phi, b0, r0, tau, Phi1 = symbols("a s phi b r tau Phi1")
+STEP = (let(S, F * T(F)), let(R, T(C) * C), let(T0, A * T(A) + S), let(Phi1, T0 * inv(I + R * S + R * A * T(A))))
+LESS = T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0
 claim("B93-S64", "a bound for the image of the identity",
-      loewner(T0, inv(inv(T0) + R)) & loewner((a2 + f2) * I, T0), sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), a2: nonneg(), f2: nonneg()}, where=STEP,
-      given=[given("||A||^2 <= a2", loewner(a2 * I, A * T(A))), given("||F||^2 <= f2", loewner(f2 * I, F * T(F)))],
-      by=[order([T0 * T(C) * inv(Identity(q) + C * T0 * T(C)) * C * T0], [a2 * I - A * T(A), f2 * I - F * T(F)]),
-          instances(**SMALL, using={c: positive()}, made_by={A: c * I, a2: c**2, F: Zero(d, p), f2: 0}),
-          instances(d=1, p=1, q=(1, 2), made_by={a2: A[1, 1]**2, f2: F[1, 1]**2}), instances(**SMALL),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="The squared norm of A is the least a2 with AA* <= a2 I, and a larger nonnegative matrix has a larger norm.")
+      (Phi1 == G) & (at_most(T0, tau) >> at_most(G, tau)) & ((at_most(A * T(A), a0) & at_most(S, s0)) >> at_most(T0, a0 + s0))
+      & ((at_most(A, al) & at_most(F, phi, p)) >> (at_most(A * T(A), al**2) & at_most(S, phi**2))), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), a0: positive(), s0: positive(), al: positive(), phi: positive()},
+      where=[*STEP, let(G, inv(inv(T0) + R))],
+      by=[order([], from_squares(T0, tau), [LESS], squared_bound(tau, E, tau * I - T0, T0 - G),
+                from_squares(A * T(A), a0), from_squares(S, s0), squared_bound(a0 + s0, K, a0 * I - A * T(A), s0 * I - S),
+                *([(x**2 * I - X * T(X)) * (x**2 * I - X * T(X)), 2 * X * (x**2 * Identity(n) - T(X) * X) * T(X)] for X, x, n in ((A, al, d), (F, phi, p))),
+                roots={E: G, K: T0},
+                inside=[within(1, loewner(tau * I, T0), loewner(T0, G)), within(2, loewner(a0 * I, A * T(A)), loewner(s0 * I, S))]),
+          instances(d=1, p=1, q=(1, 2), made_by={A: al * I, F: phi * I, a0: al**2, s0: phi**2, tau: al**2 + phi**2}),
+          instances(**SMALL, made_by={A: al * I, a0: al**2, F: Zero(d, p), tau: al**2}), instances(**SMALL)],
+      note=BY_NORMS + "The norm of the sum is at most the sum of the norms, as is shown for these two nonnegative matrices.")
 
 claim("B93-S65", "a bound for the inverse of the image of the identity",
-      loewner(inv(A * T(A)), inv(T0)) & loewner((b2 + c2) * I, G), sizes=["d", "p", "q"],
-      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), b2: nonneg(), c2: nonneg()}, where=[*STEP, let(G, inv(A * T(A)) + R)],
-      given=[given("||inv(A)||^2 <= b2", loewner(b2 * I, inv(A * T(A)))), given("||C||^2 <= c2", loewner(c2 * I, T(C) * C))],
-      by=[order([inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))], [b2 * I - inv(A * T(A)), c2 * I - T(C) * C]),
-          instances(**SMALL, using={c: positive()}, made_by={A: c * I, b2: 1 / c**2, C: Zero(q, d), c2: 0}),
-          instances(d=1, p=(1, 2), q=1, made_by={b2: 1 / A[1, 1]**2, c2: C[1, 1]**2}), instances(**SMALL),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="Phi_1(I) = inv(inv(T) + R_1), by S63.")
+      (inv(Phi1) == G) & ((at_most(inv(T0), tau) & at_most(R, r0)) >> at_most(G, tau + r0)) & (at_most(inv(A * T(A)), b0) >> at_most(inv(T0), b0))
+      & ((at_most(inv(A), be) & at_most(C, ga)) >> (at_most(inv(A * T(A)), be**2) & at_most(R, ga**2))), sizes=["d", "p", "q"],
+      over={A: nonsingular(d), F: matrix(d, p), C: matrix(q, d), tau: positive(), r0: positive(), b0: positive(), be: positive(), ga: positive()},
+      where=[*STEP, let(G, inv(T0) + R)],
+      by=[order([], from_squares(inv(T0), tau), from_squares(R, r0), squared_bound(tau + r0, E, tau * I - inv(T0), r0 * I - R),
+                from_squares(inv(A * T(A)), b0), [inv(A * T(A)) * F * inv(Identity(p) + T(F) * inv(A * T(A)) * F) * T(F) * inv(A * T(A))],
+                squared_bound(b0, K, b0 * I - inv(A * T(A)), inv(A * T(A)) - inv(T0)),
+                squared_bound(be**2, L, be**2 * I - T(inv(A)) * inv(A)), squared_bound(ga**2, U, ga**2 * I - T(C) * C),
+                roots={E: G, K: inv(T0), L: inv(A * T(A)), U: R},
+                inside=[within(1, loewner(tau * I, inv(T0)), loewner(r0 * I, R)), within(2, loewner(b0 * I, inv(A * T(A))), loewner(inv(A * T(A)), inv(T0)))]),
+          instances(d=1, p=(1, 2), q=1, made_by={A: I / be, F: Zero(d, p), C: ga * I, b0: be**2, r0: ga**2, tau: be**2}),
+          instances(**SMALL, made_by={A: I / be, b0: be**2, F: Zero(d, p), tau: be**2}), instances(**SMALL)],
+      note=BY_NORMS + "Phi_1(I) = inv(inv(T) + R_1), by S63.")
 
 #: the blocks of the matrix of each time and of the product of the first t, the image of X0 under the maps, and the inverses of the denominators
 At, Bt, Ct, Dt, Wt, X0, at, bt, ct, et, Xt = symbols("A B C D W X0 a b c e X")
@@ -307,35 +328,47 @@ claim("B93-S71", "the norm of K_n",
           instances(d=1, using={c: nonzero()}, made_by={K: c * I, si: c**2}), instances(d=(1, 2), made_by={K: I, si: 1}), instances(d=(1, 2))],
       note="||K||^2 is the least c with K*K <= cI, and ||Pbar||^2 the least with Pbar*Pbar <= cI.")
 
+APART = {"over": {K: matrix(d, d), D: diagonal(d), si: positive(), mu: positive(), c: positive()},
+         "where": [let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
+         "given": [given("||Pbar|| <= sigma", at_most(Pbar, si)), given("||D - I|| <= mu", at_most(D - I, mu)), given("||K|| <= c", at_most(K, c))]}
+
+
+def _in_the_middle(bound, side):
+    """c^2 I - XX for X = K*YK and c = bound mu, from Y and -Y at most mu I and K*K at most the bound."""
+    limit = bound * mu
+    less, more = limit * I - X, limit * I + X
+    return [1 / (2 * limit) * outer * term * outer for outer, gap in ((more, mu * I - SPREAD), (less, mu * I - -SPREAD)) for term in (mu * side, T(K) * gap * K)]
+
+
+SPREAD = D - I
+MIDDLE = [[1 / (2 * mu) * (mu**2 * I - T(SPREAD) * SPREAD), 1 / (2 * mu) * (mu * I - sign * SPREAD) * (mu * I - sign * SPREAD)] for sign in (1, -1)]
 claim("B93-S72", "the difference of two solutions",
-      loewner(si * si * mu * I, X) & loewner(X, -(si * si * mu) * I), sizes=["d"],
-      over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
-      given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)), given("|1 - lambda_i| <= mu", loewner(mu * I, D - Identity(d)) & loewner(D - Identity(d), -mu * I))],
-      by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1), instances(d=(1, 2))],
+      at_most(X, si * si * mu), sizes=["d"], **APART,
+      by=[example(d=1, K=[["1/2"]], D=[[2]], sigma="1/4", mu=1, c="1/2"), instances(d=(1, 2))],
       repair=repair("factor", "The norm of Pbar enters once: ||K||^2 is ||Pbar||, not its square.",
-                    loewner(si * mu * I, X) & loewner(X, -(si * mu) * I), sizes=["d"],
-                    over={K: matrix(d, d), D: diagonal(d), si: nonneg(), mu: nonneg()}, where=[let(Pbar, T(K) * K), let(P, T(K) * D * K), let(X, P - Pbar)],
-                    given=[given("||Pbar|| <= sigma", loewner(si * I, T(K) * K)),
-                           given("above", loewner(mu * I, D - Identity(d))), given("below", loewner(D - Identity(d), -mu * I))],
-                    by=[order([mu * (si * I - T(K) * K), T(K) * (mu * I - (D - I)) * K], [mu * (si * I - T(K) * K), T(K) * (D - I - -mu * I) * K]),
-                        instances(d=1, made_by={si: K[1, 1]**2, D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, D: (1 - mu) * I}),
-                        instances(d=(1, 2)),
-                        restated("the norm of a symmetric matrix X is the least c with -cI <= X <= cI")]))
+                    at_most(X, c**2 * mu) & at_most(X, si * mu), sizes=["d"], **APART,
+                    by=[order(from_squares(Pbar, si), *MIDDLE, _in_the_middle(c**2, c**2 * I - T(K) * K), _in_the_middle(si, si * I - Pbar),
+                              lemmas=[loewner(si * I, Pbar), loewner(mu * I, SPREAD), loewner(mu * I, -SPREAD)]),
+                        instances(d=1, made_by={si: K[1, 1]**2, c: K[1, 1], D: (1 + mu) * I}), instances(d=1, made_by={si: K[1, 1]**2, c: K[1, 1], D: (1 - mu) * I}),
+                        instances(d=(1, 2))]),
+      note=BY_NORMS + "The norm of the diagonal matrix D - I is the largest |1 - lambda_i|.")
 
 # ---------------------------------------------------------------- Theorem 2.6
-tau_ = symbols("tau")[0]
+ABOVE_LAMBDA, BELOW_SIGMA = X - la * I, si * I - P
+FALLS = [[], [T(x1) * ABOVE_LAMBDA * x1], [la / si * (T(x1) * BELOW_SIGMA * x1)], [T(x1) * ABOVE_LAMBDA * x1, la / si * (T(x1) * BELOW_SIGMA * x1)]]
 claim("B93-S78", "the Lyapunov function along the backward recursion",
-      (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (si * la * T(x1) * x1 >= la * T(x1) * P * x1)
-      & (T(x0) * P0 * x0 <= tau_ * T(x1) * P * x1), sizes=["d"],
+      (T(x1) * P * x1 - T(x0) * P0 * x0 == T(x1) * X * x1) & (T(x1) * X * x1 >= la * T(x1) * x1) & (la * T(x1) * x1 >= la / si * (T(x1) * P * x1))
+      & (T(x0) * P0 * x0 <= tau * T(x1) * P * x1), sizes=["d"],
       over={B: matrix(d, d), P0: positive_semidefinite(d), X: positive_semidefinite(d), x1: vector(d), la: nonneg(), si: positive()},
-      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau_, 1 - la / si)],
-      given=[given("T >= lambda I", loewner(X, la * I)), given("P <= sigma I", loewner(si * I, P))],
-      by=[order([], [T(x1) * (X - la * I) * x1], [la * (T(x1) * (si * I - P) * x1)], [T(x1) * (X - la * I) * x1, la / si * (T(x1) * (si * I - P) * x1)]),
+      where=[let(P, B * P0 * T(B) + X), let(x0, T(B) * x1), let(tau, 1 - la / si)],
+      given=[given("lambda = 1/|inv(T)|, or 0", (la == 0) | (invertible(X) & (la > 0) & at_most(inv(X), 1 / la))), given("|P| <= sigma", at_most(P, si))],
+      by=[order([1 * X], from_squares(P, si), *FALLS,
+                root_bound(X, la, 1 / la, E), from_squares(P, si), *FALLS,
+                roots={E: X}, lemmas=[loewner(X, la * I), loewner(si * I, P)]),
           instances(d=(1, 2), made_by={B: I, X: la * I, P0: si * I - la * I}), instances(d=(1, 2), made_by={B: Zero(d, d), X: la * I, si: la + 1}),
-          instances(d=(1, 2)),
-          restated("the norm of a nonnegative matrix X is the least c with X <= cI")],
-      note="x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of Lemma 2.7. The last line is "
-           "V_n <= tau V_(n+1).")
+          instances(d=(1, 2), made_by={la: 0}), instances(d=(1, 2))],
+      note=BY_NORMS + "lambda is 0 where T is singular. x0, x1, P0, P stand for x_n, x_(n+1), P_n, P_(n+1) and X for T_(n+1), with P = B P0 B* + X of "
+                      "Lemma 2.7. The last line is V_n <= tau V_(n+1).")
 
 G_, Bs_, Ts_, Pi_, rate, p0, pbar, tau1 = symbols("G B T Pi rate p0 pbar tau")
 claim("B93-S77", "n steps have the form of one",

@@ -13,7 +13,7 @@ Conventions as in section_3_c3c.
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import example, instances, order, steps
+from exactkf.evidence import example, instances, order, within
 from exactkf.language import (
     Identity,
     T,
@@ -24,6 +24,7 @@ from exactkf.language import (
     given,
     hstack,
     inv,
+    invertible,
     let,
     loewner,
     matrix,
@@ -33,6 +34,7 @@ from exactkf.language import (
     pd,
     positive_definite,
     positive_semidefinite,
+    psd,
     rank,
     rows,
     scalar,
@@ -176,6 +178,12 @@ claim("D71-T3.19", "the eigenvalue outside the unit circle gives the larger equi
 
 MODEL_ANY = {**MODEL, P: matrix(n, n)}
 
+INNOVATION = M*P*T(M) + V
+GAIN = inv(INNOVATION)*M*P
+#: [[MPM' + V, MP], [PM', P]] is congruent to diag(V, P), by [[I, M], [0, I]], and to diag(MPM' + V, Q), by its Schur complement Q; and P is at least Phi Q Phi'
+NO_NEGATIVE_EIGENVALUE = order([H], [inv(INNOVATION)], [INNOVATION], lemmas=[psd(INNOVATION), invertible(INNOVATION)], inside=[within(0, inertia=(
+    block([[Identity(p), -GAIN], [T(M), Identity(n) - T(M)*GAIN]]), V, P, T(Phi), P - P*T(M)*GAIN))])
+
 claim("D71-Q3", "MPM' + V at every equilibrium",
       pd(M*P*T(M) + V),
       sizes=["n", "p"], over=MODEL_ANY, given=[EQUILIBRIUM],
@@ -184,10 +192,7 @@ claim("D71-Q3", "MPM' + V at every equilibrium",
           "missing hypothesis", "an equilibrium that is not Hermitian can have MPM' + V < 0; for every Hermitian one MPM' + V is positive definite",
           pd(M*P*T(M) + V),
           sizes=["n", "p"], over={**MODEL, P: symmetric_matrix(n)}, given=[EQUILIBRIUM],
-          by=[steps("D71-E1.24", "D71-E3.128", facts=["Sylvester's law of inertia.", "A larger Hermitian matrix has no more negative eigenvalues."],
-                    prose="[[MPM' + V, MP], [PM', P]] is congruent to diag(V, P), by [[I, M], [0, I]], and to diag(MPM' + V, Q) with the Q of (1.24), by its Schur "
-                          "complement. So the number of negative eigenvalues of MPM' + V is that of P less that of Q, which is that of Phi Q Phi' = P - H; and "
-                          "P - H <= P has at least as many as P. Hence MPM' + V has none, and it is invertible."),
+          by=[NO_NEGATIVE_EIGENVALUE,
               example(n=1, p=1, Phi=[[1]], H=[[0]], M=[[1]], V=[[1]], P=[[-2]]),
               instances(n=(1, 2, 3), p=(1, 2, 3), using={E: nonsingular(n), d: vector(n), w: scalar()},
                         made_by={Phi: matrix_of(i, j, n, n, when(i == j, 1, 0)), M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),

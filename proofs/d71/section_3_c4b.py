@@ -19,15 +19,19 @@ and S_k = L^k E - E K^k for a solution E of LE - EK = D.
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, first, induction, instances, order, part, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, example, first, induction, instances, order, within
 from exactkf.language import (
     Identity,
     T,
     Zero,
     always,
+    detectable,
     eq,
     given,
+    hstack,
     inv,
+    invertible,
+    kernel_basis,
     let,
     loewner,
     matrix,
@@ -42,10 +46,13 @@ from exactkf.language import (
     rec,
     scalar,
     schur,
+    standing,
+    stein,
     sym,
     symbols,
     symmetric_matrix,
     trace,
+    vstack,
     when,
 )
 from proofs.d71.fading import Fading, N, R, eigenvalues
@@ -196,24 +203,68 @@ claim("D71-E3.189", "P - H is positive definite and below P",
                     made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1/(1 + a[i]**2), 0))*inv(E),
                              P: E*matrix_of(i, j, n, n, when(i == j, 1 + v[i]**2, 0))*T(E), **SOLVED})])
 
+Seen, Modes, Weight, Rest = symbols("Seen Modes Weight Rest")
+DRIVEN = detectable(Seen, Modes)
+GAINED = TIGHT - inv(P)
+NULL = kernel_basis(Rest)
+NULL_GRAM = T(NULL)*NULL
+ON_NULL = inv(NULL_GRAM)*T(NULL)*K*NULL
+MODES = inv(P)*NULL*ON_NULL
+(er, ei), (lr, li) = EIGENVECTOR, EIGENVALUE
+NULL_PARTS, BOUNDED = (NULL*er, NULL*ei), sym("Bound")
+OUTER = lr*lr + li*li - 1
+GONE = 0*NULL
+#: K keeps the null space of P^{-1} - S and acts there as ON_NULL; P^{-1} takes it to undriven modes, which are none: lemmas with their terms
+VANISHING = [T(NULL)*T(K)*Rest*K*NULL, T(NULL)*T(K)*GAINED*K*NULL]
+NO_NULL_VECTOR = [
+    (invertible(I + S*P), [I - INNOVATION*P]), *((x, []) for x in (*INVERSE_K, K*T(LP) == I, LP == PhiT*(I + S*P), LP*Sum*T(LP) - Sum == PhiT*S*T(LP), LP*inv(P)*T(LP) == TIGHT + PhiT*S*T(LP))),
+    (pd(P - H), [Phi*inv(inv(P) + S)*T(Phi)]), (TIGHT == inv(P - H), []), (psd(GAINED), [inv(P - H)*R*inv(I + R*inv(P - H)*R)*R*inv(P - H)]),
+    (LP*Rest*T(LP) - Rest == GAINED, []), (Rest - T(K)*Rest*K == T(K)*GAINED*K, []), (psd(Rest), [T(K)*GAINED*K]),
+    (Rest*K*NULL == GONE, VANISHING), (GAINED*K*NULL == GONE, VANISHING), (invertible(NULL_GRAM), [NULL_GRAM]), (K*NULL == NULL*ON_NULL, []),
+    (K*NULL_PARTS[0] == lr*NULL_PARTS[0] - li*NULL_PARTS[1], []), (K*NULL_PARTS[1] == li*NULL_PARTS[0] + lr*NULL_PARTS[1], []),
+    (hstack(*NULL_PARTS) == Zero(n, 2), [T(x)*x for x in NULL_PARTS] + [OUTER*T(x)*BOUNDED*x for x in NULL_PARTS]), (schur(ON_NULL), []),
+    (NULL == T(LP)*NULL*ON_NULL, []), (GAINED*NULL*ON_NULL == GONE, []), (inv(P)*NULL == T(Phi)*inv(P)*NULL*ON_NULL, []), (H*MODES == GONE, []),
+    (MODES == GONE, []), (NULL == GONE, []), (invertible(Rest), [])]
+OF_EIGENVECTOR = [says for says, _ in NO_NULL_VECTOR[17:20]]
+LEMMAS = [says for says, _ in NO_NULL_VECTOR[:17] + NO_NULL_VECTOR[20:]]
+
+
+def _positive(*more, inside=()):
+    """P^{-1} - S is positive definite, and what follows it in the same proof."""
+    return order(*(terms for _, terms in NO_NULL_VECTOR), [Rest], *more, roots={R: H}, lemmas=LEMMAS, inside=[
+        within(12, stein=T(K)), within(17, *OF_EIGENVECTOR, vector="right", solutions={BOUNDED: (T(K), I)}, on=2),
+        within(22, pencil=(Seen, Modes, ON_NULL)), *inside])
+
+
+UNDRIVEN_MODE = order(lemmas=[LP == PhiT*(I + S*P), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H), TIGHT*v == inv(P)*v,
+                              P*T(Phi)*inv(P)*v == P*inv(P)*v*mu])
+#: with a weight that is nonnegative definite, X_k is P^{-1} - S and a congruence of S
+STAYS = [pd(Rest), Weight == INNOVATION, psd(Sum), X[t] - Rest == T(Pi[t])*Sum*Pi[t], K*Pi[t] == Pi[t]*K, pd(X[t])]
+
+
 claim("D71-S54", "a null vector of (P - H)^{-1} - P^{-1}",
-      (T(Phi)*inv(P)*v == inv(P)*v*mu) & (H*inv(P)*v == Zero(n, q)),
-      sizes=["n", "p", "q"], over={**FROM_ZERO, v: matrix(n, q), mu: matrix(q, q)}, where=COEFFICIENTS,
-      given=[EQUILIBRIUM, given("eigenvector of (DP - C)*", T(LP)*v == v*mu), given("null vector", (inv(P - H) - inv(P))*v == Zero(n, q))],
-      by=[part("a null vector is an undriven mode; not that there is none"),
-          order(lemmas=[LP == PhiT*(I + S*P), (P - H)*TIGHT == I, TIGHT*(P - H) == I, TIGHT == inv(P - H), TIGHT*v == inv(P)*v,
-                        P*T(Phi)*inv(P)*v == P*inv(P)*v*mu]),
-          example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[[2]]),
-          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], v=[1], mu=[[1]]),
-          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[["-44/9"]], M=[[1]], V=[[1]], P=[[1]], v=[0], mu=[[1]]),
-          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[["6/5"]]),
+      (T(Phi)*inv(P)*v == inv(P)*v*mu) & (H*inv(P)*v == Zero(n, q)) & ((DRIVEN & schur(K)) >> (pd(Rest) & always(t, invertible(X[t])))),
+      sizes=["n", "p", "q"], over={**FROM_ZERO, H: positive_semidefinite(n), v: matrix(n, q), mu: matrix(q, q), K: matrix(n, n)},
+      where=[*COEFFICIENTS, let(Seen, vstack(I, H)), let(Modes, vstack(T(Phi), 0*H)), let(Weight, inv(I + S*P)*S),
+             let(Sum, stein(T(K), Weight)), let(Rest, inv(P) - Sum), POWERS, rec(X, t, inv(P), X[t] - T(Pi[t])*Weight*Pi[t])],
+      given=[EQUILIBRIUM, standing("K = B - PD", K == B - P*D), given("eigenvector of (DP - C)*", T(LP)*v == v*mu), given("null vector", (inv(P - H) - inv(P))*v == Zero(n, q))],
+      by=[induction(also=[[], [], [], STAYS],
+                    base=[UNDRIVEN_MODE, UNDRIVEN_MODE, _positive(),
+                          _positive([inv(I + S*P)], [INNOVATION], [], [], [inv(P)], [], inside=[within(len(LEMMAS) + 2, stein=T(K))])],
+                    step=[order([], [], [], [], [], [T(K*Pi[t])*Sum*(K*Pi[t]), Rest], [])]),
+          example(n=1, p=1, q=1, Phi=[[1]], H=[["1/2"]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[[2]], K=[["1/2"]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], v=[1], mu=[[1]], K=[["3/5"]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[["16/9"]], v=[1], mu=[["5/3"]], K=[["3/5"]]),
+          example(n=1, p=1, q=1, Phi=[["5/3"]], H=[[0]], M=[[1]], V=[[1]], P=[[1]], v=[1], mu=[["6/5"]], K=[["5/6"]]),
           instances(8, n=(1, 2), p=(1, 2), q=(1,), using={E: nonsingular(n), a: scalar(), R: matrix(n, 1)},
                     made_by={mu: Identity(q)*(1 + a**2), Phi: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, 1 + a**2, R[i]), 0))*inv(E),
                              M: matrix_of(i, j, p, n, when(i == j, 1, 0))*inv(E), V: Identity(p),
-                             P: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, (1 + a**2)**2 - 1, 1 + R[i]**2), 0))*T(E), **SOLVED,
-                             v: E*matrix_of(i, j, n, q, when(i == j, 1, 0))})],
-      note="mu stands on the right as a matrix. So P^{-1}v is an eigenvector of Phi' and a null vector of H: an undriven mode, which the hypothesis of the "
-           "theorem and Theorem 3.20 forbid. The rest is not stated here: P^{-1} - S > 0 by Appendix B, and X_k, which lies above it, is nonsingular.")
+                             P: E*matrix_of(i, j, n, n, when(i == j, when(i <= q, (1 + a**2)**2 - 1, R[i]**2 + 1), 0))*T(E), **SOLVED, K: B - P*D, v: E*matrix_of(i, j, n, q, when(i == j, 1, 0))}),
+          *(instances(8, n=size, p=size, q=(1,), horizon=3, using={E: nonsingular(n), U: matrix(n, 1), R: matrix(n, 1)},
+                      made_by={Phi: E*matrix_of(i, j, n, n, when(i == j, 1 + U[i]**2, 0))*inv(E), M: inv(E), V: Identity(p), v: Zero(n, q),
+                               P: E*matrix_of(i, j, n, n, when(i == j, (1 + U[i]**2)**2 + R[i]**2, 0))*T(E), **SOLVED, K: B - P*D}) for size in (1, 2))],
+      note="mu stands on the right as a matrix. So P^{-1}v is an eigenvector of Phi' and a null vector of H: an undriven mode. S of (3.187) is called Sum: stein(M, N) is the solution of X = MXM' + N. That "
+           "all unstable and random walk modes are driven is said by the pencil: (Phi' - w)x = 0 and Hx = 0 with |w| >= 1 give x = 0.")
 
 # --- the solution -------------------------------------------------------------------------------------------------------
 

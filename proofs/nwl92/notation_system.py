@@ -22,13 +22,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from exactkf.evidence import Evidence, example, instances, order, restated, within
+from exactkf.evidence import Evidence, example, instances, order, within
 from exactkf.language import (
     Expr,
     Identity,
     T,
     Zero,
     block,
+    detectable,
     given,
     hstack,
     inv,
@@ -201,15 +202,13 @@ STABILIZER = {Na: matrix(n, l), Nb: matrix(n, p), Ma: matrix(l, l), Mb: matrix(l
 STABILIZABLE_FORMULA = (F_BLOCK * hstack(Na, Nb) + NOISE_G * block([[Ma, Mb], [Mc, Md]])
                         == block([[Identity(l), Zero(l, p)], [Zero(p, l), Identity(p)]])) & schur(A * Na)
 STABILIZABLE = given("stabilizable", STABILIZABLE_FORMULA)
-#: both for the systems of `solved`, whose gains are a detector
-CERTIFIED = {Le: T(U1), Lc: T(U2), Na: T(U1), Nb: T(U2),
-             H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(T(U1), T(U2))),
-             Ma: T(upper(l, p)) * H0 * upper(l, p), Mb: T(upper(l, p)) * H0 * lower(l, p),
-             Mc: T(lower(l, p)) * H0 * upper(l, p), Md: T(lower(l, p)) * H0 * lower(l, p)}
+#: Definition 4.1: sF - tK has full column rank, (sF - tK, G) full row rank, for all (s, t) other than (0, 0) with |s| >= |t|
+K_BLOCK = vstack(A, Zero(p, n))
+DETECTABLE_PENCIL = F_BLOCK, K_BLOCK
+STABILIZABLE_PENCIL = T(hstack(F_BLOCK, NOISE_G)), T(hstack(K_BLOCK, 0 * NOISE_G))
+STABILIZABLE_PAIR = given("stabilizable", detectable(*STABILIZABLE_PENCIL))
 CERTIFICATES = ("Detectability is said as in Lemma 4.1: (E; C) has a left inverse (Le Lc) with stable Le A; the converse is plain, as "
                 "(E - tA)x = 0 and Cx = 0 give x = t Le A x. Stabilizability is the same for the transposed matrices.")
-#: what it takes to say both in this way
-CERTIFICATE_FACT = restated("a detectable pair (A, C) has a D with stable A + DC, on which Lemma 4.1 rests")
 
 
 # ------------------------------------------------------------------ two solutions of one Riccati equation

@@ -59,12 +59,9 @@ from exactkf.language import (
 from proofs.nwl92.notation import any_one_inverse, one_inverse
 from proofs.nwl92.notation_system import (
     BOTTOM,
-    CERTIFICATE_FACT,
-    CERTIFICATES,
     COVARIANCE,
     F_BLOCK,
     GRAM,
-    H0,
     IMPLIED_RANK,
     INVERSE,
     LAST,
@@ -78,8 +75,8 @@ from proofs.nwl92.notation_system import (
     RANDOM_NOISE_FREE,
     RANK,
     SIZES,
-    STABILIZABLE,
-    STABILIZER,
+    STABILIZABLE_PAIR,
+    STABILIZABLE_PENCIL,
     STEP,
     STEP_GIVEN,
     SYSTEM,
@@ -96,12 +93,6 @@ from proofs.nwl92.notation_system import (
     E,
     K,
     L,
-    Ma,
-    Mb,
-    Mc,
-    Md,
-    Na,
-    Nb,
     Oi,
     Oia,
     Oib,
@@ -140,7 +131,6 @@ from proofs.nwl92.section_4_steady_state import (
     SOLVED,
     SOLVED_GAINS,
     UNBIASED,
-    ZEROS,
     Pz,
     constant_gain,
     error_of,
@@ -383,27 +373,21 @@ claim("NWL92-T4.2", "detectability gives a nonnegative solution of the Riccati e
       note="What is tested is that the sequence from zero increases and is bounded; its limit is the solution.")
 
 # ------------------------------------------------------------------ what stabilizability gives
+v0, v1 = null_vector(0), null_vector(1)
+VV = vstack(v0, v1)
 PRINTED_ROWS = block([[E, Q, S], [C, T(S), R]])
 RIGHT_ROWS = block([[E, Q, -S], [C, -T(S), R]])
 Rows = sym("Rows")
 #: E = C = Q = S = R = 1, A = 0, with a right inverse up to the noise
-SAME_SIGN = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[1]], Na: [["1/2"]], Nb: [["1/2"]], Ma: [["1/2"]], Mb: [["-1/2"]], Mc: [[0]],
-             Md: [[0]]}
-ROWS_OVER = {**SYSTEM, **STABILIZER}
-FIRST_L, LAST_P = hstack(Identity(l), Zero(l, p)), hstack(Zero(p, l), Identity(p))
-#: A = 0, and a certificate from any left inverse of (E; C)
-ROWS_MADE = {**RANDOM_NOISE, A: Zero(l, n), Fi: inv(GRAM), Na: Fi * T(E), Nb: Fi * T(C), H0: one_inverse(NOISE_G) * (Identity(l + p) - F_BLOCK * hstack(Na, Nb)),
-             Ma: FIRST_L * H0 * T(FIRST_L), Mb: FIRST_L * H0 * T(LAST_P), Mc: LAST_P * H0 * T(FIRST_L), Md: LAST_P * H0 * T(LAST_P)}
-ROWS_DRAWN = instances(made_by=ROWS_MADE, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)
-EMPTY = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]], C: [[0]], Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
+SAME_SIGN = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[1]], S: [[1]], R: [[1]], E: [[1]], C: [[1]]}
+ROWS_DRAWN = instances(made_by={**RANDOM_NOISE, A: Zero(l, n)}, using=RANDOM_NOISE_FREE, **RECURSION_SIZES)
+EMPTY = {"l": 1, "p": 1, "n": 1, A: [[0]], Q: [[0]], S: [[0]], R: [[0]], E: [[0]], C: [[0]]}
 claim("NWL92-S34", "stabilizability gives full row rank, as printed with S for -S",
-      rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, PRINTED_ROWS)], given=[NOISE, STABILIZABLE], by=[example(SAME_SIGN), ROWS_DRAWN],
+      rank(Rows) == l + p, sizes=["l", "n", "p"], over=SYSTEM, where=[let(Rows, PRINTED_ROWS)], given=[NOISE, STABILIZABLE_PAIR], by=[example(SAME_SIGN), ROWS_DRAWN],
       repair=repair("sign", "S must have the sign it has in Definition 4.1, which (s, t) = (1, 0) gives: with S for -S the rank is another one",
-                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=ROWS_OVER, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE], by=[CERTIFICATE_FACT, order(), example(EMPTY), ROWS_DRAWN]),
-      note=CERTIFICATES)
+                    rank(Rows) == l + p, sizes=["l", "n", "p"], over=SYSTEM, where=[let(Rows, RIGHT_ROWS)], given=[STABILIZABLE_PAIR],
+                    by=[order(inside=[within(0, VV == Zero(l + p, 1), vector="left", pencil=STABILIZABLE_PENCIL, on=0)]), example(EMPTY), ROWS_DRAWN]))
 
-v0, v1 = null_vector(0), null_vector(1)
-VV = vstack(v0, v1)
 ROWS_ENERGY = [T(VV) * COVARIANCE * VV, T(v0) * A * P * T(A) * v0]
 ROWS_PROOF = order([], ROWS_ENERGY, [], inside=[within(0, (ROWS_ENERGY[0] + ROWS_ENERGY[1]) * Identity(1) == Zero(1, 1), COVARIANCE * VV == Zero(l + p, 1),
                                                        vector="left")])
@@ -440,15 +424,14 @@ not_checked("NWL92-E4.37", "the steady-state filter", DEFINITION)
 
 claim("NWL92-T4.3.3", "the steady-state filter is stable", **NO_EIGENVECTOR, note=AT_EACH)
 
-UNIQUE_OVER, UNIQUE_LETS = {**TWO_OVER, **STABILIZER}, [*TWO_LETS, *TWO_GAINS]
-UNIQUE_GIVEN = [*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE]
-UNIQUE_EVIDENCE = [example({**PAIR_OF_SOLUTIONS, **ZEROS}), *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME]
+UNIQUE_GIVEN = [*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE_PAIR]
+UNIQUE_EVIDENCE = [example(PAIR_OF_SOLUTIONS), *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME]
 EXISTENCE_FACTS = ["an increasing bounded sequence of symmetric matrices converges", "the ranges of an increasing sequence of nonnegative matrices become constant"]
 UNIQUE_STEPS = steps("NWL92-S28", "NWL92-S37", "NWL92-E4.45", "NWL92-E4.46", "NWL92-S39", facts=EXISTENCE_FACTS,
                      prose="There is a solution, by the argument of Theorem 4.2, and two are equal.")
 claim("NWL92-T4.3.2", "the Riccati equation has exactly one nonnegative solution",
-      Pa == Pb, sizes=["l", "n", "p"], over=UNIQUE_OVER, where=UNIQUE_LETS, given=UNIQUE_GIVEN, by=[UNIQUE_STEPS, *UNIQUE_EVIDENCE],
-      note=CERTIFICATES + " That there is one is Theorem 4.2.")
+      Pa == Pb, sizes=["l", "n", "p"], over=TWO_OVER, where=[*TWO_LETS, *TWO_GAINS], given=UNIQUE_GIVEN, by=[UNIQUE_STEPS, *UNIQUE_EVIDENCE],
+      note="That there is one is Theorem 4.2.")
 
 WHOLE = {"sizes": ["l", "n", "p"], "over": {**LG, P: positive_semidefinite(n), P0: positive_semidefinite(n)},
          "where": [FROM_ZERO, rec(Pt, t, P0, next_covariance(Pt[t])), rec(Wt, t, P0, constant_gain(Wt[t])), rec(Pow, t, Identity(n), L * A * Pow[t])],

@@ -61,9 +61,6 @@ from exactkf.language import (
 from proofs.nwl92 import notation as two
 from proofs.nwl92.notation_system import (
     BOTTOM,
-    CERTIFICATE_FACT,
-    CERTIFICATES,
-    CERTIFIED,
     COVARIANCE,
     F_BLOCK,
     FIRST_TWO,
@@ -80,8 +77,8 @@ from proofs.nwl92.notation_system import (
     OTHER_INVERSE,
     RANDOM_NOISE,
     RANDOM_NOISE_FREE,
-    STABILIZABLE,
-    STABILIZER,
+    STABILIZABLE_PAIR,
+    STABILIZABLE_PENCIL,
     STEP,
     STEP_GIVEN,
     TWO_DRAWN,
@@ -104,12 +101,6 @@ from proofs.nwl92.notation_system import (
     L,
     La,
     Lb,
-    Ma,
-    Mb,
-    Mc,
-    Md,
-    Na,
-    Nb,
     Oi,
     Om,
     Oma,
@@ -363,27 +354,25 @@ EXCESS = lr * lr + li * li - 1
 def stable_gains(*solved_by, unique=None):
     """LA is stable for each (P, blocks of its (1)-inverse, L, K) that solves (4.31); then the conclusion, an equation perhaps ``unique`` as in `within`.
 
-    For an eigenvector v outside the open disc the Riccati equation makes v(L K)G zero. The certificate of stabilizability is a right inverse
-    N of (E; C) up to G, so that v(L K) = vN, and vL is an eigenvector of A Na for the same eigenvalue; as A Na is stable, vL = 0. So lam v = vLA = 0.
+    For an eigenvector v outside the open disc the Riccati equation makes v(L K)G zero, and v(L K)(lam F - K) = lam v - vLA = 0: so v(L K) = 0 by
+    stabilizability, and lam v = vLA = 0.
     """
     identities, needs, inside = identities_of([(solution, blocks) for solution, blocks, *_ in solved_by], n)
     for number, (solution, _, first, second) in enumerate(solved_by, len(identities)):
         gain = hstack(first, second)
         noise = [T(v) * gain * FLIP * PRINTED_G * FLIP * T(gain) * v for v in (vr, vi)] + [EXCESS * T(v) * solution * v for v in (vr, vi)]
         energy = sum((T(v) * gain * NOISE_G * T(gain) * v for v in (vr, vi)), EXCESS * (T(vr) * solution * vr + T(vi) * solution * vi))
-        ends = [T(first) * v for v in (vr, vi)]
+        ends = [T(gain) * v for v in (vr, vi)]
         inside.append(within(
-            number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)),
-            hstack(*ends) == T(Na) * hstack(vr, vi), T(A * Na) * ends[0] == lr * ends[0] - li * ends[1], T(A * Na) * ends[1] == li * ends[0] + lr * ends[1],
-            hstack(*ends) == Zero(l, 2), vector="left", solutions={BOUND: (A * Na, Identity(l))}, on=6))
-        needs += [[], noise, noise, [], [], [], [T(x) * x for x in ends] + [EXCESS * T(x) * BOUND * x for x in ends],
-                  [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
+            number, energy * Identity(1) == Zero(1, 1), *(T(v) * gain * NOISE_G == Zero(1, l + p) for v in (vr, vi)), hstack(*ends) == Zero(l + p, 2),
+            vector="left", pencil=(*STABILIZABLE_PENCIL, lr, li), on=3))
+        needs += [[], noise, noise, [], [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
     stable = [schur(first * A) for _, _, first, _ in solved_by]
+    if unique is None:
+        return order(*needs, lemmas=identities, inside=inside)
     return order(*needs, lemmas=[*identities, *stable], inside=[*inside, within(len(identities) + len(stable), unique=unique)])
 
 
-BOUND = sym("Bound")
-ZEROS = {Na: [[0]], Nb: [[0]], Ma: [[0]], Mb: [[0]], Mc: [[0]], Md: [[0]]}
 #: [lam E - A, Q, -S; lam C, -S', R] in real form, and what v(L K) gives with it
 AT_LAM = block([[REAL_PART, NOISE_G, -IMAGINARY_PART, 0 * NOISE_G], [IMAGINARY_PART, 0 * NOISE_G, REAL_PART, NOISE_G]])
 BOTH_ENDS = hstack(v1 * GAIN, v2 * GAIN)
@@ -410,18 +399,18 @@ PAIR_OF_SOLUTIONS = {"l": 1, "p": 1, "n": 1, A: [[2]], E: [[1]], C: [[1]], Q: [[
                      **dict(zip(INVERSE, ([["1/4"]], [["-1/4"]], [["1/4"]], [["1/4"]], [["3/4"]], [["-3/4"]]), strict=True)),
                      **dict(zip(OTHER_INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True))}
 #: the same with A = 0, where 0 is the only solution
-ONE_SOLUTION = {A: [[0]], **dict(zip(INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True)), **ZEROS, Na: [[1]], Mc: [[-1]], Md: [[1]]}
+ONE_SOLUTION = {A: [[0]], **dict(zip(INVERSE, ([[1]], [[-1]], [[1]], [[1]], [[0]], [[0]]), strict=True)), }
 MADE_ONCE, FREE_ONCE = solved()
-SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0], **CERTIFIED},
+SAME = instances(6, made_by={**MADE_ONCE, Pa: P, Pb: P, **made_blocks(Oma)[0], **made_blocks(Omb, OTHER_INVERSE, Y2)[0]},
                  using={**FREE_ONCE, **made_blocks(Oma)[1], **made_blocks(Omb, OTHER_INVERSE, Y2)[1], H0: matrix(l + p, l + p),
                         P: positive_semidefinite(n)}, l=(1, 2), p=1, n=(1, 2))
 claim("NWL92-S39", "there is at most one nonnegative solution",
-      Pa == Pb, sizes=["l", "n", "p"], over={**TWO_OVER, **STABILIZER}, where=[*TWO_LETS, *TWO_GAINS],
-      given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE],
-      by=[CERTIFICATE_FACT, stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
-          example({**PAIR_OF_SOLUTIONS, **ZEROS}),
+      Pa == Pb, sizes=["l", "n", "p"], over=TWO_OVER, where=[*TWO_LETS, *TWO_GAINS],
+      given=[*TWO_STANDING, *SOLVED, NOISE, IMPLIED_RANK, STABILIZABLE_PAIR],
+      by=[stable_gains((Pa, INVERSE, La, Ka), (Pb, OTHER_INVERSE, Lb, Kb), unique=(Lb * A, T(La * A))),
+          example(PAIR_OF_SOLUTIONS),
           *[example({**PAIR_OF_SOLUTIONS, **ONE_SOLUTION, Pa: [[c]], Pb: [[1 - c]]}) for c in (1, 0)], SAME],
-      note=CERTIFICATES + " Full column rank of (E; C) is what is needed of detectability.")
+      note="Full column rank of (E; C) is what is needed of detectability.")
 
 claim("NWL92-E4.45", "difference of two solutions",
       DIFFERENCE == (Lb * A) * DIFFERENCE * T(La * A), sizes=["l", "n", "p"], over=TWO_OVER, where=[*TWO_LETS, *TWO_GAINS],

@@ -38,6 +38,7 @@ from exactkf.language import (
     block,
     defined,
     det,
+    detectable,
     diagonal,
     eq,
     given,
@@ -67,7 +68,6 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92.notation import lower, one_inverse, real_form, upper
-from proofs.nwl92.notation_system import CERTIFICATE_FACT
 
 l, p, n, k = symbols("l p n k")
 A, Q, S, R, E, C = symbols("A Q S R E C")
@@ -546,33 +546,45 @@ claim("NWL92-E5.35", "(X; Y)w = 0 gives w = 0",
       note="Full column rank is said through a left inverse.")
 
 FULL_BASIS = given("(X; Y) has full column rank", rank(vstack(X, Y)) == n)
-CERTIFIED_SPACE = {L: hstack(Identity(n), Zero(n, k - n)) * inv(V), N1: L, N2: one_inverse(G) * (Identity(k) - F * L)}
-STABLE_SPACE = spaces(CERTIFIED_SPACE)
-#: N spans the null space of F'Y, on which J acts as J N = N JN
-N = kernel_basis(T(F) * Y)
-N_GRAM = T(N) * N
-JN = inv(N_GRAM) * T(N) * J * N
 (er, ei), (lr, li) = EIGENVECTOR, EIGENVALUE
-XR, XI, OUTSIDE = N * er, N * ei, lr * lr + li * li - 1
-#: by (5.28) to (5.30) Y N = 0; by (5.31) the null space is invariant; JN is stable, as its eigenvectors are those of J; X N = (LK)(X N)JN by (5.33) is zero
-INVERTIBLE_NEEDS = [
-    [T(Y) * G * Y], [T(N) * T(Y) * G * Y * N, T(N) * T(J) * YFX * J * N], [], [], [N_GRAM], [],
-    [], [], [T(x) * x for x in (XR, XI)] + [OUTSIDE * T(x) * BOUND * x for x in (XR, XI)], [], []]
-INVERTIBLE_LEMMAS = [NONNEGATIVE, G * (Y * N) == 0 * (Y * N), Y * N == 0 * (Y * N), T(F) * Y * J * N == 0 * N, invertible(N_GRAM), J * N == N * JN, schur(JN),
-                     X * N == 0 * (X * N)]
-INVERTIBLE_INSIDE = [
-    within(0, stein=T(J)), within(6, J * XR == lr * XR - li * XI, J * XI == li * XR + lr * XI, hstack(XR, XI) == Zero(n, 2), vector="right",
-                                  solutions={BOUND: (T(J), Identity(n))}, on=2),
-    within(7, unique=(L * K, JN))]
-INVERTIBLE_PROOF = order(*INVERTIBLE_NEEDS, lemmas=INVERTIBLE_LEMMAS, inside=INVERTIBLE_INSIDE)
+
+
+def full_rows(F, K, G):
+    """The pencil whose detectability is that (sF - tK, G) has full row rank."""
+    return T(hstack(F, G)), T(hstack(K, 0 * G))
+
+
+def invertible_proof(F, K, G, X, Y, J, start=0, rows=None):
+    """F'Y is invertible: terms, lemmas and their help, for leaves counted from ``start``.
+
+    N spans the null space of F'Y, on which J acts as JN = N J N. By (5.28) to (5.30) Y N = 0; by (5.31) the null space is invariant; JN is stable, as its
+    eigenvectors are those of J; F X N = K X N JN by (5.33) gives X N = 0.
+    """
+    N = kernel_basis(T(F) * Y)
+    gram, outside = T(N) * N, lr * lr + li * li - 1
+    JN, form = inv(gram) * T(N) * J * N, T(Y) * F * X
+    parts = N * er, N * ei
+    needs = [[T(Y) * G * Y], [T(N) * T(Y) * G * Y * N, T(N) * T(J) * form * J * N], [], [], [gram], [],
+             [], [], [T(x) * x for x in parts] + [outside * T(x) * BOUND * x for x in parts], [], []]
+    lemmas = [psd(form), G * (Y * N) == 0 * (Y * N), Y * N == 0 * (Y * N), T(F) * Y * J * N == 0 * N, invertible(gram), J * N == N * JN, schur(JN),
+              X * N == 0 * (X * N)]
+    eigenvector = [J * parts[0] == lr * parts[0] - li * parts[1], J * parts[1] == li * parts[0] + lr * parts[1], hstack(*parts) == Zero(n, 2)]
+    inside = [within(start, stein=T(J)), within(start + 2, pencil=rows or full_rows(F, K, G)),
+              within(start + 6, *eigenvector, vector="right", solutions={BOUND: (T(J), Identity(n))}, on=2), within(start + 7, pencil=(F, K, JN))]
+    return needs, lemmas, inside
+
+
+_needs, _lemmas, _inside = invertible_proof(F, K, G, X, Y, J)
+INVERTIBLE_PROOF = order(*_needs, lemmas=_lemmas, inside=_inside)
+#: Definition 4.1
+BOTH = [standing("detectable", detectable(F, K)), given("stabilizable", detectable(*full_rows(F, K, G)))]
 claim("NWL92-S49", "F'Y is invertible",
-      invertible(T(F) * Y), sizes=["k", "n"], over={**EIGENSPACE, **CERTIFICATES},
-      given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS,
-             standing("detectable", (L * F == Identity(n)) & schur(L * K)), standing("stabilizable", (F * N1 + G * N2 == Identity(k)) & schur(K * N1))],
-      by=[CERTIFICATE_FACT, INVERTIBLE_PROOF,
-          example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[1]], Y: [[0]], J: [[2]], L: [[1]], N1: [[1]], N2: [[0]]}),
-          example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[0]], Y: [[0]], J: [[0]], L: [[1]], N1: [[1]], N2: [[0]]}),
-          STABLE_SPACE], note=CERTIFIED)
+      invertible(T(F) * Y), sizes=["k", "n"], over=EIGENSPACE,
+      given=[standing("(5.25)", F * X - G * Y == K * X * J), standing("(5.26)", T(K) * Y == T(F) * Y * J), STABLE, FULL_BASIS, *BOTH],
+      by=[INVERTIBLE_PROOF,
+          example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[1]], Y: [[0]], J: [[2]]}),
+          example({"k": 1, "n": 1, F: [[1]], K: [["1/2"]], G: [[0]], X: [[0]], Y: [[0]], J: [[0]]}),
+          example({"k": 2, "n": 1, F: [[1], [0]], K: [["1/2"], [0]], G: [[0, 0], [0, 0]], X: [[0]], Y: [[0], [1]], J: [[0]]}), spaces()])
 
 FY = T(F) * Y
 INNER = G + K * X * inv(FY) * T(K)

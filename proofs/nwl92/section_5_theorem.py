@@ -23,7 +23,7 @@ a left eigenvector of the stable K N1.
 from __future__ import annotations
 
 from exactkf.claims import claim, not_checked, repair
-from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, instances, order, restated, steps, within
+from exactkf.evidence import EIGENVALUE, EIGENVECTOR, combination, example, instances, order, steps, within
 from exactkf.language import (
     Identity,
     T,
@@ -33,6 +33,7 @@ from exactkf.language import (
     circle_roots,
     degree,
     det,
+    detectable,
     given,
     hstack,
     inside_roots,
@@ -43,6 +44,7 @@ from exactkf.language import (
     nonsingular,
     outside_roots,
     positive_semidefinite,
+    psd,
     rank,
     rational,
     rev,
@@ -55,12 +57,9 @@ from exactkf.language import (
     vstack,
 )
 from proofs.nwl92 import notation_system as system
-from proofs.nwl92.notation import lower, one_inverse, upper
+from proofs.nwl92.notation import lower, upper
 from proofs.nwl92.section_5 import (
-    CERTIFIED,
-    INVERTIBLE_INSIDE,
-    INVERTIBLE_LEMMAS,
-    INVERTIBLE_NEEDS,
+    BOTH,
     M_PENCIL,
     N_PENCIL,
     PENCIL,
@@ -70,6 +69,8 @@ from proofs.nwl92.section_5 import (
     G,
     K,
     V,
+    full_rows,
+    invertible_proof,
     systems,
 )
 
@@ -150,28 +151,49 @@ claim("NWL92-E5.18", "the eigenspace relation, as printed without J and with -S"
 PSD = {P: positive_semidefinite(n), U1: matrix(l, n), U2: matrix(p, n)}
 NOISE_P = K_ * P * T(K_) + G_
 SOLVES = given("P solves (4.19)", (NOISE_P * U == F_ * P) & (T(F_) * U == Identity(n)))
-Na, Nb, Ma, Mb, Mc, Md = (system.Na, system.Nb, system.Ma, system.Mb, system.Mc, system.Md)
-STABLE_GAIN = given("U'K stable", schur(T(U) * K_))
 GAPS = X - P * FY
 THEOREM_NOTE = ("P solves (4.19) if (KPK' + G)(U1; U2) = (E; C)P and (U1' U2')(E; C) = I, as the last block column (U; -P) of the inverse of the 3-block matrix does. ")
 #: E = C = R = 1, A = 2, Q = S = 0: the solutions 3/4 and 0, the modes 1/2 and 2
 TWO = {"l": 1, "p": 1, "n": 1, E: [[1]], A: [[2]], Q: [[0]], S: [[0]], R: [[1]], C: [[1]], X: [[1]], Y1: [["1/3"]], Y2: [[1]], J: [["1/2"]], P: [["3/4"]],
        U1: [["1/4"]], U2: [["3/4"]]}
-TWO_FOILS = [{X: [[0]], Y1: [[1]], Y2: [[0]], J: [[2]]}, {P: [[0]], U1: [[1]], U2: [[0]]}, {P: [[5]]}]
 MADE_P = {**MADE, U1: T(upper(l, p)) * U_ALL, U2: T(lower(l, p)) * U_ALL}
-MADE_CERTIFIED = {**MADE_P, Na: T(U1), Nb: T(U2), system.H0: one_inverse(G_) * (Identity(l + p) - F_ * T(U)),
-                  Ma: T(upper(l, p)) * system.H0 * upper(l, p), Mb: T(upper(l, p)) * system.H0 * lower(l, p),
-                  Mc: T(lower(l, p)) * system.H0 * upper(l, p), Md: T(lower(l, p)) * system.H0 * lower(l, p)}
-P_FOILS = [example({**TWO, **change}) for change in TWO_FOILS]
 DRAWN_P = instances(made_by=MADE_P, using=FREE, **SIZES)
+(vr, vi), (lr, li) = EIGENVECTOR, EIGENVALUE
+EXCESS = lr * lr + li * li - 1
+
+
+def theorem_proof(F, K, G, X, Y, J, P, U, size):
+    """U'K is stable, P F'Y = X, and F'Y is invertible.
+
+    For an eigenvector v of (U'K)' outside the open disc v'U'G = 0 and v'U'(lam F - K) = 0, so that v'U' = 0 by stabilizability.
+    """
+    energies = [term for v in (vr, vi) for term in (T(v) * T(U) * G * U * v, EXCESS * T(v) * P * v)]
+    ends, rows = hstack(U * vr, U * vi), full_rows(F, K, G)
+    needs, lemmas, inside = invertible_proof(F, K, G, X, Y, J, start=2)
+    unstable = within(0, sum(energies[1:], energies[0]) * Identity(1) == Zero(1, 1), *(T(v) * T(U) * G == Zero(1, size) for v in (vr, vi)), ends == Zero(size, 2),
+                      vector="left", pencil=(*rows, lr, li), on=3)
+    return order([], energies, energies, [], [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)], [], *needs,
+                 lemmas=[schur(T(U) * K), X - P * T(F) * Y == Zero(n, n), *lemmas], inside=[unstable, within(1, unique=(T(U) * K, J)), *inside])
+
+
+FULL_BASIS = "(X; Y) has full column rank"
+DETECTABLE, STABILIZABLE = standing("detectable", detectable(*system.DETECTABLE_PENCIL)), given("stabilizable", detectable(*system.STABILIZABLE_PENCIL))
+#: E = C = R = 1, A = 2, Q = 7/2, S = 0: the solution 7/8, the modes 1/4 and 4
+NOISY = {"l": 1, "p": 1, "n": 1, E: [[1]], A: [[2]], Q: [["7/2"]], S: [[0]], R: [[1]], C: [[1]], X: [[7]], Y1: [[1]], Y2: [[7]], J: [["1/4"]], P: [["7/8"]],
+         U1: [["1/8"]], U2: [["7/8"]]}
+#: A = 1, Q = 1, R = 2: both parts of F'Y are 1
+EVEN = {**TWO, A: [[1]], Q: [[1]], R: [[2]], X: [[2]], Y1: [[1]], Y2: [[1]], J: [["1/2"]], P: [[1]], U1: [["1/2"]], U2: [["1/2"]]}
+P_FOILS = [example({**TWO, P: [[0]], U1: [[1]], U2: [[0]]}), example(EVEN),
+           *[example({**NOISY, **change}) for change in ({X: [[1]], Y1: [[-2]], Y2: [[1]], J: [[4]]}, {P: [[5]]}, {X: [[0]], Y1: [[0]], Y2: [[0]]})]]
 claim("NWL92-E5.19", "the solution of the Riccati equation, as printed with Y_1 twice",
       P == X * inv(T(E) * Y1 + T(C) * Y1), sizes=["l", "p", "n"], over={**SPACE, **PSD}, tex=TEX,
-      given=[FIRST, SECOND, J_STABLE, SOLVES, STABLE_GAIN], by=[example(TWO), DRAWN_P],
+      given=[FIRST, SECOND, J_STABLE, SOLVES, DETECTABLE, STABILIZABLE], by=[example(TWO), DRAWN_P],
       repair=repair("index", "the second Y_1 must be Y_2, as C' has p columns and F'Y = E'Y_1 + C'Y_2",
-                    P == X * inv(FY), sizes=["l", "p", "n"], over={**SPACE, **PSD}, tex=TEX,
-                    given=[standing("(5.25)", F_ * X - G_ * Y == K_ * X * J), standing("(5.26)", T(K_) * Y == FY * J), J_STABLE, SOLVES, STABLE_GAIN],
-                    by=[restated("U'K is stable, and F'Y invertible, for detectable and stabilizable systems (NWL92-S37, NWL92-S49)"), order(lemmas=[GAPS == Zero(n, n)], inside=[within(0, unique=(T(U) * K_, J))]), *P_FOILS, DRAWN_P]),
-      note=THEOREM_NOTE + "U'K is LA, stable by NWL92-S37; F'Y is invertible by NWL92-S49.")
+                    invertible(FY) & (P == X * inv(FY)), sizes=["l", "p", "n"], over={**SPACE, **PSD}, tex=TEX,
+                    given=[standing("(5.25)", F_ * X - G_ * Y == K_ * X * J), standing("(5.26)", T(K_) * Y == FY * J), J_STABLE, SOLVES,
+                           given(FULL_BASIS, rank(vstack(X, Y)) == n), standing("G is the covariance of (u, -r)", psd(G_)), DETECTABLE, STABILIZABLE],
+                    by=[theorem_proof(F_, K_, G_, X, Y, J, P, U, l + p), *P_FOILS, DRAWN_P]),
+      note=THEOREM_NOTE)
 
 not_checked("NWL92-E5.20", "Y stands for (Y_1; Y_2)", DEFINITION)
 
@@ -179,69 +201,32 @@ not_checked("NWL92-E5.20", "Y stands for (Y_1; Y_2)", DEFINITION)
 Yk, Uk, Xk, Jk, Pk = symbols("Y U X J P")
 GENERAL = {**PENCIL, Xk: matrix(n, n), Yk: matrix(k, n), Jk: matrix(n, n), Pk: positive_semidefinite(n), Uk: matrix(k, n)}
 GENERAL_GIVEN = [standing("(5.25)", F * Xk - G * Yk == K * Xk * Jk), standing("(5.26)", T(K) * Yk == T(F) * Yk * Jk), J_STABLE,
-                 given("P solves (4.19)", ((K * Pk * T(K) + G) * Uk == F * Pk) & (T(Uk) * F == Identity(n))), given("U'K stable", schur(T(Uk) * K))]
+                 given(FULL_BASIS, rank(vstack(Xk, Yk)) == n), *BOTH, given("P solves (4.19)", ((K * Pk * T(K) + G) * Uk == F * Pk) & (T(Uk) * F == Identity(n)))]
 GENERAL_DRAWN = instances(made_by={**SPACE_MADE, Uk: T(inv(V)) * vstack(Identity(n), Zero(k - n, n))}, using=SPACE_FREE, k=(2, 3), n=(1, 2))
 #: F = 1 + e_12, K = 0, G = I: X = (F'F)^-1, Y = F'^-1
 SQUARE = {"k": 2, "n": 2, F: [[1, 1], [0, 1]], K: [[0, 0], [0, 0]], G: [[1, 0], [0, 1]], Xk: [[2, -1], [-1, 1]], Yk: [[1, 0], [-1, 1]], Jk: [[0, 0], [0, 0]],
           Pk: [[2, -1], [-1, 1]], Uk: [[1, 0], [-1, 1]]}
-#: the systems of TWO
+#: the systems of TWO and NOISY
 GENERAL_TWO = {"k": 2, "n": 1, F: [[1], [1]], K: [[2], [0]], G: [[0, 0], [0, 1]], Xk: [[1]], Yk: [["1/3"], [1]], Jk: [["1/2"]], Pk: [["3/4"]], Uk: [["1/4"], ["3/4"]]}
+GENERAL_NOISY = {"k": 2, "n": 1, F: [[1], [1]], K: [[2], [0]], G: [["7/2", 0], [0, 1]], Xk: [[7]], Yk: [[1], [7]], Jk: [["1/4"]], Pk: [["7/8"]], Uk: [["1/8"], ["7/8"]]}
+GENERAL_FOILS = [example({**GENERAL_TWO, Pk: [[0]], Uk: [[1], [0]]}),
+                 *[example({**GENERAL_NOISY, **change}) for change in ({Xk: [[1]], Yk: [[-2], [1]], Jk: [[4]]}, {Pk: [[5]]}, {Xk: [[0]], Yk: [[0], [0]]})]]
+GENERAL_PROOF = theorem_proof(F, K, G, Xk, Yk, Jk, Pk, Uk, k)
 claim("NWL92-E5.21", "the solution of the Riccati equation in the notation (5.2), as printed with F for F'",
       Pk == Xk * inv(F * Yk), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN, by=[example(SQUARE), GENERAL_DRAWN],
       repair=repair("other", "the transpose of F is missing, without which the product does not exist unless F is square",
-                    Pk == Xk * inv(T(F) * Yk), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN,
-                    by=[restated("U'K is stable, and F'Y invertible, for detectable and stabilizable systems (NWL92-S37, NWL92-S49)"), order(lemmas=[Xk - Pk * T(F) * Yk == Zero(n, n)], inside=[within(0, unique=(T(Uk) * K, Jk))]),
-                        *[example({**GENERAL_TWO, **change}) for change in (
-                            {Xk: [[0]], Yk: [[1], [0]], Jk: [[2]]}, {Pk: [[0]], Uk: [[1], [0]]}, {Pk: [[5]]})], GENERAL_DRAWN]),
-      note=THEOREM_NOTE + "U'K is LA, stable by NWL92-S37; F'Y is invertible by NWL92-S49.")
+                    invertible(T(F) * Yk) & (Pk == Xk * inv(T(F) * Yk)), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN,
+                    by=[GENERAL_PROOF, *GENERAL_FOILS, GENERAL_DRAWN]),
+      note=THEOREM_NOTE)
 
 # ------------------------------------------------------------------ Theorem 5.1
-Lk, M1, M2, BOUND = symbols("L N1 N2 Bound1")
-(vr, vi), (lr, li) = EIGENVECTOR, EIGENVALUE
-EXCESS = lr * lr + li * li - 1
-GAIN = T(Uk)
-
-
-def energies(v):
-    """v'U'GUv and (|lam|^2 - 1)v'Pv, which add up to zero over both parts of an eigenvector."""
-    return [T(v) * GAIN * G * Uk * v, EXCESS * T(v) * Pk * v]
-
-
-ENDS = [T(M1) * v for v in (vr, vi)]
-ALL_ENERGIES = [*energies(vr), *energies(vi)]
-#: an eigenvector v of (U'K)' outside the open disc is zero
-GAIN_STEPS = within(0, sum(ALL_ENERGIES[1:], ALL_ENERGIES[0]) * Identity(1) == Zero(1, 1), *(T(v) * GAIN * G == Zero(1, k) for v in (vr, vi)),
-                    hstack(Uk * vr, Uk * vi) == hstack(*ENDS),
-                    T(K * M1) * ENDS[0] == lr * ENDS[0] - li * ENDS[1], T(K * M1) * ENDS[1] == li * ENDS[0] + lr * ENDS[1], hstack(*ENDS) == Zero(k, 2),
-                    vector="left", solutions={BOUND: (K * M1, Identity(k))}, on=6)
-GAIN_NEEDS = [[], ALL_ENERGIES, ALL_ENERGIES, [], [], [], [T(x) * x for x in ENDS] + [EXCESS * T(x) * BOUND * x for x in ENDS],
-              [T(v) * v for v in (vr, vi)] + [EXCESS * T(v) * v for v in (vr, vi)]]
-SPACE_STEPS = [help_ | {"number": help_["number"] + 2} for help_ in INVERTIBLE_INSIDE]
-CERTIFICATE = {Lk: matrix(n, k), M1: matrix(n, k), M2: matrix(k, k)}
-DETECTABLE = standing("detectable", (Lk * F == Identity(n)) & schur(Lk * K))
-STABILIZABLE = given("stabilizable", (F * M1 + G * M2 == Identity(k)) & schur(K * M1))
-THEOREM = {**GENERAL, **CERTIFICATE}
-THEOREM_GIVEN = [*GENERAL_GIVEN[:2], J_STABLE, given("(X; Y) has full column rank", rank(vstack(Xk, Yk)) == n), DETECTABLE, STABILIZABLE, GENERAL_GIVEN[3]]
-THEOREM_DRAWN = instances(made_by={**SPACE_MADE, Uk: T(inv(V)) * vstack(Identity(n), Zero(k - n, n)), Lk: hstack(Identity(n), Zero(n, k - n)) * inv(V), M1: Lk,
-                                   M2: one_inverse(G) * (Identity(k) - F * Lk)}, using=SPACE_FREE, k=(2, 3), n=(1, 2))
-CERTIFIED_TWO = {**GENERAL_TWO, Lk: [["1/4", "3/4"]], M1: [["1/4", "3/4"]], M2: [[0, 0], ["-1/4", "1/4"]]}
-#: the same with Q = 7/2: the solution 7/8, the modes 1/4 and 4
-NOISY = {"k": 2, "n": 1, F: [[1], [1]], K: [[2], [0]], G: [["7/2", 0], [0, 1]], Xk: [[7]], Yk: [[1], [7]], Jk: [["1/4"]], Pk: [["7/8"]], Uk: [["1/8"], ["7/8"]],
-         Lk: [["1/8", "7/8"]], M1: [["1/8", "7/8"]], M2: [["1/4", "-1/4"], ["-1/8", "1/8"]]}
 claim("NWL92-T5.1", "the solution of the Riccati equation from the stable eigenspace, as printed with (5.19)",
-      P == X * inv(T(E) * Y1 + T(C) * Y1), sizes=["l", "p", "n"], over={**SPACE, **PSD, **system.STABILIZER, system.Le: matrix(n, l), system.Lc: matrix(n, p)}, tex=TEX,
-      given=[FIRST, SECOND, J_STABLE, SOLVES, given("detectable", (system.Le * E + system.Lc * C == Identity(n)) & schur(system.Le * A)), system.STABILIZABLE],
-      by=[example({**TWO, system.Le: [["1/4"]], system.Lc: [["3/4"]], Na: [["1/4"]], Nb: [["3/4"]], Ma: [[0]], Mb: [[0]], Mc: [["-1/4"]], Md: [["1/4"]]}),
-          instances(made_by={**MADE_CERTIFIED, system.Le: T(U1), system.Lc: T(U2)}, using=FREE, **SIZES)],
+      P == X * inv(T(E) * Y1 + T(C) * Y1), sizes=["l", "p", "n"], over={**SPACE, **PSD}, tex=TEX,
+      given=[FIRST, SECOND, J_STABLE, SOLVES, DETECTABLE, STABILIZABLE], by=[example(TWO), DRAWN_P],
       repair=repair("index", "in (5.19) the second Y_1 must be Y_2, which is F'Y in the notation (5.2); and (5.18) is meant with J and the sign of S of (5.1)",
-                    invertible(T(F) * Yk) & (Pk * (T(F) * Yk) == Xk), sizes=["k", "n"], over=THEOREM, given=THEOREM_GIVEN,
-                    by=[system.CERTIFICATE_FACT, order(*GAIN_NEEDS, [], *INVERTIBLE_NEEDS,
-                              lemmas=[schur(GAIN * K), Xk - Pk * T(F) * Yk == Zero(n, n), *INVERTIBLE_LEMMAS],
-                              inside=[GAIN_STEPS, within(1, unique=(GAIN * K, Jk)), *SPACE_STEPS]),
-                        example({**CERTIFIED_TWO, Pk: [[0]], Uk: [[1], [0]]}),
-                        *[example({**NOISY, **change}) for change in (
-                            {Xk: [[1]], Yk: [[-2], [1]], Jk: [[4]]}, {Pk: [[5]]}, {Xk: [[0]], Yk: [[0], [0]]})], THEOREM_DRAWN]),
-      note=THEOREM_NOTE + "The corrected statement is P(F'Y) = X with invertible F'Y. That there is a solution is Theorem 4.3. " + CERTIFIED)
+                    invertible(T(F) * Yk) & (Pk * (T(F) * Yk) == Xk), sizes=["k", "n"], over=GENERAL, given=GENERAL_GIVEN,
+                    by=[GENERAL_PROOF, *GENERAL_FOILS, GENERAL_DRAWN]),
+      note=THEOREM_NOTE + "The corrected statement is P(F'Y) = X with invertible F'Y. That there is a solution is Theorem 4.3.")
 
 # ------------------------------------------------------------------ the eigenspace by a Schur decomposition
 not_checked("NWL92-E5.22", "the generalized real Schur decomposition of the pencil",

@@ -81,7 +81,7 @@ def test_check_needs_the_checker_alone(tmp_path):
     call = ("import sys; from exactkf.cli import main\ntry: main(['check', sys.argv[1]])\nexcept SystemExit: pass\n"
             "print(sorted(m for m in sys.modules if m.split('.')[0] in ('exactkf', 'flint', 'sympy', 'proofs')))")
     out = subprocess.run([sys.executable, "-c", call, tmp_path], capture_output=True, text=True, check=True).stdout
-    allowed = {"exactkf", "exactkf._errors", "exactkf.cli", "exactkf.check", "exactkf.files", "exactkf.progress"}
+    allowed = {"exactkf", "exactkf._errors", "exactkf.cli", "exactkf.check", "exactkf.entered", "exactkf.files", "exactkf.progress"}
     assert {m for m in json.loads(out.replace("'", '"')) if not m.startswith("exactkf.kernel")} == allowed
 
 

@@ -54,6 +54,13 @@ PROVED = {
     "a zero on the diagonal": ("sizes n m\nmatrix B n m\nmatrix C m m symmetric\nassume [0, B; B', C] psd\nclaim B == 0", {"null vectors"}),
     "an orthogonal projection": ("sizes n\nmatrix P n n symmetric\nassume P*P == P\nclaim I >= P and P >= 0", {"congruence"}),
     "arithmetic and geometric mean": ("sizes n\nmatrix P n n pd\nclaim P + inv(P) >= 2*I", {"congruence"}),
+    "arithmetic and harmonic mean": (PD + "claim P + Q >= 4*inv(inv(P) + inv(Q))", {"congruence", "inverse"}),
+    "the best linear unbiased estimator": (
+        "sizes n p\nmatrix H n p\nmatrix V n n pd\nmatrix L p n\n"
+        "assume H'*inv(V)*H invertible\nassume L*H == I\nclaim L*V*L' >= inv(H'*inv(V)*H)", {"congruence"}),
+    "the best feedback": (
+        "sizes n m\nmatrix A n n psd\nmatrix B n m\nmatrix R m m pd\nmatrix K m n\n"
+        "claim (I - B*K)'*A*(I - B*K) + K'*R*K >= A - A*B*inv(R + B'*A*B)*B'*A", {"congruence"}),
     "a positive semidefinite Gram matrix": ("sizes n m k\nmatrix A n k\nmatrix B m k\nclaim [A*A', A*B'; B*A', B*B'] >= 0", {"congruence"}),
     "a full step of the Riccati equation is monotone": (
         STEP + "assume P >= S\nclaim " + RICCATI.format("P") + " >= " + RICCATI.format("S"), {"sum", "congruence"}),
@@ -118,6 +125,8 @@ NOT = {
     "by more than PQP": PSD + "claim P - P*Q*P >= P*inv(I + Q*P)",
     "the wrong side": PSD + "claim P >= inv(I + Q*P)*P",
     "Q need not be semidefinite": PSD.replace("P, Q n n psd", "P n n psd\nmatrix Q n n symmetric") + "assume (I + Q*P) invertible\nclaim P >= P*inv(I + Q*P)",
+    "too large a multiple of the harmonic mean": PD + "claim P + Q >= 5*inv(inv(P) + inv(Q))",
+    "an estimator that is biased": "sizes n p\nmatrix H n p\nmatrix V n n pd\nmatrix L p n\nassume H'*inv(V)*H invertible\nclaim L*V*L' >= inv(H'*inv(V)*H)",
     "no number says that it is positive": SYM + "scalar a\nassume A >= B\nclaim a*A >= a*B",
 }
 
@@ -239,3 +248,9 @@ def test_no_combination_where_a_functional_says_so():
     assert combination([{"a": 1}, {"a": 1, "b": 1}], {"a": -1}) is None
     assert combination([{"a": 1}, {"a": 2}], {"b": 1}) is None
     assert [] == list(vanishing([{"a": 1, "b": -1}, {"b": 1}]))
+
+
+def test_an_order_with_a_number_on_the_right():
+    """A product of two forms is compared with one: what is not proved is said to be open."""
+    text = "sizes n\nmatrix P n n pd\nmatrix x n 1\nassume x'*x == 1\nclaim x'*inv(P)*x*(x'*P*x) >= 1"
+    assert "open" == prove_lemma(text, time_limit=5.0, mutants=False).verdict

@@ -426,19 +426,35 @@ def _null_space(x: Any) -> Table:
     return Table([[right[k, i] for k in range(rank, t.n)] for i in range(t.n)], t.n - rank)
 
 
+def _unseen(c: Table, a: Table) -> Table:
+    """What C annihilates, cut down to what A leaves in it, again and again; the columns are orthonormal."""
+    space = _null_space(c)
+    while space.n:
+        across = _times(_plus(_unit(a.m), _minus(_times(space, space.turned()))), _times(a, space))
+        inner = _null_space(across)
+        if inner.n == space.n:
+            break
+        space = _times(space, inner)
+    return space
+
+
 def _is_observable(x: Any, y: Any) -> bool:
-    """What C annihilates, cut down to what A leaves in it, again and again, is zero."""
     c, a = _table(x), _square(y)
     if c.n != a.m:
         raise NoValueError("sizes")
-    space = _null_space(c)
-    while space.n:
-        across = _times(_plus(_unit(a.m), _minus(_times(space, space.turned()))), _times(a, space))  # the columns of a space are orthonormal
-        inner = _null_space(across)
-        if inner.n == space.n:
-            return False
-        space = _times(space, inner)
-    return True
+    return not _unseen(c, a).n
+
+
+def _is_detectable(x: Any, y: Any) -> bool:
+    """M has a left inverse L, and LN is stable on the largest space that it keeps and on which N is MLN."""
+    m, n = _table(x), _table(y)
+    if (m.m, m.n) != (n.m, n.n):
+        raise NoValueError("sizes")
+    if not m.n or _rank(m) < m.n:
+        return not m.n
+    inner = _times(_times(_inverse(_times(m.turned(), m)), m.turned()), n)
+    space = _unseen(_plus(n, _minus(_times(m, inner))), inner)
+    return not space.n or _is_schur(_times(_times(space.turned(), inner), space))
 
 
 def _stein(x: Any, y: Any) -> Table:
@@ -645,7 +661,8 @@ _PLAIN: dict[str, Callable] = {
     "invertible": lambda x: _table(x).m == _table(x).n and not _singular(_table(x)), "symplectic": _is_symplectic,
     "similar": _is_similar, "cospectral": lambda x, y: _equal(_charpoly(x), _charpoly(y)),
     "coprime": lambda p, q: _are_coprime(_number(p), _number(q)),
-    "schur": _is_schur, "observable": _is_observable, "pos_circle": lambda d: _sign(*_least_on_circle(_number(d))) > 0,
+    "schur": _is_schur, "observable": _is_observable, "detectable": _is_detectable,
+    "pos_circle": lambda d: _sign(*_least_on_circle(_number(d))) > 0,
     "nonneg_circle": lambda d: _sign(*_least_on_circle(_number(d))) >= 0,
 }
 

@@ -24,6 +24,7 @@ from exactkf.language import (
     defined,
     degree,
     det,
+    detectable,
     diag,
     exists,
     forall,
@@ -106,6 +107,11 @@ TRUE = {
     "Schur": schur(Z - HALF) & ~schur(Z - 1) & schur(HALF * SHEAR),
     "observable": observable(rows([[1, 0]]), SHEAR) & ~observable(rows([[0, 1]]), SHEAR) & observable(rows([[0, 1]]), ROTATION),
     "not observable": ~observable(rows([[0, 0, 1]]), diag(ROTATION, 1)) & ~observable(Zero(0, 2), ROTATION),
+    "detectable": detectable(vstack(Identity(2), ROTATION), vstack(HALF * SHEAR, ROTATION))
+                  & detectable(vstack(Identity(2), SHEAR), vstack(2 * Identity(2), Identity(2)))
+                  & ~detectable(Identity(2), ROTATION) & ~detectable(ONES, Zero(2, 2)) & detectable(diag(1, 1), diag(HALF, HALF))
+                  & ~detectable(vstack(diag(1, 1), ONES), vstack(diag(2, HALF), 2 * ONES))
+                  & detectable(Zero(2, 0), Zero(2, 0)) & ~detectable(Zero(0, 2), Zero(0, 2)),
     "solution": (stein(HALF * SHEAR, ONES) - HALF * SHEAR * stein(HALF * SHEAR, ONES) * T(HALF * SHEAR) == ONES) & (stein(2 * Identity(1), 3) == -1),
     "coprime": coprime(Z - 1, Z + 1) & ~coprime(Z**2 - 1, Z + 1),
     "positive": pos_on_circle(Z + 3 + Z**-1),
