@@ -84,6 +84,9 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
         yield "similarity"
     if op == "=" and len(terms) == 4 and not vector and isinstance(formula[1], list) and formula[1][0] == "rank":
         yield "rank"
+    bound = op == "<=" and isinstance(formula[1], list) and formula[1][0] == "rank"
+    if bound:
+        yield "rank"
     leaf = Leaf(case, formula, terms, **{key: proof[key] for key in HELP if key in proof})
     if leaf.reader.steins:
         yield "Stein equation"
@@ -91,7 +94,7 @@ def _of_leaf(case: dict, formula: Any, proof: Mapping[str, Any]) -> Iterator[str
         if leaf.reader.read(term) not in (x for x, _ in leaf.known):  # brought in: it exists by its form
             yield "nonsingular"
             yield from _of_form(leaf.reader, term) if definiteness(leaf.reader, term) == 2 else ()
-    ordered = op in ("psd", "pd", "loewner", ">=", ">", "<", "<=")
+    ordered = op in ("psd", "pd", "loewner", ">=", ">", "<", "<=") and not bound
     if len(terms) > 1 and (ordered or proof.get("null")):
         yield "sum"
     for term in [*(terms if ordered or proof.get("null") else ()), *(tree for _, tree in proof.get("roots", ()))]:

@@ -345,6 +345,7 @@ def order(*sums: Sequence[Any], roots: Mapping[Expr | str, Any] | None = None, l
     invertible(X)                     its inverse; or none, or semidefinite ones, as for the equation v = 0 under Xv = 0
     rank(X) == its rows or columns    none, or semidefinite ones, in the same way
     rank(X) == r                      B, C, L, N with X = BC, LB = I, CN = I of size r
+    rank(X) <= r                      B, C with X = BC, and r columns of B
     equation                          none; or semidefinite ones whose sum K has Kx = 0 or x'Kx = 0, so that each vanishes at x;
                                       or inverses that the statement does not write down
     schur(M), observable(C, A)        see `within`: as the equation v = 0 for eigenvectors

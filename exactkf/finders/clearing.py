@@ -174,7 +174,7 @@ def _taken(facts: Facts, target: int, q: Any, known: tuple[int, int], equation: 
 
     def closing(case: Facts) -> Proof:
         negated, number = case.facts[-1], len(case.facts) - 1
-        if op != "=" and set(made) <= {()} and made.get((), 0) <= 0:  # the fact contradicts itself
+        if op != "=" and set(made) <= {()} and (made.get((), 0) < 0 or op == ">" and not made):  # the fact contradicts itself
             return {"step": "close", "terms": [[str(1 / scale_y**d), [target, *[place] * d]], [str(-1 / scale), [equation], tree_of(factor)]]}
         c = _ratio(negated[1], made) if negated is not None and set(made) - {()} else None
         if c is None:  # the formula was a number

@@ -10,7 +10,7 @@ Nothing here imports anything outside the standard library. Read in this order:
 - matrices of every size: `words`, `reader`, `definite`, `stable`, `continuity`, `order`, `recursion`, `every_size`, `existence`;
 - coefficients, entries, sums and products at a generic index: `region`, `known`, `opaque`, `generic_reading`, `chains`, `indefinite`, `generic_polynomials`,
   `generic_matrices`, `generic`, `defined`, `generic_facts`, `index_induction`;
-- numbers, and integers of any size: `polynomial_facts`, `facts_on_circle`, `values`, `arithmetic`;
+- numbers, and integers of any size: `polynomial_facts`, `explicit_matrices`, `facts_on_circle`, `values`, `arithmetic`;
 - answers about orbits: `rotation`, `intervals`, `spectral`, `torus`, `irreducible`, `orbit`, `orbit_wandering`, `orbit_sieve`, `orbit_polynomial`,
   `orbit_dominated`, `orbit_n`, `orbit_structure`, `orbit_speed`, `orbit_ahead`, `orbit_answer`;
 - kinds of certificates: `replay`; their text: `files`.

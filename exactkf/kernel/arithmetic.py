@@ -34,7 +34,8 @@ p > 0 says p - 1 >= 0. Other variables are real numbers, and so are atoms: quoti
 Soundness. Let a quotient by zero, the square root of a negative number and a value of a recursion that it does not have be any number, and cos(a/n) be 1
 for n = 0. Then each term has a value on every instance, and a fact is true or false there. Where a formula has a truth value without that, it is the same,
 as all that decides it has a value. So the denied conclusion is a fact on an instance on which the conclusion is false. ``defined``, which
-can tell the difference, is read as what it says, see `exactkf.kernel.values`. A definition takes the place of its name; one that leads back to itself
+can tell the difference, is read as what it says, see `exactkf.kernel.values`; ``always``, which is true too where the formula has no value from some t on, is
+only denied: then the formula is false at some t >= 0. A definition takes the place of its name; one that leads back to itself
 is refused, unless recursions call themselves, or each other, at earlier indices; so are recursions whose values need not be numbers.
 Each step goes from facts that are true on an instance, with some integers for the new names, to cases of which at least one is true on it. No leaf is.
 
@@ -56,6 +57,7 @@ from itertools import product
 from math import gcd, lcm
 from typing import Any
 
+from exactkf.kernel.explicit_matrices import OF_MATRIX, about_matrices, of_matrix
 from exactkf.kernel.facts_on_circle import ON_CIRCLE, equation, in_z, on_circle, zeros_inside
 from exactkf.kernel.numbers import Rejected, Unknown, fraction
 from exactkf.kernel.polynomial_facts import ONE, Fact, Names, Poly, either, frozen, joined, number, plus, times
@@ -69,7 +71,7 @@ _OPPOSITE = {"and": "or", "or": "and"}
 _QUANTIFIERS = {("forall", True): "all", ("forall", False): "some", ("exists", True): "some", ("exists", False): "all"}
 _RELATIONS = {"=", "!=", "<", "<=", ">", ">="}
 #: what decides between cases, and is no number of them
-_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "not", "and", "or", "=>", "<=>", "forall", "exists", "defined"}
+_CONDITIONS = {*_RELATIONS, *ON_CIRCLE, "psd", "pd", "not", "and", "or", "=>", "<=>", "forall", "exists", "always", "defined"}
 
 
 # ---------------------------------------------------------------------- what is known
@@ -153,6 +155,8 @@ class Facts:
             return has_value(self, tree[1], affirmed, names)
         if op in ON_CIRCLE:
             return on_circle(self, tree, affirmed, names)
+        if (of_matrices := about_matrices(self, tree, affirmed, names)) is not None:
+            return of_matrices
         if op in ("=", "!=") and any(in_z(self, x, names) for x in tree[1:]):
             if len(tree) != 3:
                 raise Unknown("a chain of equations in z")
@@ -162,6 +166,8 @@ class Facts:
             return joined("and" if affirmed else "or", [self._comparison(op, x, y, affirmed, names) for x, y in pairs])
         if op in ("forall", "exists"):
             return self._quantified(tree, affirmed, names, valued)
+        if op == "always" and not affirmed:  # the formula is false at some t; where it is true for all t, it need not have a value for all t
+            return ("some", tree[1], {}, None, tree[2], names, affirmed, valued)
         if op in ("sym", "at"):
             body, inner = self.opened(tree, names)
             return self.read(body, affirmed, inner)
@@ -249,6 +255,8 @@ class Facts:
             return [(c, self.square_root(p)) for c, p in self.cases(tree[1], names)]
         if op == "roots_in":
             return zeros_inside(self, tree, names)
+        if op in OF_MATRIX:
+            return [((), of_matrix(self, tree, names))]
         if op == "if":
             return [((self.read(tree[1], x, names), *c), p) for x in (True, False) for c, p in self.cases(tree[2 if x else 3], names)]
         if op == "^" and type(tree[2]) is int and 0 <= tree[2] <= 8:

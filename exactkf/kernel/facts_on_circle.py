@@ -7,6 +7,8 @@ as where the terms have values D and E are not zero.
 c + d (z + 1/z) is c + 2d cos(theta) on |z| = 1, and takes the values between c - 2d and c + 2d: it is positive, or nonnegative, there if and only if
 these two are. A term whose coefficients at z and 1/z are different has no sign on the circle, and the formula no value.
 
+The characteristic polynomial of a matrix that is written out, of size two at most, is such a polynomial, and a matrix is stable as it is.
+
 The zero -a/b of a + b z, b not 0, is in the open unit disc if and only if a^2 < b^2; a + b z has no zero for b = 0, a not 0.
 
 Main definitions
@@ -27,6 +29,7 @@ from fractions import Fraction
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
+from exactkf.kernel.explicit_matrices import characteristic, entries
 from exactkf.kernel.numbers import Unknown
 from exactkf.kernel.polynomial_facts import ONE, Fact, Names, Poly, joined, number, plus, times
 
@@ -47,7 +50,7 @@ def in_z(facts: Facts, tree: Any, names: Names) -> bool:
         return False
     if tree[0] in ("roots_in", *ON_CIRCLE):
         return False
-    if tree[0] == "z":
+    if tree[0] in ("z", "charpoly"):
         return True
     if tree[0] in ("sym", "at") and tree[1] not in names and tree[1] not in facts.circular and (d := facts.definitions.get(tree[1])) is not None and (
             d[0] == "let" and in_z(facts, d[3], {**facts.own(), **dict.fromkeys(d[2], ONE)})):
@@ -64,7 +67,8 @@ def equation(facts: Facts, x: Any, y: Any, affirmed: bool, names: Names) -> Fact
 
 def on_circle(facts: Facts, tree: Any, affirmed: bool, names: Names) -> Fact:
     """``pos_circle``, ``nonneg_circle`` or ``schur`` of a term of degree one at most, or that it is not so."""
-    p = _polynomial(facts, tree[1], names)
+    matrix = tree[0] == "schur" and entries(facts, tree[1], names) is not None
+    p = characteristic(facts, tree[1], names) if matrix else _polynomial(facts, tree[1], names)
     if tree[0] == "schur":
         (a, b), strict = _linear(p), "<" if affirmed else ">="
         if set(b) != {()}:
@@ -124,6 +128,8 @@ def _fraction(facts: Facts, tree: Any, names: Names) -> tuple[InZ, InZ]:
     op = tree[0]
     if op == "z":
         return {1: ONE}, one
+    if op == "charpoly":
+        return characteristic(facts, tree[1], names), one
     if op in ("sym", "at"):
         body, inner = facts.opened(tree, names)
         return _fraction(facts, body, inner)

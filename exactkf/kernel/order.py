@@ -51,7 +51,7 @@ FACTS = {
     "right inverse": "a square matrix X with XY = I is nonsingular",
     "null space": "a matrix has full column rank, and a square one is nonsingular, if Xv = 0 only for v = 0",
     "similarity": "AT = TB with a nonsingular T makes A and B similar, and then they have one characteristic polynomial",
-    "rank": "the rank of BC is the number of columns of B if B has a left and C a right inverse",
+    "rank": "the rank of BC is the number of columns of B at most, and is it if B has a left and C a right inverse",
     "determinant": "the determinant of a product of square matrices is the product of theirs, that of a transpose the same, "
                    "of a block triangular matrix that of its diagonal blocks",
     "Stein equation": "X = MXM' + Q with a stable M has one solution, semidefinite, or definite, if Q is; D = MDN with stable M and N has the solution 0 alone",
@@ -212,6 +212,8 @@ class Leaf:
                 raise Unknown("invertibility of scalars or of matrices that are not square")
         elif op == "=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
             found = self._factored_rank(formula, terms)
+        elif op == "<=" and len(formula) == 3 and isinstance(formula[1], list) and formula[1][0] == "rank":
+            found = self._rank_at_most(formula, terms)
         elif op in ("=", "symmetric", "symplectic"):
             found = residual_blocks(reader, formula)
         elif op in ("similar", "cospectral"):
@@ -293,6 +295,19 @@ class Leaf:
             raise Unknown("the first factor has not as many columns, or the second not as many rows, as the rank, or another size does not fit")
         return [reader._plus(x, reader._times(b, c), -1), reader._plus(reader._times(left, b), Blocks.unit(b.cols), -1),
                 reader._plus(reader._times(c, right), Blocks.unit(c.rows), -1)]
+
+    def _rank_at_most(self, formula: Any, terms: Any) -> list[Blocks]:
+        """X = BC: the rank is the number of columns of B at most."""
+        reader = self.reader
+        if len(terms) != 2:
+            raise Unknown("a bound of a rank is shown by X = BC")
+        x, b, c = (reader.read(tree) for tree in (formula[1][1], *terms))
+        if not all(isinstance(m, Blocks) for m in (x, b, c)):
+            raise Unknown("factors that are no matrices")
+        rows, cols, rank = reader.total(x.rows), reader.total(x.cols), reader.size(formula[2])
+        if [(reader.total(m.rows), reader.total(m.cols)) for m in (b, c)] != [(rows, rank), (rank, cols)]:  # a 1 x 1 matrix is no number here
+            raise Unknown("the first factor has not as many columns, or the second not as many rows, as the bound, or another size does not fit")
+        return [reader._plus(x, reader._times(b, c), -1)]
 
     def _factored(self, factors: Any) -> list[Blocks]:
         """Matrices less the products of their factors; determinants are then products."""

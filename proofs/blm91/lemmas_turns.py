@@ -30,7 +30,11 @@ from proofs.blm91.consequences_angles import BEZOUT, BY_EUCLID, BY_INVERSE, EUCL
 from proofs.blm91.consequences_angles import s as sine
 from proofs.blm91.notation import *
 
-__all__ = ["LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "SINES_1", "SINES_D", "U_", "W_", "X1", "X2", "by_ends", "not_before", "of_last", "of_slope", "pit", "v1", "v2", "w"]
+__all__ = [
+    "LINES_BACK", "LINES_TURN", "LOWEST_PQ", "OF_ENDLESS", "OF_FORMS", "OF_KAPPA", "OF_LINES", "OF_POINTS", "OF_SOLUTIONS", "RISING",
+    "SINES_1", "SINES_D", "U_", "U_FALLS", "W_", "X1", "X2", "by_ends", "ends_at", "not_before", "of_last", "of_slope", "pit", "v1", "v2",
+    "w",
+]
 
 p, q, h_, c, before, pit, w, v1, v2, X1, X2 = symbols("p q h c before pi_t w v1 v2 V1 V2")
 
@@ -170,6 +174,17 @@ OF_ENDLESS = [IN_LOWEST_1, POSITIVE, BEYOND_ONE, ON_CURVE, ONE_STEP, CLOSED_FORM
 U_, W_ = symbols("U U_before")
 
 
+#: for lambda > 1: U_h > U_(h-1) >= 0; U_s U_s - U_(s+1) U_(s-1) = 1; U_i/U_(i-1) falls
+RISING = by_induction(h, 0, (W_[h] >= 0) & (U_[h] >= W_[h] + 1), base=[unfolded(U_, 0), unfolded(W_, 0)],
+                      step=[by_cases((lam - 1) * U_[h] >= 0), unfolded(U_, h + 1), unfolded(W_, h + 1)])
+CASSINI = by_induction(s, 0, U_[s] * W_[s + 1] - U_[s + 1] * W_[s] == 1, base=[unfolded(U_, 0), unfolded(W_, 0), unfolded(U_, 1), unfolded(W_, 1)],
+                       step=[*(unfolded(x_, s + k_) for k_ in (1, 2) for x_ in (U_, W_))])
+FALLING = by_induction(t, 1, forall(i, 1, t, U_[i] * W_[t] >= U_[t] * W_[i]) & forall(i, 1, t - 1, U_[i] * W_[t] > U_[t] * W_[i]), base=[at_index(i, i)],
+                       step=[at_index(i, i), at_index(h, t - 1), at_index(h, i - 1), at_index(s, t), at_index(h, t), unfolded(W_, t), unfolded(W_, t + 1), unfolded(W_, i), by_cases(i == t + 1),
+                             multiplied(U_[i - 1])])
+U_FALLS = [RISING, CASSINI, FALLING]
+
+
 def of_slope(b, start, index):
     """Hints: b_j M_j = M_(j-1), and M_j is not 0, while the slope exists."""
     M, before = U_[index] - start * W_[index], W_[index] - start * (2 * lam * W_[index] - U_[index])
@@ -208,3 +223,9 @@ def of_last(b, start, last):
     slopes = [of_slope(b, start, j), by_ends(b, start), not_before(b, start), at_index(i, i)]
     return [by_cases(M(last) == 0, [backwards, *slopes, at_index(k, last - 1), at_index(m, last), at_index(i, last), at_index(c, last - i), at_index(s, last - i)],
                      [*slopes, at_index(k, last), at_index(m, last - 1), at_index(s, last)]), multiplied(W_[last]), multiplied(start)]
+
+
+def ends_at(b, start, n):
+    """Hints: a slope ends at step n >= 1 exactly for start = U_n/U_(n-1), for lambda > 1."""
+    return [*U_FALLS, of_slope(b, start, j), by_ends(b, start), not_before(b, start), existing(b, n), at_index(h, n - 1), *(at_index(i_, n - 1) for i_ in (j, k)),
+            *(at_index(i_, n) for i_ in (t, m, i)), at_index(i, i), unfolded(U_, n), unfolded(W_, n), multiplied(W_[i]), multiplied(U_[n - 1]), cleared()]

@@ -23,7 +23,22 @@ linear fractional map with fixed points p and 1/p: the quotient (alpha - p)/(alp
 """
 
 from exactkf.claims import claim
-from exactkf.evidence import example, identity, induction, instances, restated, steps
+from exactkf.evidence import (
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    example,
+    identity,
+    induction,
+    instances,
+    multiplied,
+    shown_first,
+    square_of,
+    steps,
+    unfolded,
+)
 from exactkf.language import *
 from proofs.blm91.lemmas_steady import CONVERGES, CONVERGES_BY, READ, STEADY_WORDS
 from proofs.blm91.notation import *
@@ -75,19 +90,17 @@ claim("BLM91-S25", "the positive real region is bounded and contracts to a point
 
 # ---------------------------------------------------------------------- n = 1
 ag = {a: scalar(), g: scalar()}
-p1, pos1, dia = symbols("Phi_plus N_1 size")
+p1, pos1, kq, dia = symbols("Phi_plus N_1 R size")
 PHI1 = let(p1, rational("1/2") + g / (Z + a))
 claim("BLM91-S26", "the Popov condition for n = 1",
       (p1 + recip(p1)) * (Z + a) * recip(Z + a) == 1 + a**2 + 2 * a * g + (a + g) * (Z + recip(Z)), over=ag, where=[PHI1],
       by=[identity(), instances()], note="z + 1/z is 2 cos(theta) on the circle.")
 claim("BLM91-E2.32a", "positivity in closed form",
       iff(pos_on_circle(pos1), (1 - abs(a + g)) ** 2 > g**2), over=ag, where=[let(pos1, 1 + a**2 + 2 * a * g + (a + g) * (Z + recip(Z)))],
-      by=[steps("BLM91-S26", facts=["an affine function of cos(theta) has its least value at cos(theta) = 1 or -1"],
-                prose="at cos(theta) = -+1 the form is (1 -+ (a + g))^2 - g^2"),
-          instances(60), example(a=0, g="1/2"), example(a=0, g="-1/2"), example(a=3, g=1), example(a=-2, g=0), example(a=0, g=1), example(a=1, g=-1)],
+      by=[arithmetic(), instances(60), example(a=0, g="1/2"), example(a=0, g="-1/2"), example(a=3, g=1), example(a=-2, g=0), example(a=0, g=1), example(a=1, g=-1)],
       note="For all real a and g, stable or not.")
 claim("BLM91-E2.32b", "the stability condition for n = 1", iff(schur(F), abs(a) < 1), over={a: scalar()}, where=[let(F, rows([[-a]]))],
-      by=[steps(facts=["a matrix of size one has its entry as eigenvalue"], prose="|-a| = |a|"), instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
+      by=[arithmetic(), instances(), example(a=1), example(a=-1), example(a="99/100")], note="F is the 1x1 matrix -a.")
 claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
       (q[0][1] == al0) & (qs[0][1] == ga0) & (al0 - ga0 == a[1]), over={a: vector(1), g: vector(1)},
       where=[let(n, 1), *stripped(g + a, g), let(al0, a[1] + g[1]), let(ga0, g[1])], by=[identity(), instances()],
@@ -95,26 +108,38 @@ claim("BLM91-E2.33", "the new coordinates are those of the algorithm at t = 0",
 claim("BLM91-F1", "the positive real region is the diamond",
       iff(((1 - abs(al0)) ** 2 > ga0**2) & schur(az), abs(al0) + abs(ga0) < 1), over={al0: scalar(), ga0: scalar()},
       where=[let(a, al0 - ga0), let(az, Z + a)],
-      by=[steps(facts=["triangle inequality"],
-                prose="(1 - |alpha|)^2 > gamma^2 says |alpha| + |gamma| < 1 or |alpha| > 1 + |gamma|; |alpha - gamma| is less than 1 in the first case and more in the second"),
-          instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
+      by=[arithmetic(*(by_cases(e_ > 0) for e_ in (1 - al0 + ga0, 1 - al0 - ga0, 1 + al0 + ga0, 1 + al0 - ga0))), instances(60), example(alpha0="1/2", gamma0="1/2"), example(alpha0=2, gamma0=0), example(alpha0=-2, gamma0="1/2"), example(alpha0=0, gamma0=1)])
 claim("BLM91-E2.34", "the fast algorithm for n = 1", always(t, (al[t] == q[t][1]) & (ga1[t] == qs[t][1])),
       over={a: vector(1), g: vector(1)}, where=[let(n, 1), *stripped(g + a, g), *scalar_orbit(a[1] + g[1], g[1], ga1)], by=[induction(), instances()])
 
+#: p^(2t)
+SQUARED = rec(kq, t, 1, pp**2 * kq[t])
+LIMIT = [given("diamond", abs(al0) + abs(ga0) < 1), given("limit", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0), standing("smaller root", abs(pp) < 1)]
+#: the point at j is there and in the diamond; that at i is on the hyperbola; alpha_k is between 0 and p; gamma falls by the factor |p| at each step
+WITHIN = [by_cases(1 + al[k] ** 2 - ga[k] ** 2 > 0), by_cases(pp**2 >= 0), by_cases(pp * al[k] >= 0), square_of(ga[k]), by_cases(ga[k] ** 2 >= 0), by_cases(pp * al[k] < 1), multiplied(pp), multiplied(al[k])]
+FALLS = (by_induction(j, 0, defined(al[j]) & defined(ga[j]) & (al[j] + ga[j] < 1) & (al[j] - ga[j] < 1) & (ga[j] - al[j] < 1) & (-al[j] - ga[j] < 1), base=values_at(0),
+                      step=[cleared(), by_cases(ga[j] < 1), by_cases(-ga[j] < 1), *values_at(j + 1)]),
+         by_induction(i, 0, pp * (1 + al[i] ** 2 - ga[i] ** 2) == (1 + pp**2) * al[i], base=values_at(0), step=[at_index(j, i), cleared(), *values_at(i + 1), multiplied(ga[i] ** 2)]),
+         shown_first(forall(k, 0, m, al[k] ** 2 <= pp * al[k]), [at_index(j, k), at_index(i, k), *WITHIN]),
+         shown_first(forall(s, 0, m, ga[s + 1] == -(ga[s] * al[s + 1])), [at_index(j, s), cleared(), *values_at(s + 1)]),
+         by_induction(t, 0, (t <= m) >> (ga[t] ** 2 <= kq[t] * ga0**2), base=[*values_at(0), unfolded(kq, 0)],
+                      step=[at_index(s, t), at_index(k, t + 1), unfolded(kq, t + 1), by_cases(pp**2 >= 0), by_cases(al[t + 1] ** 2 <= pp**2), square_of(ga[t]), by_cases(ga[t] ** 2 >= 0),
+                            by_cases(ga[t] ** 2 * al[t + 1] ** 2 <= pp**2 * ga[t] ** 2)]))
 claim("BLM91-S27", "the diamond is invariant, and orbits in it converge",
-      (dia < 1) & ((al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)), sizes=["m"],
-      over={al0: scalar(), ga0: scalar(), pp: scalar()}, where=[*ORBIT, let(dia, abs(al[m]) + abs(ga[m]))],
-      given=[given("diamond", abs(al0) + abs(ga0) < 1), given("limit", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0), standing("smaller root", abs(pp) < 1)],
-      by=[steps("BLM91-E2.34", "BLM91-E3.13", prose="|alpha'| + |gamma'| = |alpha|/(1 - |gamma|) is less than 1 in the diamond; with gamma^2 from (3.13) the step is "
-                "alpha' = 1/(p + 1/p - alpha), so (alpha' - p)/(p alpha' - 1) is p^2 (alpha - p)/(p alpha - 1)"),
-          instances(40, m=(0, 1, 2, 3, 5), **INSIDE), example(m=2, alpha0=0, gamma0="1/2", p=0), example(m=3, alpha0="1/2", gamma0=0, p="1/2")],
-      note="p = alpha_infinity is the root of p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 with |p| < 1. The equation is the convergence: alpha_t - p "
-           "is p^(2t) times a bounded factor, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p) for p not 0. m is the time t.")
+      always(m, defined(al[m]) & defined(ga[m]) & (dia(m) < 1) & (ga[m] ** 2 <= kq[m] * ga0**2) & (abs(al[m] - pp) * (1 - pp**2) <= abs(pp) * ga[m] ** 2)),
+      over={al0: scalar(), ga0: scalar(), pp: scalar()}, where=[*ORBIT, SQUARED, function(dia, [t], abs(al[t]) + abs(ga[t]))], given=LIMIT,
+      by=[arithmetic(*FALLS, *(at_index(i_, m) for i_ in (j, i, k, t)), by_cases(al[m] == pp), by_cases(pp * al[m] <= pp**2)),
+          instances(40, **INSIDE), example(alpha0=0, gamma0="1/2", p=0), example(alpha0="1/2", gamma0=0, p="1/2"), example(alpha0=2, gamma0=0, p="1/2")],
+      note="p = alpha_infinity is the root of p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 with |p| < 1. R_t is p^(2t): gamma_t tends to 0 as |p|^t, and with it alpha_t to p. m is the time t.")
 kf, kfs = symbols("K K_star")
+#: gain and second gain are those of the fast algorithm
+GAINS = by_induction(s, 0, defined(kf[s]) & defined(kfs[s]) & (kf[s] == al[s] - al0 + ga0) & (kfs[s] == ga[s]), base=[*values_at(0, kf, kfs, al, ga)],
+                     step=[cleared(), at_index(j, s), at_index(j, s + 1), *values_at(s + 1, kf, kfs, al, ga)])
 claim("BLM91-E2.35", "the steady-state filter for n = 1",
-      always(t, (kf[t] == al[t] - a) & (kfs[t] == ga[t]) & (-a - kf[t] == -al[t])), over=ag,
-      where=[*scalar_orbit(a + g, g), rec(kf, t, g, (kf[t] + kfs[t] * a * kfs[t]) / (1 - kfs[t] ** 2)),
-             rec(kfs, t, g, (-a * kfs[t] - kfs[t] * kf[t]) / (1 - kfs[t] ** 2))],
-      by=[induction(), restated("limits of sums of convergent sequences"), instances()],
-      note="The filter at time t has the coefficients F - k_t = -alpha_t and k_t = alpha_t - a, with (1.9) for F = -a, h = 1; the steady-state filter is its limit, "
-           "alpha_t tending to alpha_infinity by the convergence in the diamond.")
+      always(m, (kf[m] == al[m] - a) & (kfs[m] == ga[m]) & (-a - kf[m] == -al[m]) & (abs(kf[m] - (pp - a)) * (1 - pp**2) <= abs(pp) * kq[m] * ga0**2)),
+      over={al0: scalar(), ga0: scalar(), pp: scalar()},
+      where=[*ORBIT, SQUARED, let(a, al0 - ga0), rec(kf, t, ga0, (kf[t] + kfs[t] * a * kfs[t]) / (1 - kfs[t] ** 2)),
+             rec(kfs, t, ga0, (-a * kfs[t] - kfs[t] * kf[t]) / (1 - kfs[t] ** 2))], given=LIMIT,
+      by=[arithmetic(*FALLS, GAINS, *(at_index(i_, m) for i_ in (j, i, k, t, s)), by_cases(al[m] == pp), by_cases(pp * al[m] <= pp**2)), instances(40, **INSIDE), example(alpha0=0, gamma0="1/2", p=0), example(alpha0="1/2", gamma0=0, p="1/2"), example(alpha0=2, gamma0=0, p="1/2")],
+      note="The filter at time t has the coefficients F - k_t = -alpha_t and k_t = alpha_t - a, with (1.9) for F = -a, h = 1. The steady-state filter is its limit, with gain p - a and coefficient -p: "
+           "R_t is p^(2t), and p = alpha_infinity as in the claim before. m is the time t.")

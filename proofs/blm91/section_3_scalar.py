@@ -38,6 +38,7 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
+from proofs.blm91.lemmas_limits import CONVERGES, CONVERGES_BY, LIMIT_WORDS
 from proofs.blm91.notation import *
 
 kap, vz, b, x, y, D0, Dm, ah, gh, bal, bga, numv, now = symbols("kappa v b x y D D_m alpha_hat gamma_hat alpha_back gamma_back N now")
@@ -129,17 +130,13 @@ claim("BLM91-S37", "alpha_0 = 0 and |gamma_0| = 1: the orbit ends",
 # ---------------------------------------------------------------------- convergence in the sign definite regions
 ROOT = given("p on the hyperbola", pp * (1 + al0**2 - ga0**2) == (1 + pp**2) * al0)
 MOVE = (al[m] - pp) * (pp * al0 - 1) == pp ** (2 * m) * (al0 - pp) * (pp * al[m] - 1)
-AWAY = pp ** (2 * m) / (al[m] - pp) == 1 / (al0 - pp) - sum_of(j, 1, m, pp ** (2 * j - 1))
 LINES = {al0: (pp * y**2 - 1 / pp) / (y**2 - 1), ga0: y * (pp - 1 / pp) / (y**2 - 1)}
-TO = dict(sizes=["m"], over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=ORBIT)
-ALSO = [example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0="-1/2", gamma0="1/2", p=-1), example(m=2, alpha0=4, gamma0=3, p=1),
-        example(m=1, alpha0=-4, gamma0=-3, p=-1), example(m=2, alpha0=3, gamma0=0, p="1/3")]
-claim("BLM91-S38", "sign definiteness is sufficient for convergence", AWAY, **TO, given=[ROOT],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"),
-          instances(60, m=(0, 1, 2, 3, 4), using={y: scalar()}, made_by=LINES), *ALSO],
-      note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1, that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. "
-           "Where the orbit exists, the equation shows that alpha_t - p tends to zero: for |p| < 1 because p^(2t) does (unless alpha_0 is the other fixed point 1/p), for p = 1, -1 "
-           "because the sum grows; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). For alpha_0 = 0 see S36. m is the time. Necessity is Theorem 3.3, 1), for which the print names Theorem 3.2, 1).")
+claim("BLM91-S38", "sign definiteness is sufficient for convergence", CONVERGES, over={al0: scalar(), ga0: scalar(), pp: nonzero()}, where=[*ORBIT, *LIMIT_WORDS], given=[ROOT, standing("0 < |p| <= 1", abs(pp) <= 1)],
+      by=[*CONVERGES_BY, instances(40, using={u: nonzero(), y: scalar()}, made_by={pp: SHARE, **LINES}), instances(20, using={y: nonzero()}, made_by={pp: y / abs(y), al0: y + y / abs(y), ga0: y}),
+          *(example(alpha0=a_, gamma0=g_, p=p_) for a_, g_, p_ in (("1/2", "1/2", 1), ("-1/2", "1/2", -1), (4, 3, 1), (-4, -3, -1), (1, 0, 1), (3, 0, "1/3"), ("1/3", 0, "1/3")))],
+      note="For alpha_0 not 0, D is sign definite exactly when kappa^2 <= 1 (S34), that is when p(1 + alpha_0^2 - gamma_0^2) = (1 + p^2) alpha_0 has a real root p; let |p| <= 1. R_t is p^(2t). For |p| < 1 alpha_t - p falls as R_t, from where this is small enough; "
+           "for |p| = 1 it is 2/t at most, for t >= 2/|alpha_0 - p|; gamma_t^2 = (alpha_t - p)(alpha_t - 1/p); and from 1/p alpha_t does not move. All this for as long as the orbit has not ended. "
+           "For alpha_0 = 0 see S36. Necessity is Theorem 3.3, 1), for which the print names Theorem 3.2, 1).")
 
 # ---------------------------------------------------------------------- Remark 3.6
 VA = (let(a, al0 - ga0), let(b, al0 + ga0), let(vz, rational("1/2") * (Z + b) / (Z + a)), let(D0, d_of(al0, ga0)))

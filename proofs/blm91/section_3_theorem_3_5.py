@@ -21,12 +21,29 @@ however small x is; so (kappa, 0) attracts every orbit that does not end, and is
 """
 
 from exactkf.claims import claim, repair
-from exactkf.evidence import angles, arithmetic, by_cases, cleared, example, instances, multiplied, part, steps, valued
+from exactkf.evidence import (
+    angles,
+    arithmetic,
+    at_index,
+    by_cases,
+    by_induction,
+    cleared,
+    example,
+    instances,
+    multiplied,
+    part,
+    shown_first,
+    steps,
+    unfolded,
+    valued,
+)
 from exactkf.language import *
+from proofs.blm91.lemmas_limits import BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SQUARED
+from proofs.blm91.lemmas_turns import RISING, U_, W_, ends_at, q
 from proofs.blm91.notation import *
 
-p, y, fixed, at, near, away, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
-    "p y fixed at nearer further IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends alpha_before count alpha_j gamma_j")
+p, y, fixed, at, near, away, be, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
+    "p y fixed at nearer further b IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends alpha_before count alpha_j gamma_j")
 beside, under = symbols("beside below")
 PLANE = {al0: nonzero(), ga0: scalar()}
 ROOT = given("p on the hyperbola", p * (1 + al0**2 - ga0**2) == (1 + p**2) * al0)
@@ -56,19 +73,13 @@ claim("BLM91-T3.5.a.stab", "stability of the two equilibria",
       by=[steps("BLM91-E5.1", prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 < 1 at each step, and gamma^2 follows alpha"),
           instances(40, **DRAW), instances(40, using={u: nonzero(), w: nonzero()}, made_by={p: SHARE, y: w / (2 + 2 * abs(w)) * p, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3")],
       note="Starting points with p alpha_0 < 1 (one branch and the other side of infinity) come nearer to p at each step; between 1/p and 2/kappa they move away from 1/p.")
-ratio, ended, closed, first, radius, arrives = symbols("c ended closed first radius arrives")
-#: the orbit in closed form, alpha = 1/p aside, and the first step within this distance of (p, 0), or -1 if the orbit ends before or is not there by step 90
-ALTERNATIVE = (*ORBIT, let(ratio, (al0 - p) / (p * al0 - 1)), let(ended, (al0 == 0) | exists(i, 1, 30, ratio * p ** (2 * i + 1) == 1)), let(radius, (1 - p**2) / (2 * k)),
-               function(first, [t], when(~defined(ga[t]), -1, when(abs(al[t] - p) + abs(ga[t]) <= radius, t, when(t >= 90, -1, first(t + 1))))), let(arrives, first(0) >= 0))
-LEAVES = dict(using={u: nonzero(), i: integer(1, 3)}, made_by={p: SHARE, al0: (p - 1 / p ** (2 * i + 1)) / (1 - 1 / p ** (2 * i)), ga0: (1 - p**2) / (1 - 1 / p ** (2 * i)) / p ** (i + 1)})
 claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium or ends",
-      iff(arrives, ~ended) & (al[m] * (1 - ratio * p ** (2 * m + 1)) == p - ratio * p ** (2 * m)) & (ga[m] ** 2 == (al[m] - p) * (al[m] - 1 / p)), sizes=["m"],
-      over={al0: scalar(), ga0: scalar(), p: nonzero(), k: integer(1, 6)}, where=ALTERNATIVE, given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="the quotient (alpha - p)/(p alpha - 1) is multiplied by p^2 at each step, and gamma^2 = (alpha - p)(alpha - 1/p) on the hyperbola; "
-                "the closed form tends to p, and the orbit ends where it divides by zero, or at (0, 1), (0, -1)"),
-          instances(30, m=(0, 1, 2, 3, 4), using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), instances(12, m=(0, 1, 2), **LEAVES), example(m=2, alpha0="1/3", gamma0=0, p="1/3", k=1), example(m=0, alpha0=0, gamma0=1, p="1/3", k=1)],
-      note="kappa = 2p/(1 + p^2), p = alpha_+, so that 0 < |p| < 1 is 0 < kappa^2 < 1. c = (alpha_0 - p)/(p alpha_0 - 1), and m is the time. arrives: the orbit comes within (1 - p^2)/(2k) of (p, 0), which no orbit does that ends later; "
-           "that it stays near is the closed form, whose distance from p is |c|(1 - p^2) p^(2m)/|1 - c p^(2m+1)|. ended: c p^(2i+1) = 1 for a step i (tried to 30), or alpha_0 = 0.")
+      always(t, (BOUND) & (p * ga[t] ** 2 == (al[t] - p) * (p * al[t] - 1))),
+      over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, SQUARED], given=[ROOT, SMALLER, standing("not the other equilibrium", p * al0 != 1)],
+      by=[arithmetic(valued(), *FROM_P, *IN_TIME),
+          instances(30, using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), example(alpha0="1/3", gamma0=0, p="1/3"), example(alpha0=0, gamma0=1, p="1/3")],
+      note="kappa = 2p/(1 + p^2), p = alpha_+, so that 0 < |p| < 1 is 0 < kappa^2 < 1. R_t is p^(2t): as soon as it is small enough, as it is for all later t, the distance of alpha_t from p is R_t times a constant at most, and gamma_t^2 = (alpha_t - p)(alpha_t - 1/p). "
+           "This is for all t at which the orbit has not ended: it converges if it does not end.")
 
 # ---------------------------------------------------------------------- a) 1) from region to region
 claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached", grows & (four1 | three1) & kept, over={al0: nonzero(), ga0: nonzero()}, where=REGION, given=[given("in IV", four0), SMALL_KAPPA],
@@ -94,26 +105,39 @@ claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|", one1 & grows & und
       note="gamma_0 not 0: not the equilibrium. p = alpha_+. " + SIGNED)
 
 # ---------------------------------------------------------------------- a) 2) points that end
-PAIR = {al0: scalar(), ga0: scalar(), kap: nonzero()}
-ON = given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 / kap * al0)
-ENDS = (*ORBIT, *REGIONS, let(four0, four_(0)), let(lam, 1 / kap), CHEBYSHEV, let(flag, leaves(m)))
-STEP_ = standing("a step", m >= 1)
-AT_STEP = dict(using={u: nonzero(), k: integer(0, 1)}, made_by={kap: SHARE, al0: Ut[m] / Ut[m - 1], ga0: (2 * k - 1) / Ut[m - 1]})
-ON_CURVE = dict(using={u: nonzero(), y: scalar()}, made_by={kap: SHARE, al0: 2 * (1 / kap + y) / (1 - y**2), ga0: 1 + y * al0})
+#: kappa is 1/lambda for side = 1 and -1/lambda for side = 0, lambda > 1; U_n, and U_(n-1) beside it; b is kappa lambda alpha, for the proof alone
+side = sym("side")
+SIGN_K = 2 * side - 1
+PAIR = dict(sizes=["n"], over={al0: nonzero(), ga0: scalar(), lam: scalar(), side: integer(0, 1)}, given=[
+    given("on the hyperbola", 1 + al0**2 - ga0**2 == 2 * SIGN_K * lam * al0), standing("0 < kappa^2 < 1", lam > 1), standing("a step", n >= 1)])
+ENDS = (*ORBIT, *REGIONS, let(four0, four_(0)), rec(U_, t, 1, 2 * lam * U_[t] - W_[t]), rec(W_, t, 0, U_[t]), rec(be, t, SIGN_K * al0, 1 / (2 * lam - be[t])), let(flag, leaves(n)))
+AT_STEP = dict(using={u: nonzero(), y: nonzero()}, made_by={lam: 1 + abs(u), al0: SIGN_K * U_[n] / W_[n], ga0: y / abs(y) / W_[n]})
+#: points of the curve by the lines through (0, 1)
+ON_CURVE = dict(using={u: nonzero(), y: scalar()}, made_by={lam: 1 + abs(u), al0: 2 * (SIGN_K * lam + y) / (1 - y**2), ga0: 1 + y * al0})
 APART = ("alpha_0 not 0, as (3.13) is derived. The points (0, 1) and (0, -1) satisfy the equation of every hyperbola and lie between I and II; the text sets them apart before the theorem, saying that the orbit ends there. "
          "Were they counted here, they would be an exception.")
-OFF_AXIS = {**PAIR, al0: nonzero()}
-claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, sizes=["m"], over=OFF_AXIS, where=ENDS, given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
-      by=[steps("BLM91-E5.1", prose="alpha_0 = U_i/U_(i-1), gamma_0 = +-1/U_(i-1): backwards from (2/kappa, +-1), which is in IV, |alpha| falls and |gamma| < 1"),
-          instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(20, m=(1, 2), **ON_CURVE)],
-      note="Ends at step m: the point at m - 1 exists, the one at m does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1. " + APART)
-WHICH = iff(flag, at) & (flag >> (ga0**2 * Ut[m - 1] ** 2 == 1))
-claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", WHICH, sizes=["m"], over=OFF_AXIS, where=[*ENDS, let(at, al0 == Ut[m] / Ut[m - 1])],
-      given=[ON, standing("0 < kappa^2 < 1", kap**2 < 1), STEP_],
-      by=[steps("BLM91-E5.1", "BLM91-E5.1'", facts=["an invertible matrix maps different lines to different lines"], prose="A^(-i)(0, 1)' is (U_(i-1), U_i)', and gamma^2 follows from the hyperbola"),
-          instances(30, m=(1, 2, 3, 4), **AT_STEP), instances(30, m=(1, 2, 3), **ON_CURVE),
-          instances(20, m=(2, 3), using={u: nonzero()}, made_by={kap: SHARE, al0: Ut[m - 1] / Ut[m - 2], ga0: 1 / Ut[m - 2]})],
-      note="The pair that ends after m steps is (U_m, +-1)/U_(m-1), U_0 = 1, U_1 = 2/kappa, U_(t+1) = (2/kappa) U_t - U_(t-1). The formula is (5.3); the print names (5.13), a number that no display has. " + APART)
+#: the point is there and on the hyperbola, with the slope b, or neither is there
+SAME_END = by_induction(q, 0, (defined(al[q]) & defined(ga[q]) & defined(be[q]) & (be[q] == SIGN_K * al[q]) & (1 + al[q] ** 2 - ga[q] ** 2 == 2 * SIGN_K * lam * al[q]) & (al[q] != 0))
+                        | (~defined(al[q]) & ~defined(ga[q]) & ~defined(be[q])), base=values_at(0, al, ga, be),
+                        step=[by_cases(side == 0), cleared(), multiplied(ga[q] ** 2), *values_at(q + 1, al, ga, be)])
+#: U_p^2 - 2 lambda U_p U_(p-1) + U_(p-1)^2 = 1
+CASSINI_2 = by_induction(p, 0, U_[p] ** 2 - 2 * lam * U_[p] * W_[p] + W_[p] ** 2 == 1, base=[unfolded(U_, 0), unfolded(W_, 0)], step=[unfolded(U_, p + 1), unfolded(W_, p + 1)])
+#: which points end at step n
+OF_U = SIGN_K * al0 * W_[n] == U_[n]
+ENDS_AT = shown_first(iff(defined(ga[n - 1]) & ~defined(ga[n]), OF_U),
+                      [shown_first(iff(defined(be[n - 1]) & ~defined(be[n]), OF_U), ends_at(be, SIGN_K * al0, n)), SAME_END, at_index(q, n), at_index(q, n - 1)])
+#: at these gamma_0 is 1/U_(n-1) up to sign
+GAMMA_OF_U = [RISING, CASSINI_2, at_index(h, n), at_index(h, n - 1), at_index(p, n), unfolded(W_, n), by_cases(side == 0), multiplied(W_[n] ** 2)]
+claim("BLM91-T3.5.a.2.i", "only points of IV end", flag >> four0, **PAIR, where=ENDS,
+      by=[arithmetic(ENDS_AT, *GAMMA_OF_U, *values_at(0), by_cases(ga0**2 * W_[n] ** 2 == 1), by_cases(ga0 * W_[n] == 1, [], [by_cases(ga0 * W_[n] == -1)])), instances(30, n=(1, 2, 3, 4), **AT_STEP), instances(20, n=(1, 2), **ON_CURVE)],
+      note="Ends at step n: the point at n - 1 exists, the one at n does not. IV is |alpha| >= 1 + |gamma|, |gamma| <= 1. kappa is 1/lambda for side = 1, -1/lambda for side = 0; U, U_before and b serve the proof alone. " + APART)
+claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", iff(flag, at) & (flag >> (ga0**2 * W_[n] ** 2 == 1)), **PAIR, where=[*ENDS, let(at, al0 == SIGN_K * U_[n] / W_[n])],
+      by=[arithmetic(ENDS_AT, RISING, at_index(h, n - 1), unfolded(W_, n), by_cases(side == 0), cleared(), member=0), arithmetic(ENDS_AT, *GAMMA_OF_U, member=1),
+          instances(30, n=(1, 2, 3, 4), **AT_STEP), instances(30, n=(1, 2, 3), **ON_CURVE),
+          instances(20, n=(2, 3), using={u: nonzero()}, made_by={lam: 1 + abs(u), al0: SIGN_K * U_[n - 1] / W_[n - 1], ga0: 1 / W_[n - 1]})],
+      note="The pair that ends after n steps is (U_n, 1)/U_(n-1) up to signs: kappa alpha_0 > 0, and gamma_0 of either sign. U_0 = 1, U_1 = 2 lambda, U_(t+1) = 2 lambda U_t - U_(t-1), U_before is U_(t-1), lambda = 1/|kappa|: kappa is 1/lambda for side = 1, -1/lambda for side = 0. "
+           "b serves the proof alone. The formula is (5.3); the print names (5.13), a number that no display has. " + APART)
+STEP_ = standing("a step", m >= 1)
 claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
       (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
       where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
@@ -160,8 +184,8 @@ claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) 
                     (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],
                     by=[part("the steps between regions for kappa^2 < 1"), steps("BLM91-E5.1", "BLM91-X.1", prose="parts by the claims T3.5.a to T3.5.b.esc"), instances(20, **IN_II), instances(20, **IN_III), instances(20, **IN_I), instances(20, **IN_IV)]),
       note="The conjunction of the parts, represented by the steps between regions.")
-AWAY = p ** (2 * m) / (al[m] - p) == 1 / (al0 - p) - sum_of(j, 1, m, p ** (2 * j - 1))
-claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", AWAY, sizes=["m"], over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=ORBIT, given=[ROOT, standing("0 < |p| <= 1", abs(p) <= 1)],
-      by=[steps("BLM91-E5.1", facts=["p^(2m) tends to 0 for |p| < 1"], prose="1/(alpha' - p) = 1/(p^2 (alpha - p)) - 1/p by the slope map, added up over m steps"), instances(40, m=(0, 1, 2, 3, 4), using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}),
-          example(m=3, alpha0="1/2", gamma0="1/2", p=1), example(m=2, alpha0=4, gamma0=3, p=1)],
-      note="The sign definite regions are kappa^2 <= 1: p is real there, |p| <= 1, and the equation shows that alpha_m - p tends to 0 (for |p| = 1 because the sum grows); alpha_0 = 0 leads to (0, 0) by S36. The equilibrium 1/p itself stays where it is.")
+claim("BLM91-S39", "orbits of the sign definite regions converge unless they end", CONVERGES, over={al0: scalar(), ga0: scalar(), p: nonzero()}, where=[*ORBIT, *LIMIT_WORDS], given=[ROOT, standing("0 < |p| <= 1", abs(p) <= 1)],
+      by=[*CONVERGES_BY, instances(40, using={u: nonzero(), y: scalar()}, made_by={p: SHARE, **LINE}), instances(20, using={y: nonzero()}, made_by={p: y / abs(y), al0: y + y / abs(y), ga0: y}),
+          *(example(alpha0=a_, gamma0=g_, p=p_) for a_, g_, p_ in (("1/2", "1/2", 1), (4, 3, 1), (-4, -3, -1), (1, 0, 1), (3, 0, "1/3"), ("1/3", 0, "1/3")))],
+      note="The sign definite regions are kappa^2 <= 1: p = alpha_+ is real there, |p| <= 1. R_t is p^(2t). For |p| < 1 alpha_t - p falls as R_t, from where this is small enough; for |p| = 1 it is 2/t at most, for t >= 2/|alpha_0 - p|; "
+           "gamma_t^2 = (alpha_t - p)(alpha_t - 1/p); and from 1/p, the other equilibrium, alpha_t does not move. All this for as long as the orbit has not ended. alpha_0 = 0 leads to (0, 0) by S36.")

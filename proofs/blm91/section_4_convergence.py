@@ -29,6 +29,7 @@ from exactkf.evidence import (
     induction,
     instances,
     multiplied,
+    order,
     part,
     steps,
     valued,
@@ -55,7 +56,7 @@ claim("BLM91-E4.2", "Lambda is the step minus the identity", Lam(P) == step(P) -
       note="The display defines Lambda; checked is that it is the increment of (1.4) at any symmetric matrix.")
 first = sym("first")
 claim("BLM91-S42", "the first increment", (Lam(Zero(n, n)) == g * T(g)) & psd(first) & (rank(first) <= 1), sizes=["n"], over=SYSTEM, where=[LAMBDA_OF, let(first, g * T(g))],
-      by=[steps("BLM91-E4.2", facts=["x g g' x' is a square"], prose="Pi = 0 leaves gg', of rank at most one"), instances(n=(1, 2, 3))])
+      by=[order([], [], [g, T(g)]), instances(n=(1, 2, 3))])
 _SHIFT, _UNIT = matrix_of(i, j, n, n, when(j == i + 1, 1, 0)), matrix_of(i, j, n, 1, when(i == 1, 1, 0))
 _GAMMA = T(h) * qs[t]
 claim("BLM91-E4.3", "increments of rank one", forall(t, 0, m, Lam(Pi[t]) == r[t] * qs[t] * T(qs[t])), sizes=["n", "m"],

@@ -15,6 +15,7 @@ a_11)m - a_12 m^2. (With x/y the indices 1 and 2 change places.)
 
 from exactkf.claims import claim, not_checked, repair
 from exactkf.evidence import (
+    angles,
     arithmetic,
     at_index,
     by_cases,
@@ -146,13 +147,15 @@ claim("BLM91-E4.19", "the increment for phi >= 0", pit[m + 1] - pit[m] == (1 - p
       by=[arithmetic(*increments(1)), *BY_PLUS], note=GIVEN_NOTE)
 claim("BLM91-S49", "the increment for phi <= 0", pit[m + 1] - pit[m] == -((1 - pit[m]) * ga[m] ** 2), sizes=["m"], over=DATA_BAR, where=[FIRST_BAR, PHI, *MAP, *orbit(-1)], given=[ROOT_MINUS],
       by=[arithmetic(*increments(-1)), *BY_MINUS], note=GIVEN_NOTE)
-UP, RIGHT = (w + 1 / w) / 2, (w - 1 / w) / 2
-SQUARES = fx + y**2 == (x - lam) ** 2 + y**2 + (1 - lam**2)
-claim("BLM91-F5", "the two families of curves", SQUARES & (1 + UP**2 + RIGHT**2 == 2 * UP * UP) & ((abs(lam) < 1) >> (fx > 0)),
-      over={lam: scalar(), x: scalar(), y: scalar(), w: nonzero()}, where=[let(fx, 1 + x**2 - 2 * lam * x)],
-      by=[arithmetic(member=0), arithmetic(valued(), cleared(), member=1), arithmetic(square_of(x - lam), member=2),
-          restated("w + 1/w takes every real value of modulus at least 2"), instances(60), example({"lambda": 1, "x": 0, "y": 0, "w": 1}), example({"lambda": 3, "x": 3, "y": 1, "w": 2}), example({"lambda": -3, "x": -3, "y": 1, "w": 2}), example({"lambda": "9/10", "x": "9/10", "y": 0, "w": 2})],
-      note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f_x, (4.18) is y^2 = -f_x. The print names the curves after Corollary 4.2; they are those of Corollary 4.3.")
+SQUARES = fx(x) + y**2 == (x - lam) ** 2 + y**2 + (1 - lam**2)
+claim("BLM91-F5", "the two families of curves",
+      SQUARES & (fx(0) == 1) & ((lam**2 > 1) >> ((fx(lam) < 0) & (root**2 + fx(lam) == 0))) & ((lam**2 < 1) >> ~there),
+      over={lam: scalar(), x: scalar(), y: scalar()}, where=[function(fx, [x], 1 + x**2 - 2 * lam * x), let(root, sqrt(lam**2 - 1)), let(there, y**2 == -fx(x))],
+      by=[arithmetic(member=0), arithmetic(member=1), arithmetic(angles("root", lam**2 - 1), member=2), arithmetic(square_of(x - lam), square_of(y), member=3),
+          instances(40), instances(40, using={w: nonzero()}, made_by={lam: (w + 1 / w) / 2}),
+          *(example({"lambda": l_, "x": x_, "y": y_}) for l_, x_, y_ in ((1, 0, 0), (1, 1, 0), ("5/4", "5/4", 0), ("5/4", "5/4", "3/4"), ("-5/4", "-5/4", 1), ("9/10", "9/10", 0), ("3/5", 0, 0), ("5/3", 3, 1)))],
+      note="lambda = 1/kappa, (x, y) a point; (4.15) is y^2 = f(x), which (0, 1) is on for every kappa, and (4.18) is y^2 = -f(x), which for |kappa| < 1 has the point with x = lambda and y = sqrt(lambda^2 - 1), and for |kappa| > 1 has none (there: (x, y) is on it). "
+           "The print names the curves after Corollary 4.2; they are those of Corollary 4.3. On the instances the square root is rational.")
 
 # ---------------------------------------------------------------------- Remark 4.4
 NOISE = (let(a, al0 - ga0), let(Qn, (1 - a**2) * x), let(Sn, ga0 + a * x), let(Rn, 1 - x))
@@ -162,10 +165,14 @@ PQ = u / (1 + abs(u))
 S3 = s1 + s1 / abs(s1)
 IN_D = {p: PQ, al0: p * (S3**2 - 1) / (S3**2 - p**2), ga0: S3 * (p**2 - 1) / (S3**2 - p**2)}
 BETWEEN = 1 - al0 / (p + (1 / p - p) / (1 + y**2))
+PHI_X = x**2 - (1 - al0**2 + ga0**2) * x + ga0**2
+#: p phi = (p - p x - alpha_0)(1 - x - alpha_0 p), p alpha_0 > 0, and R > 0 with QR - S^2 >= 0 makes Q >= 0
+BETWEEN_ROOTS = (shown_first(p * al0 > 0, [by_cases(1 + al0**2 - ga0**2 > 0), by_cases(p**2 > 0), by_cases(al0**2 > 0), multiplied(p), multiplied(al0)]),
+                 shown_first(p * PHI_X == (p - p * x - al0) * (1 - x - al0 * p)), by_cases(p > 0), by_cases(p**2 < 1), by_cases(x < 1),
+                 by_cases(p * (al0 - p**2 * al0) > 0), by_cases(1 - x - al0 * p > 0), by_cases(p - p * x - al0 > 0), by_cases(1 - x - al0 * p < 0), by_cases(p - p * x - al0 < 0), by_cases(PHI_X <= 0), square_of(ga0 + (al0 - ga0) * x), cleared())
 claim("BLM91-R4.4.1", "the variances of stochastic systems", iff(okay, inside) & (det(noise) == -phi_), over={**POINT, p: nonzero(), x: scalar()},
       where=[*NOISE, PHI, let(noise, rows([[Qn, Sn], [Sn, Rn]])), let(okay, psd(noise)), let(inside, (1 - al0 / p <= x) & (x <= 1 - al0 * p))], given=[ROOT, DIAMOND, standing("smaller root", abs(p) < 1)],
-      by=[steps("BLM91-S48", "BLM91-E4.12", facts=["a symmetric 2x2 matrix is semidefinite when its determinant and its trace are not negative"],
-                prose="phi has the zeros p_+ = 1 - alpha_0/p and p_- = 1 - alpha_0 p, both in [0, 1), and |a| < 1, so that the diagonal is nonnegative between them"),
+      by=[arithmetic(member=1), arithmetic(*BETWEEN_ROOTS, member=0),
           instances(40, using={u: nonzero(), s1: nonzero(), y: scalar()}, made_by={**IN_D, x: BETWEEN}), instances(40, using={u: nonzero(), s1: nonzero(), y: scalar()}, made_by={**IN_D, x: y})],
       note="[p_+, p_-] with p_+ = 1 - alpha_0/alpha_+. A system with state variance x exists when the noise covariance [[(1 - a^2)x, gamma_0 + ax], [., 1 - x]] is semidefinite.")
 TRIANGLE = (let(x, 1 - root**2), *NOISE, let(b1, Sn / root), let(B, rows([[b1, b2], [root, 0]])))
@@ -222,10 +229,13 @@ claim("BLM91-S51", "linear fractional maps and matrices", iff(same, whole) & (su
       by=[steps("BLM91-E5.1'", facts=["equal rational functions in lowest terms have proportional coefficients"], prose="numerator and denominator have no common zero when the matrix is invertible"),
           instances(20, m=(1, 2, 3), using={x: nonzero()}, made_by={A1: x * A}), instances(20, m=(1, 2))],
       note="mobius(k) is the map of A^k; special: the two matrices are proportional.")
-claim("BLM91-E4.25", "the action on lines is always defined", (v == inv(A) * (A * v)) & iff(okay, inside) & iff(infinite, there), over={A: nonsingular(2), x: scalar(), y: scalar()},
-      where=[let(v, rows([[x], [y]])), let(okay, A * v == Zero(2, 1)), let(inside, v == Zero(2, 1)), let(infinite, ~defined(y / x)), let(there, x == 0)],
-      by=[steps(facts=["an invertible matrix has no null vector"], prose="the slope y/x has no value exactly on the line x = 0"), instances(), example(A=[[1, 2], [3, 4]], x=0, y=1), example(A=[[1, 2], [3, 4]], x=0, y=0)],
-      note="A v is 0 only for v = 0, so that A maps lines to lines; v = (x, y)'.")
+LINE_A = rows([[b1, b2], [p, w]])
+claim("BLM91-E4.25", "the action on lines is always defined", iff(okay, inside) & (LINE_A * (u * v) == u * (LINE_A * v)) & iff(infinite, there),
+      over={b1: scalar(), b2: scalar(), p: scalar(), w: scalar(), x: scalar(), y: scalar(), u: scalar()}, given=[given("A invertible", det(LINE_A) != 0)],
+      where=[let(v, rows([[x], [y]])), let(okay, LINE_A * v == Zero(2, 1)), let(inside, v == Zero(2, 1)), let(infinite, ~defined(y / x)), let(there, x == 0)],
+      by=[arithmetic(*map(multiplied, (b1, b2, p, w)), member=0), arithmetic(member=1), arithmetic(member=2), instances(), example({"b_1": 1, "b_2": 2, "p": 3, "w": 4, "x": 0, "y": 1, "u": 2}),
+          example({"b_1": 1, "b_2": 2, "p": 3, "w": 4, "x": 0, "y": 0, "u": 2}), example({"b_1": 1, "b_2": 2, "p": 2, "w": 4, "x": 2, "y": -1, "u": 2})],
+      note="A = [[b_1, b_2], [p, w]], v = (x, y)'. Av is 0 only for v = 0, and multiples of v go to multiples of Av, so that A maps lines to lines; the slope y/x has no value exactly on the line x = 0.")
 
 # ---------------------------------------------------------------------- Remark 4.6
 OUTSIDE = (let(inside, al0 >= abs(ga0)), let(rest, (-(ga0**2) == 0) & (-ga0 * al0 == 0)))

@@ -102,11 +102,12 @@ claim("BLM91-F9", "sides of the root locus", iff(right, upper) & (charpoly(A1) =
                     iff(left, upper) & (charpoly(A1) == Z**2 - 2 * Z + 2 + lam * (2 * Z - 2)), over={lam: nonzero()}, where=SIDE, given=[standing("complex roots", abs(lam) < 1)],
                     by=[steps("BLM91-S80", prose="complex roots have half the trace as real part"), instances(using={u: nonzero()}, made_by={lam: u / (1 + abs(u))})]),
       note="Halves with respect to the vertical line through the roots for lambda = 0; the figure itself is not in the text.")
-claim("BLM91-S81", "complex eigenvalues", iff(back, found) & iff(whole, found) & (charpoly(A1) == substitute(charpoly(A), 1 - Z)), over={lam: scalar()},
-      where=[ONE_LESS_A, A_LAMBDA, let(far_, 10 + 4 * abs(lam)), let(back, real_roots(charpoly(A1), -far_, far_) == 0), let(whole, real_roots(charpoly(A), -far_, far_) == 0), let(found, abs(lam) < 1)],
-      by=[steps("BLM91-S80", facts=["a quadratic polynomial has no real zero exactly when its discriminant is negative"], prose="both discriminants are 4(lambda^2 - 1)"),
-          instances(), example({"lambda": 1}), example({"lambda": -1}), example({"lambda": "99/100"}), example({"lambda": "-101/100"})],
-      note="The print names (5.5), which is about the matrix of the Riccati equation, similar to A; the root locus before it is that of (5.8). The statement is right for both, and both are checked.")
+claim("BLM91-S81", "complex eigenvalues",
+      ((lam**2 < 1) >> ((det(x * Identity(2) - A1) != 0) & (det(x * Identity(2) - A) != 0))) & ((lam**2 >= 1) >> ((det(y * Identity(2) - A1) == 0) & (det((1 - y) * Identity(2) - A) == 0))), over={lam: scalar(), x: scalar(), y: scalar()}, where=[ONE_LESS_A, A_LAMBDA], given=[standing("y by a square root", (y - 1 + lam) ** 2 == abs(lam**2 - 1))],
+      by=[arithmetic(*(square_of(e_ * x + e_ - lam) for e_ in (1, -1)), *(square_of(x + e_ * lam) for e_ in (1, -1)), *(square_of(x - 1 + e_ * lam) for e_ in (1, -1)), member=0), arithmetic(member=1), instances(40, using={u: nonzero()}, made_by={lam: (u + 1 / u) / 2, y: 1 - lam + (u - 1 / u) / 2}), instances(20, using={u: nonzero()}, made_by={lam: (1 - u**2) / (1 + u**2), y: 1 - lam + 2 * u / (1 + u**2)}),
+          *(example({"lambda": l_, "x": x_, "y": y_}) for l_, x_, y_ in ((1, 0, 0), (-1, 2, 2), ("5/4", -1, "1/2"), ("5/4", 2, "-1"), ("3/5", 0, "6/5"), (0, 1, 2)))],
+      note="No real number x is an eigenvalue for |lambda| < 1, and for |lambda| >= 1 y = 1 - lambda + sqrt(lambda^2 - 1) is one of A_1, and 1 - y of A. The print names (5.5), which is about the matrix of the Riccati equation, similar to A; "
+           "the root locus before it is that of (5.8). The statement is right for both, and both are checked.")
 AMAP = rec(av, t, x, (av[t] - 1) / (av[t] - 2 * lam + 1))
 claim("BLM91-S82", "in the coordinate a: all periodic or all dense",
       forall(t, 1, 12, iff(av[t] == x, back(t))), over={**FRACTIONS, x: scalar()},

@@ -203,3 +203,29 @@ def test_nothing_false_is_proved_where_values_may_be_missing(seed):
 def test_a_product_of_facts_that_are_not_strict_closes_nothing():
     """0 >= 0 is no contradiction, whatever is multiplied."""
     assert not accepted(real([">", ["abs", x], 0]), close(["1", [0]]))
+
+
+def test_a_fact_that_says_nothing_without_its_quotients_is_left():
+    """x/x <= 1 is 0 >= 0 times x, which is no contradiction; x/x < 1 is one."""
+    says = ["=", ["+", ["/", y, x], ["/", 1, y]], ["/", ["+", ["*", y, y], x], ["*", x, y]]]
+    assert found(real(says, [">", x, 0], [">", y, 0], [">=", 1, ["/", x, x]]), CLEAR)
+    assert found(real(["=", x, y], [">", x, 0], [">", 1, ["/", x, x]]), CLEAR)
+
+
+# ---------------------------------------------------------------------- for all t
+def test_what_is_so_for_all_t_is_denied_at_some_t():
+    every = [["rec", "U", "t", 0, [1], ["+", ["at", "U", t], ["*", x, x]]]]
+    step = ["induct", "j", 0, [">=", ["at", "U", ["sym", "j"]], 1], [[["unfold", "U", 0]], [["unfold", "U", ["+", ["sym", "j"], 1]], ["square", x]], []]]
+    hints = step, ["at", "j", t]
+    assert found(real(["always", "t", [">=", ["at", "U", t], 1]], where=every), *hints)
+    assert not found(real(["always", "t", [">", ["at", "U", t], 1]], where=every), *hints)
+    assert not found(real(["always", "t", ["=", ["at", "X", t], x]], where=ORBIT), *values(0, 1))
+
+
+def test_that_something_is_so_for_all_t_is_not_assumed():
+    """X_t may have no value from some t on: then X_t = x for all t says nothing of later values."""
+    every = ["always", "t", ["=", ["at", "X", t], x]]
+    for formula, affirmed in ((every, True), (["not", every], False), (["=>", every, ["=", x, 0]], False), (["<=>", every, ["=", x, 0]], False)):
+        with pytest.raises(Unknown):
+            Facts(real(["=", x, x], where=ORBIT)).read(formula, affirmed)
+    assert not found(real(["=", x, 2], every, where=ORBIT), *values(0, 1), ["at", "t", 0])

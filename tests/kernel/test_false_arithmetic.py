@@ -52,6 +52,8 @@ class Draw:
             return ["at", "p", self.term(0, names)]
         if kind < 0.7:
             return ["not", self.formula(depth - 1, names)]
+        if kind < 0.76:
+            return ["always", "t", self.formula(depth - 1, [*names, "t"])]
         name = self.rng.choice("kjxUfqt")
         return [self.rng.choice(("forall", "exists")), name, self.term(1, names, True), self.term(1, names, True), self.formula(depth - 1, [*names, name])]
 

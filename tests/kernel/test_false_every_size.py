@@ -27,6 +27,17 @@ def test_factors_of_a_rank_fit():
     assert accepted("order", statement(["=", ["rank", ["I", n]], n], []), {"parts": [{"sum": [["I", n]] * 4, "blocks": [[]] * 3}]})
 
 
+def test_factors_of_a_bound_of_a_rank_fit():
+    """I = (1) I again; I = I I bounds the rank of I by n; and of three factors none is counted."""
+    def bounded(rank, *factors):
+        return accepted("order", statement(["<=", ["rank", ["I", n]], rank], []), {"parts": [{"sum": list(factors), "blocks": [[]]}]})
+
+    assert bounded(n, ["I", n], ["I", n])
+    assert not bounded(1, ["I", 1], ["I", n]) and not bounded(1, ["I", n], ["I", 1]) and not bounded(1, ["I", n], ["I", n]) and not bounded(1, 1, ["I", n])
+    assert not bounded(n, ["I", n]) and not bounded(n, ["I", n], ["I", n], ["I", n]) and not bounded(n, ["I", n], ["neg", ["I", n]])
+    assert not accepted("order", statement(["<=", n, ["rank", ["I", n]]], []), {"parts": [{"sum": [["I", n], ["I", n]], "blocks": [[]]}]})
+
+
 def test_a_lemma_by_contradiction_has_a_value():
     """1/a != 0 where it has a value, which does not make a != 0."""
     over, given = [["a", ["scalar"]], ["b", ["scalar"]]], [["h", ["!=", ["sym", "b"], 0], "standing"]]

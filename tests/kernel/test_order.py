@@ -108,6 +108,7 @@ LEAVES |= {
                                "says": invertible(block([[R, H], [T(H), Zero(n, n)]]))}, [[R]], {}),
     "rank of a product": ({**RECTANGULAR, "over": {**RECTANGULAR["over"], "P": nonsingular(m)}, "given": [standing("rank", rank(B) == n)],
                            "says": rank(P * B) == n}, (), {}),
+    "a bound of a rank": ({**RECTANGULAR, "says": rank(A * B) <= m}, [[A, B]], {}),
     "rank of a transpose": ({**RECTANGULAR, "given": [standing("rank", rank(A) == n)], "says": rank(T(A)) == n}, (), {}),
     "similar products": ({**PAIR, "over": {"A": nonsingular(n), "B": matrix(n, n)}, "says": similar(A * B, B * A)}, (), {}),
     "a congruence of both": ({"sizes": ["n"], "over": {"A": nonsingular(n), "P": positive_definite(n), "Q": positive_definite(n)},
@@ -204,6 +205,7 @@ NAMED = {
     "nonsingular congruence": {"hypothesis", "congruence", "nonsingular"}, "an inverse": {"hypothesis", "sum", "congruence", "inverse"},
     "a Gram matrix plus I": {"identity", "sum", "congruence", "nonsingular", "right inverse"}, "an implication": set(),
     "null vectors of a sum": {"hypothesis", "sum", "null vectors"}, "null vectors of a congruence": {"hypothesis", "congruence", "null vectors"},
+    "a bound of a rank": {"rank"},
     "rank of a product": {"null space", "nonsingular"}, "similar products": {"similarity", "nonsingular"},  # with inverses that are brought in
 }
 
