@@ -38,7 +38,7 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_limits import BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SQUARED
+from proofs.blm91.lemmas_limits import BACKWARD_P, BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SLOPES_ABOVE, SLOPES_END, SLOPES_FALL, SQUARED, power, slope
 from proofs.blm91.lemmas_turns import RISING, U_, W_, ends_at, q
 from proofs.blm91.notation import *
 
@@ -139,11 +139,13 @@ claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", 
            "b serves the proof alone. The formula is (5.3); the print names (5.13), a number that no display has. " + APART)
 STEP_ = standing("a step", m >= 1)
 claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
-      (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
-      where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
-      given=[standing("0 < |p| < 1", abs(p) < 1), STEP_],
-      by=[steps("BLM91-E5.1'", prose="U_(t-1) = (p^(-t) - p^t)/(1/p - p); both differences have factors p^m, and the quotients have one sign and fall in modulus"), instances(40, m=(1, 2, 3, 4, 5), using={u: nonzero()}, made_by={p: SHARE})],
-      note="p = alpha_+, 1/p = alpha_-; the points are (alpha_j, +-gamma_j) for j = m.")
+      always(t, (t >= 1) >> ((W_[t] != 0) & (power[t] ** 2 < 1) & ((slope(t) - 1 / p) * p * (1 - power[t] ** 2) == power[t] ** 2 * (1 - p**2))))
+      & always(t, (t >= 1) >> (1 / W_[t] * p * (1 - power[t] ** 2) == power[t] * (1 - p**2))) & always(t, (t >= 1) >> ((abs(1 / p) < abs(slope(t + 1))) & (abs(slope(t + 1)) < abs(slope(t))))),
+      over={p: nonzero()}, where=BACKWARD_P, given=[standing("0 < |p| < 1", abs(p) < 1)],
+      by=[arithmetic(*SLOPES_END, *SLOPES_FALL, member=0), arithmetic(*SLOPES_END, at_index(k, t), angles("quotient", 1, W_[t]), multiplied(1 / W_[t]), member=1),
+          arithmetic(*SLOPES_END, *SLOPES_ABOVE, by_cases(p > 0), member=2), instances(40, using={u: nonzero()}, made_by={p: SHARE})],
+      note="p = alpha_+, 1/p = alpha_-; the points are (U_i, +-1)/U_(i-1), by 2); U_before is U_(i-1), slope alpha^(i), H_i is p^i, and i is t. The first two equations give the distances from alpha_- and from 0, "
+           "p^(2i)(1 - p^2)/(p (1 - p^(2i))) and p^i (1 - p^2)/(p (1 - p^(2i))), which tend to zero.")
 
 # ---------------------------------------------------------------------- b) kappa^2 = 1
 UNIT = let(kap, 2 * k - 1)
