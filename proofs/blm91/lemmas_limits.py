@@ -73,5 +73,9 @@ OF_SLOPE = shown_first(forall(m, 1, t + 1, p * slope(m) * (1 - power[m] ** 2) ==
                        [at_index(k, m), at_index(s, m), angles("quotient", U_[m], W_[m]), multiplied(p * (1 - power[m] ** 2)), multiplied(slope(m))])
 SLOPES_FALL = [OF_SLOPE, *(at_index(k_, t_) for t_ in (t, t + 1) for k_ in (i, k, m)), unfolded(power, t + 1), angles("quotient", 1, p), multiplied(1 - power[t] ** 2)]
 #: p U_t/W_t falls, and is larger than 1
-SLOPES_ABOVE = [*SLOPES_FALL, by_cases((1 - p**2) * power[t] ** 2 > 0), by_cases((1 - p**2) * p**2 * power[t] ** 2 > 0), by_cases((1 - p**2) ** 2 * power[t] ** 2 > 0),
-                by_cases((1 - power[t] ** 2) * (1 - p**2 * power[t] ** 2) > 0), multiplied(1 - p**2 * power[t] ** 2), by_cases(p * slope(t + 1) > 1), by_cases(p * slope(t) > p * slope(t + 1))]
+SLOPES_ABOVE = [
+    OF_SLOPE,
+    shown_first((t >= 1) >> (p * slope(t + 1) > 1), [*(at_index(k_, t + 1) for k_ in (i, m)), unfolded(power, t + 1), by_cases((1 - p**2) * power[t + 1] ** 2 > 0)]),
+    shown_first((t >= 1) >> (p * slope(t) > p * slope(t + 1)), [*(at_index(k_, t_) for t_ in (t, t + 1) for k_ in (i, m)), unfolded(power, t + 1), by_cases((1 - p**2) * power[t] ** 2 > 0), by_cases((1 - p**2) ** 2 * power[t] ** 2 > 0),
+                by_cases((1 - power[t] ** 2) * (1 - p**2 * power[t] ** 2) > 0), multiplied(1 - power[t] ** 2), multiplied(1 - p**2 * power[t] ** 2)]),
+    by_cases(p > 0), angles("quotient", 1, p)]
