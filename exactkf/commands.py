@@ -86,18 +86,21 @@ def verify_command(session: Session, json_file: Path | None, certificates: Path 
     if reused:
         click.echo(f"{reused} of {len(results)} results are from an earlier run; --fresh runs them again")
     if recording:
-        for change in record.update(results):
+        for change in [*record.update(results), *(f"{id}: is no claim any more" for id in record.gone(session.registry))]:
             click.echo(f"record: {change}")
         record.write(session.registry, package)
         return 0
     short = [(r["id"], why) for r in results if (why := record.shortfall(r))]
     found = {r["id"]: r for r in results}
+    lost = record.gone(session.registry) if len(session.chosen) == len(session.registry) else []
+    for id in lost:
+        click.echo(f"fell short: {id}: is on record, and no module of claims has it; put it back, or drop it with --record")
     for id, why in short:
         click.echo(f"fell short: {id}: {why}" + (f"; this run: {describe(found[id])}" if why == NOT_ON_RECORD else ""))
     if any(why == NOT_ON_RECORD for _, why in short):
         click.echo("--record enters what a run finds")
     click.echo(f"{len(results) - len(short)} of {len(results)} claims reached what is on record")
-    return 1 if short else 0
+    return 1 if short or lost else 0
 
 
 def _write(session: Session, results: Sequence[dict[str, Any]], json_file: Path | None,

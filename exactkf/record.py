@@ -68,6 +68,10 @@ class Record:
         worse = _worse(entry["repair"], result["repair"])
         return f"correction: {worse}" if worse else ""
 
+    def gone(self, claims: Mapping[str, Claim]) -> list[str]:
+        """What is on record and is no claim any more, in alphabetical order."""
+        return sorted(set(self.entries) - set(claims))
+
     def update(self, results: Iterable[Mapping[str, Any]]) -> list[str]:
         """Enter the results; one line for each entry that changes."""
         changes = []

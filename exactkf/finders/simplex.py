@@ -79,18 +79,23 @@ def vanishing(columns: Sequence[Column], deadline: float = float("inf")) -> Iter
 
 def _able(columns: Sequence[Column], target: Column) -> list[int]:
     """Columns with, for each entry that the target does not have, others of the other sign."""
+    users: dict[tuple[Hashable, bool], set[int]] = {}  # those that have an entry, by its sign
+    for k, column in enumerate(columns):
+        for key, v in column.items():
+            users.setdefault((key, v > 0), set()).add(k)
+    asked = {(key, v < 0) for key, v in target.items()}
+    none: set[int] = set()
     alive = set(range(len(columns)))
-    while True:
-        signs: dict[Hashable, set[bool]] = {}
-        for k in alive:
-            for key, v in columns[k].items():
-                signs.setdefault(key, set()).add(v > 0)
-        for key, v in target.items():
-            signs.setdefault(key, set()).add(v < 0)
-        idle = {k for k in alive if any(len(signs[key]) == 1 for key in columns[k])}
-        if not idle:
-            return sorted(alive)
-        alive -= idle
+    todo = [k for (key, up), having in users.items() if (key, not up) not in users and (key, not up) not in asked for k in having]
+    while todo:
+        if (k := todo.pop()) not in alive:
+            continue
+        alive.discard(k)
+        for key, v in columns[k].items():
+            (having := users[key, v > 0]).discard(k)
+            if not having and (key, v > 0) not in asked:
+                todo.extend(users.get((key, v <= 0), none))
+    return sorted(alive)
 
 
 class _Table:
@@ -169,11 +174,13 @@ class _Table:
 
 def _subtract(row: Row, other: Row, by: fmpq) -> None:
     for k, v in other.items():
-        rest = row.get(k, fmpq(0)) - by * v
-        if rest:
+        old = row.get(k)
+        if old is None:
+            row[k] = -by * v
+        elif rest := old - by * v:
             row[k] = rest
         else:
-            row.pop(k, None)
+            del row[k]
 
 
 def _q(v: Any) -> fmpq:

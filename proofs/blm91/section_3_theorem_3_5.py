@@ -39,10 +39,23 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_limits import BACKWARD_P, BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SLOPES_ABOVE, SLOPES_END, SLOPES_FALL, SQUARED, power, slope
+from proofs.blm91.lemmas_limits import (
+    BACKWARD_P,
+    BOUND,
+    CONVERGES,
+    CONVERGES_BY,
+    FROM_P,
+    IN_TIME,
+    LIMIT_WORDS,
+    SLOPES_ABOVE,
+    SLOPES_END,
+    SLOPES_FALL,
+    SQUARED,
+    power,
+    slope,
+)
 from proofs.blm91.lemmas_turns import RISING, U_, W_, c, ends_at, q
 from proofs.blm91.notation import *
-from proofs.blm91.section_2_region import FALLS, kq
 
 p, y, fixed, at, near, away, be, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
     "p y fixed at nearer further b IV_0 III_0 II_0 I_0 IV_1 III_1 II_1 I_1 bigger up grows kept ends alpha_before count alpha_j gamma_j")
@@ -84,12 +97,6 @@ claim("BLM91-T3.5.a.alt", "every other orbit converges to the stable equilibrium
            "This is for all t at which the orbit has not ended: it converges if it does not end.")
 
 # ---------------------------------------------------------------------- a) 1) from region to region
-#: with |p| < 1 the edges of I are not met; gamma_q is not 0, nor is alpha_q
-IN_OPEN = [by_cases(al0 > 0), by_cases(ga0 > 0), shown_first(abs(al0) + abs(ga0) < 1, [hint for y_ in (1 - p, 1 + p) for hint in (by_cases(y_ > 0), by_cases(abs(al0) * y_ > 0))])]
-MOVING = by_induction(q, 0, (al[q] != 0) & (ga[q] != 0), base=values_at(0), step=[at_index(j, q), *values_at(q + 1), cleared()])
-#: alpha_(m+1) (1 - gamma_m^2) = alpha_m
-GROWS = [shown_first((0 < ga[m] ** 2) & (ga[m] ** 2 < 1), [at_index(j, m), at_index(q, m)]),
-         shown_first(al[m + 1] * (1 - ga[m] ** 2) == al[m], [at_index(j, m), existing(al, m + 1), unfolded(al, m + 1), angles("quotient", al[m], 1 - ga[m] ** 2)]), at_index(q, m), by_cases(al[m + 1] > 0)]
 claim("BLM91-T3.5.a.1.i", "in IV the modulus of alpha grows until III is reached", grows & (four1 | three1) & kept, over={al0: nonzero(), ga0: nonzero()}, where=REGION, given=[given("in IV", four0), SMALL_KAPPA],
       by=[steps("BLM91-E5.1", facts=["a quotient by a positive number keeps the order"], prose="1 - gamma^2 is in (0, 1), |alpha'| - |gamma'| = |alpha|/(1 + |gamma|) >= 1; alpha_t cannot grow to a limit in IV, which would be an equilibrium with "
                 "modulus above |alpha_-|, so that III is reached"),
@@ -105,17 +112,12 @@ claim("BLM91-T3.5.a.1.iii", "from II to I", one1 & bigger, **TWO, by=[example(al
                     by=[arithmetic(*FIRST_STEP, by_cases(al0**2 > 0)),
                         instances(40, **IN_II), example(alpha0=1, gamma0=3), example(alpha0="1/4", gamma0="11/8"), example(alpha0=3, gamma0=1), example(alpha0=2, gamma0="1/4"), example(alpha0="1/2", gamma0="1/4")]),
       note=SIGNED)
-claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|",
-      always(m, defined(al[m]) & defined(ga[m]) & one_(m)) & always(m, (abs(al[m]) < abs(al[m + 1])) & (al[m] * al[m + 1] > 0)) & always(m, abs(al[m]) < abs(p))
-      & always(m, (ga[m] ** 2 <= kq[m] * ga0**2) & (abs(al[m] - p) * (1 - p**2) <= abs(p) * ga[m] ** 2)),
-      over={al0: nonzero(), ga0: nonzero(), p: nonzero()}, where=[*ORBIT, REGIONS[0], SQUARED], given=[given("in I", abs(al0) + abs(ga0) <= 1), ROOT, standing("0 < |p| < 1", abs(p) < 1)],
-      by=[arithmetic(*IN_OPEN, FALLS[0], at_index(j, m), member=0),
-          arithmetic(*IN_OPEN, FALLS[0], MOVING, *GROWS, member=1),
-          arithmetic(*IN_OPEN, *FALLS[:3], MOVING, *(at_index(i_, m) for i_ in (i, k, q)), by_cases(ga[m] ** 2 > 0), by_cases(al[m] == p), by_cases(p * al[m] < p**2), member=2),
-          arithmetic(*IN_OPEN, *FALLS, *(at_index(i_, m) for i_ in (j, i, k, t)), by_cases(al[m] == p), by_cases(p * al[m] <= p**2), member=3),
+claim("BLM91-T3.5.a.1.iv", "in I |alpha| grows to |alpha_+|", one1 & grows & under & ((al[1] - p) * (p * al0 - 1) == p**2 * (al0 - p) * (p * al[1] - 1)),
+      over={al0: nonzero(), ga0: nonzero(), p: nonzero()}, where=[*REGION, let(under, abs(al[1]) < abs(p))], given=[given("in I", one0), ROOT, standing("0 < |p| < 1", abs(p) < 1)],
+      by=[steps("BLM91-E5.1", facts=["a quotient by a positive number keeps the order"], prose="1 - gamma^2 is in (0, 1), |alpha'| + |gamma'| = |alpha|/(1 - |gamma|) <= 1, and the last equation is the convergence"),
           instances(40, using={u: nonzero(), s1: nonzero()}, made_by={p: SHARE, al0: p * ((s1 + SIGN) ** 2 - 1) / ((s1 + SIGN) ** 2 - p**2), ga0: (s1 + SIGN) * (p**2 - 1) / ((s1 + SIGN) ** 2 - p**2)}),
           instances(40, **DRAW), example(alpha0=3, gamma0="1/2", p="1/3")],
-      note="gamma_0 not 0: not the equilibrium. p = alpha_+, R_t is p^(2t), m is the time t: gamma_t tends to 0 as |p|^t, and with it alpha_t to p. " + SIGNED)
+      note="gamma_0 not 0: not the equilibrium. p = alpha_+. " + SIGNED)
 
 # ---------------------------------------------------------------------- a) 2) points that end
 #: kappa is 1/lambda for side = 1 and -1/lambda for side = 0, lambda > 1; U_n, and U_(n-1) beside it; b is kappa lambda alpha, for the proof alone

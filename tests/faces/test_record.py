@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Comparison with the record."""
 
+import json
+
 import pytest
 
 from exactkf import BadInput
@@ -50,6 +52,21 @@ def test_update_tells_what_changes():
     record = on_record("open", None)
     assert record.update([result()]) == ["X-1: open -> holds proved-sizes"]
     assert record.update([result()]) == []
+
+
+def test_a_claim_that_is_lost_falls_short(paper):
+    """A run of all claims names what is on record and is no claim any more; a run of some does not look; --record drops it."""
+    p = paper("ok", engine="exactkf.engine")
+    p.run("verify", "--record", engine="exactkf.engine")
+    file = p.root / "fake_proofs/verdicts.json"
+    record = json.loads(file.read_text())
+    record["claims"]["AAA-E9"] = record["claims"]["AAA-E1"]
+    file.write_text(json.dumps(record))
+    done = p.run("verify", engine="exactkf.engine")
+    assert done.exit_code == 1 and "fell short: AAA-E9: is on record, and no module of claims has it" in done.stdout, done.output
+    assert "AAA-E9" not in p.run("verify", "AAA", engine="exactkf.engine").stdout
+    assert "record: AAA-E9: is no claim any more" in p.run("verify", "--record", engine="exactkf.engine").stdout
+    assert "AAA-E9" not in json.loads(file.read_text())["claims"]
 
 
 def test_unreadable_record(tmp_path, monkeypatch):
