@@ -29,6 +29,7 @@ from exactkf.evidence import (
     by_induction,
     cleared,
     example,
+    existing,
     instances,
     multiplied,
     part,
@@ -38,8 +39,22 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
-from proofs.blm91.lemmas_limits import BOUND, CONVERGES, CONVERGES_BY, FROM_P, IN_TIME, LIMIT_WORDS, SQUARED
-from proofs.blm91.lemmas_turns import RISING, U_, W_, ends_at, q
+from proofs.blm91.lemmas_limits import (
+    BACKWARD_P,
+    BOUND,
+    CONVERGES,
+    CONVERGES_BY,
+    FROM_P,
+    IN_TIME,
+    LIMIT_WORDS,
+    SLOPES_ABOVE,
+    SLOPES_END,
+    SLOPES_FALL,
+    SQUARED,
+    power,
+    slope,
+)
+from proofs.blm91.lemmas_turns import RISING, U_, W_, c, ends_at, q
 from proofs.blm91.notation import *
 
 p, y, fixed, at, near, away, be, four0, three0, two0, one0, four1, three1, two1, one1, bigger, up, grows, kept, flag, next1, count, alj, gaj = symbols(
@@ -139,11 +154,13 @@ claim("BLM91-T3.5.a.2.ii", "the points that end after a given number of steps", 
            "b serves the proof alone. The formula is (5.3); the print names (5.13), a number that no display has. " + APART)
 STEP_ = standing("a step", m >= 1)
 claim("BLM91-T3.5.a.2.iii", "the escaping points tend to the unstable equilibrium",
-      (alj - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (gaj == p ** (m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (grows & bigger), sizes=["m"], over={p: nonzero()},
-      where=[let(lam, (p + 1 / p) / 2), CHEBYSHEV, let(alj, Ut[m] / Ut[m - 1]), let(gaj, 1 / Ut[m - 1]), let(next1, Ut[m + 1] / Ut[m]), let(grows, abs(alj) > abs(next1)), let(bigger, abs(next1) > abs(1 / p))],
-      given=[standing("0 < |p| < 1", abs(p) < 1), STEP_],
-      by=[steps("BLM91-E5.1'", prose="U_(t-1) = (p^(-t) - p^t)/(1/p - p); both differences have factors p^m, and the quotients have one sign and fall in modulus"), instances(40, m=(1, 2, 3, 4, 5), using={u: nonzero()}, made_by={p: SHARE})],
-      note="p = alpha_+, 1/p = alpha_-; the points are (alpha_j, +-gamma_j) for j = m.")
+      always(t, (t >= 1) >> ((W_[t] != 0) & (power[t] ** 2 < 1) & ((slope(t) - 1 / p) * p * (1 - power[t] ** 2) == power[t] ** 2 * (1 - p**2))))
+      & always(t, (t >= 1) >> (1 / W_[t] * p * (1 - power[t] ** 2) == power[t] * (1 - p**2))) & always(t, (t >= 1) >> ((abs(1 / p) < abs(slope(t + 1))) & (abs(slope(t + 1)) < abs(slope(t))))),
+      over={p: nonzero()}, where=BACKWARD_P, given=[standing("0 < |p| < 1", abs(p) < 1)],
+      by=[arithmetic(*SLOPES_END, *SLOPES_FALL, member=0), arithmetic(*SLOPES_END, at_index(k, t), angles("quotient", 1, W_[t]), multiplied(1 / W_[t]), multiplied(power[t]), multiplied(p**2 * power[t]), member=1),
+          arithmetic(*SLOPES_END, *SLOPES_ABOVE, member=2), instances(40, using={u: nonzero()}, made_by={p: SHARE})],
+      note="p = alpha_+, 1/p = alpha_-; the points are (U_i, +-1)/U_(i-1), by 2); U_before is U_(i-1), slope alpha^(i), H_i is p^i, and i is t. The first two equations give the distances from alpha_- and from 0, "
+           "p^(2i)(1 - p^2)/(p (1 - p^(2i))) and p^i (1 - p^2)/(p (1 - p^(2i))), which tend to zero.")
 
 # ---------------------------------------------------------------------- b) kappa^2 = 1
 UNIT = let(kap, 2 * k - 1)
@@ -173,12 +190,29 @@ claim("BLM91-T3.5.b.orb", "orbits for kappa^2 = 1, in the manner of part a) 1)",
       repair=repair("other", "the manner of part a) 1) has the mistake of T3.5.a.1.iii: it is kappa alpha that grows from II to I, not |alpha|; (-2, 3) goes to (1/4, 3/4)", FLOW & (two0 >> (one1 & up)), over={x: scalar(), k: integer(0, 1)}, where=EDGE_, given=[OFF],
                     by=[steps("BLM91-X.11", prose="alpha_t = kappa(1 + x/(1 - t x)) tends to kappa unless 1/x is one of 1, 2, 3, .."), DRAW_X, example(x="1/3", k=1), example(x="1/2", k=0), example(x=2, k=1), example(x=-3, k=1), example(x="-1/2", k=0)]),
       note="alpha_0 = kappa(1 + x), gamma_0 = x; by the mirror symmetry that covers both lines. kappa = 2k - 1. (0, +-1), x = -1, is in II and I and has no next point.")
-LAST = (UNIT, *scalar_orbit(kap * (1 + x), x), let(al0, kap * (1 + x)), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
+#: a point of either line, and whether its orbit ends at step m
+EITHER = (2 * side - 1) * x
+LAST = (UNIT, *scalar_orbit(kap * (1 + x), EITHER), let(al0, kap * (1 + x)), let(ga0, EITHER), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
 ESC = iff(flag, at) & (flag >> four0)
-claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC & (flag >> (al0 == kap * (m + 1) / m)), sizes=["m"], over={x: scalar(), k: integer(0, 1)}, where=LAST,
-      given=[STEP_, given("not (0, +-1)", x != -1)],
-      by=[steps("BLM91-X.1", "BLM91-X.11", prose="M_t = kappa^t (1 - t x) is 0 first for t = 1/x; (i + 1)/i falls to 1"), instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1), example(m=1, x=-1, k=0)],
-      note="alpha_0 = kappa(1 + x), gamma_0 = x, kappa = 2k - 1. The pair that ends after m steps is kappa(m + 1)/m, +-1/m, in IV; it tends to (kappa, 0), |alpha| falling. " + APART)
+UNDER = [by_cases(k == 0), by_cases(side == 0)]
+#: (kappa alpha_i - 1)(1 - i x) = x, and gamma_i = +-(alpha_i - kappa)
+ON_LINES = by_induction(i, 0, (defined(al[i]) & defined(ga[i])) >> (((kap * al[i] - 1) * (1 - i * x) == x) & (i * x != 1) & (ga[i] ** 2 == (al[i] - kap) ** 2)),
+                        base=[*UNDER, *values_at(0)], step=[*UNDER, cleared(), *values_at(i + 1), multiplied(1 - i * x), multiplied(ga[i] ** 2)])
+TOGETHER = by_induction(j, 0, iff(defined(al[j]), defined(ga[j])), base=[existing(al, 0), existing(ga, 0)], step=[existing(al, j + 1), existing(ga, j + 1)])
+#: gamma_i^2 = 1 only for (i + 1) x = 1 or (i - 1) x = 1
+AT_ONE = shown_first(forall(s, 0, m, (defined(al[s]) & (ga[s] ** 2 == 1)) >> (((s + 1) * x == 1) | ((s - 1) * x == 1))),
+                     [*UNDER, at_index(i, s), at_index(j, s), by_cases(al[s] == kap + 1), by_cases(al[s] == kap - 1)])
+UNTIL = by_induction(c, 0, ((c <= m - 1) & (x * m == 1)) >> defined(ga[c]), base=[existing(ga, 0)], step=[existing(ga, c + 1), at_index(j, c), at_index(s, c), multiplied(m), multiplied(x)])
+TO_END = [
+    ON_LINES, TOGETHER, AT_ONE,
+    shown_first(flag >> at, [existing(ga, m), existing(ga, m - 1), *(at_index(n_, m - 1) for n_ in (j, s)), at_index(i, m - 2), at_index(j, m - 2), by_cases(m == 1, [*UNDER, *values_at(0)])])]
+LINES_END = [*TO_END, UNTIL, shown_first(at >> flag, [*UNDER, existing(ga, m), *(at_index(n_, m - 1) for n_ in (c, j, i)), multiplied(x), by_cases(kap * al[m - 1] == 2)])]
+claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC & (flag >> (al0 == kap * (m + 1) / m)) & (flag >> (abs(ga0) * m == 1)) & (abs(kap * (m + 2) / (m + 1)) < abs(kap * (m + 1) / m)), sizes=["m"],
+      over={x: scalar(), k: integer(0, 1), side: integer(0, 1)}, where=LAST, given=[STEP_, given("not (0, +-1)", x != -1)],
+      by=[arithmetic(*LINES_END, member=0), *(arithmetic(*TO_END, *UNDER, *values_at(0), by_cases(x > 0), multiplied(m), member=k_) for k_ in (1, 3)),
+          arithmetic(*TO_END, *UNDER, cleared(), member=2), arithmetic(*UNDER, angles("quotient", 1, m), angles("quotient", 1, m + 1), by_cases(1 / (m + 1) > 0), by_cases(1 / (m + 1) < 1 / m), cleared(), member=4),
+          instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1, side=1), example(m=1, x=-1, k=0, side=1)],
+      note="alpha_0 = kappa(1 + x), gamma_0 = x or -x, kappa = 2k - 1: the points of both lines. The pair that ends after m steps is kappa(m + 1)/m, +-1/m, in IV; it tends to (kappa, 0), |alpha| falling. " + APART)
 claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
       repair=repair("other", "T3.5.a.1.iii and, for kappa^2 = 1, T3.5.b.orb fail: from II to I kappa alpha grows, not |alpha|; T3.5.b.eq fails: for kappa^2 = 1 the equilibrium attracts but is not stable; the other parts hold",
                     (two0 >> (one1 & up)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA],

@@ -43,6 +43,7 @@ from exactkf.evidence import (
     valued,
 )
 from exactkf.language import *
+from proofs.blm91.lemmas_limits import BACKWARD_P, SLOPES_ABOVE, SLOPES_END, SLOPES_FALL, power, slope
 from proofs.blm91.lemmas_steady import CONVERGES, DRAWN, FACTOR, POWERS, READ, STEADY_WORDS
 from proofs.blm91.lemmas_turns import U_, W_, ends_at
 from proofs.blm91.notation import *
@@ -211,12 +212,11 @@ claim("BLM91-E5.3", "the slope that ends at infinity at a given step", iff(flag,
           instances(20, n=(2, 3, 4), using={u: nonzero()}, made_by={lam: 1 + abs(u), x: U_[n - 1] / W_[n - 1]}),
           instances(20, n=(1, 2, 3), using={u: nonzero()}, made_by={lam: 1 + abs(u)})],
       note="lambda = 1/kappa > 1. A = [[2 lambda, -1], [1, 0]] and A^(-1) = [[0, 1], [-1, 2 lambda]], so that (v_1, v_2)' = A^(-i) (0, 1)' is (U_before, U)' at i. Ends at step n: defined up to n - 1 and not at n.")
-ESCAPING = (*BY_P, let(v, A**(-m) * rows([[0], [1]])), let(al1, v[2, 1] / v[1, 1]))
 claim("BLM91-S62", "the escaping slopes decrease to alpha_-",
-      (al1 - 1 / p == p ** (2 * m - 1) * (1 - p**2) / (1 - p ** (2 * m))) & (al1 > 1 / p) & (f(al1) > al1), sizes=["m"], over={p: scalar()}, where=ESCAPING,
-      given=[BELOW_ONE, standing("step", m >= 2)],
-      by=[steps("BLM91-E5.1'", prose="f(alpha^(i)) = alpha^(i-1), and the distance to 1/p has the factor p^(2i)"), instances(40, m=(2, 3, 4, 5), **DRAW_P), example(m=2, p=2), example(m=3, p=-2)],
-      note=P_NOTE + " The formula holds for m = 1 too. alpha^(m-1) = f(alpha^(m)) is larger.")
+      always(t, (t >= 1) >> ((W_[t] != 0) & (power[t] ** 2 < 1) & ((slope(t) - 1 / p) * p * (1 - power[t] ** 2) == power[t] ** 2 * (1 - p**2)))) & always(t, (t >= 1) >> ((1 / p < slope(t + 1)) & (slope(t + 1) < slope(t)))),
+      over={p: scalar()}, where=BACKWARD_P, given=[BELOW_ONE],
+      by=[arithmetic(*SLOPES_END, *SLOPES_FALL, member=0), arithmetic(*SLOPES_END, *SLOPES_ABOVE, member=1), instances(40, **DRAW_P), example(p=2), example(p=-2)],
+      note=P_NOTE + " The slope at i is alpha^(i) = U_i/U_(i-1) of (5.3), H_t is p^t. The first equation gives the distance from alpha_- = 1/p, p^(2i)(1 - p^2)/(p (1 - p^(2i))), which is positive and tends to zero.")
 IN_BETWEEN, AT_X = (p < x) & (x < 1 / p), 1 + p**2 - p * x
 #: between p and 1/p: falling, and nearer to p by the factor p^2/(1 + p^2 - p x) at least
 SIGNS = [shown_first(p * x < 1, [cleared()]), by_cases(p**2 > 0), by_cases(AT_X > 0)]
