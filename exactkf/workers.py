@@ -140,6 +140,7 @@ def _prepare(package: str, engine: str, memory_limit: int | None) -> None:
     importlib.import_module(engine)
     gc.collect()
     gc.freeze()  # what was imported stays: the collector need not look at it again
+    gc.set_threshold(100_000)  # and seldom at what a claim makes: a twentieth of a run
     if memory_limit:
         try:
             import resource

@@ -193,7 +193,6 @@ claim("BLM91-T3.5.b.orb", "orbits for kappa^2 = 1, in the manner of part a) 1)",
 #: a point of either line, and whether its orbit ends at step m
 EITHER = (2 * side - 1) * x
 LAST = (UNIT, *scalar_orbit(kap * (1 + x), EITHER), let(al0, kap * (1 + x)), let(ga0, EITHER), *REGIONS, let(four0, four_(0)), let(flag, leaves(m)), let(at, x * m == 1))
-ESC = iff(flag, at) & (flag >> four0)
 UNDER = [by_cases(k == 0), by_cases(side == 0)]
 #: (kappa alpha_i - 1)(1 - i x) = x, and gamma_i = +-(alpha_i - kappa)
 ON_LINES = by_induction(i, 0, (defined(al[i]) & defined(ga[i])) >> (((kap * al[i] - 1) * (1 - i * x) == x) & (i * x != 1) & (ga[i] ** 2 == (al[i] - kap) ** 2)),
@@ -207,10 +206,10 @@ TO_END = [
     ON_LINES, TOGETHER, AT_ONE,
     shown_first(flag >> at, [existing(ga, m), existing(ga, m - 1), *(at_index(n_, m - 1) for n_ in (j, s)), at_index(i, m - 2), at_index(j, m - 2), by_cases(m == 1, [*UNDER, *values_at(0)])])]
 LINES_END = [*TO_END, UNTIL, shown_first(at >> flag, [*UNDER, existing(ga, m), *(at_index(n_, m - 1) for n_ in (c, j, i)), multiplied(x), by_cases(kap * al[m - 1] == 2)])]
-claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", ESC & (flag >> (al0 == kap * (m + 1) / m)) & (flag >> (abs(ga0) * m == 1)) & (abs(kap * (m + 2) / (m + 1)) < abs(kap * (m + 1) / m)), sizes=["m"],
+claim("BLM91-T3.5.b.esc", "points that end for kappa^2 = 1", iff(flag, at) & (flag >> (four0 & (al0 == kap * (m + 1) / m) & (abs(ga0) * m == 1))) & (abs(kap * (m + 2) / (m + 1)) < abs(kap * (m + 1) / m)), sizes=["m"],
       over={x: scalar(), k: integer(0, 1), side: integer(0, 1)}, where=LAST, given=[STEP_, given("not (0, +-1)", x != -1)],
-      by=[arithmetic(*LINES_END, member=0), *(arithmetic(*TO_END, *UNDER, *values_at(0), by_cases(x > 0), multiplied(m), member=k_) for k_ in (1, 3)),
-          arithmetic(*TO_END, *UNDER, cleared(), member=2), arithmetic(*UNDER, angles("quotient", 1, m), angles("quotient", 1, m + 1), by_cases(1 / (m + 1) > 0), by_cases(1 / (m + 1) < 1 / m), cleared(), member=4),
+      by=[arithmetic(*LINES_END, member=0), arithmetic(*TO_END, *UNDER, *values_at(0), cleared(), by_cases(x > 0), multiplied(m), member=1),
+          arithmetic(*UNDER, angles("quotient", 1, m), angles("quotient", 1, m + 1), by_cases(1 / (m + 1) > 0), by_cases(1 / (m + 1) < 1 / m), cleared(), member=2),
           instances(30, m=(1, 2, 3, 4), made_by={x: 1 / m}), instances(30, m=(1, 2, 3)), example(m=2, x="1/3", k=1, side=1), example(m=1, x=-1, k=0, side=1)],
       note="alpha_0 = kappa(1 + x), gamma_0 = x or -x, kappa = 2k - 1: the points of both lines. The pair that ends after m steps is kappa(m + 1)/m, +-1/m, in IV; it tends to (kappa, 0), |alpha| falling. " + APART)
 claim("BLM91-T3.5", "Theorem 3.5", (two0 >> (one1 & bigger)) & (three0 >> two1) & (one0 >> one1), over=PLANE, where=REGION, given=[SMALL_KAPPA], by=[example(alpha0=1, gamma0=3), instances(**IN_II)],
